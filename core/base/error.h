@@ -1,0 +1,37 @@
+#pragma once
+// The three kinds of failure, one type each; the runner turns them into exit codes 3, 4 and 70.
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace morula {
+
+/// The user's input is wrong. The text names the place, what is wrong and what would be right. Exit 3.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The physics cannot go on. Names cell, step, quantity and the parameter to change. Exit 4.
+struct NumericalError : std::runtime_error {
+  NumericalError(std::string cell, std::uint64_t step, std::string quantity, std::string remedy)
+      : std::runtime_error("step " + std::to_string(step) + ", cell '" + cell + "': " + quantity + "; " + remedy),
+        cell(std::move(cell)), step(step), quantity(std::move(quantity)), remedy(std::move(remedy)) {}
+  std::string cell;
+  std::uint64_t step;
+  std::string quantity, remedy;
+};
+
+/// A bug of ours. Exit 70.
+struct BugError : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+}  // namespace morula
+
+/// States what must hold if the program is right. Not for the user's input.
+#define CHECK(condition, what)                                                                                \
+  do {                                                                                                        \
+    if (!(condition))                                                                                         \
+      throw ::morula::BugError(std::string(__FILE__) + ":" + std::to_string(__LINE__) + ": " + #condition +   \
+                               " does not hold: " + (what));                                                  \
+  } while (false)

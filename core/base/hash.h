@@ -1,0 +1,48 @@
+#pragma once
+// XXH3-128 over named fields, never over raw structs: padding, pointers and byte order cannot leak in.
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace morula {
+
+struct Hash {
+  std::uint64_t high = 0, low = 0;
+  /// 32 hexadecimal digits.
+  std::string text() const;
+  friend constexpr auto operator<=>(const Hash&, const Hash&) = default;
+};
+
+/// Collects fields and digests them. Two hashers fed the same fields in the same order agree on every machine.
+class Hasher {
+ public:
+  Hasher();
+  ~Hasher();
+  Hasher(const Hasher&) = delete;
+  Hasher& operator=(const Hasher&) = delete;
+
+  /// Opens a field: its name goes into the hash, so that swapped or missing fields show.
+  Hasher& field(std::string_view name);
+  Hasher& add(std::uint64_t v);
+  Hasher& add(std::int64_t v) { return add(static_cast<std::uint64_t>(v)); }
+  Hasher& add(int v) { return add(static_cast<std::int64_t>(v)); }
+  Hasher& add(bool v) { return add(std::uint64_t{v}); }
+  /// The bits of the number, so −0.0 and 0.0 differ. NaN is CHECKed against: it is a failed run, not a hash.
+  Hasher& add(double v);
+  Hasher& add(std::string_view text);
+  Hasher& add(const char* text) { return add(std::string_view(text)); }
+  Hasher& add(const Hash& h) { return add(h.high).add(h.low); }
+  Hasher& add(std::span<const double> values);
+
+  Hash digest() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace morula

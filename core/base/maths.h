@@ -1,0 +1,22 @@
+#pragma once
+// Functions made of + − × ÷ and square roots only, because the library's others differ between machines in the last bit.
+#include <bit>
+#include <cstdint>
+
+namespace morula {
+
+/// Cube root of a positive, normal number, to within 1 ulp or two and the same bits everywhere: an exponent guess and
+/// Newton's iteration, which doubles the correct digits at each of its fixed number of turns.
+inline double cubeRoot(double a) {
+  const auto bits = std::bit_cast<std::uint64_t>(a);
+  double x = std::bit_cast<double>(bits / 3 + 0x2A9F7893782DA1CEu);
+  for (int turn = 0; turn < 6; ++turn) x = x - (x * x * x - a) / (3 * x * x);
+  return x;
+}
+
+/// The largest power of two that does not exceed a positive, normal number.
+inline double powerOfTwoBelow(double a) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) & 0x7FF0000000000000u);
+}
+
+}  // namespace morula

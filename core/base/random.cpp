@@ -1,0 +1,39 @@
+#include "base/random.h"
+
+#include <Random123/philox.h>
+
+#include "base/hash.h"
+
+namespace morula {
+
+std::array<std::uint32_t, 4> randomWords(const Draw& draw, std::uint32_t number) {
+  // A path has up to 120 letters and the counter 128 bits, so the path is digested into the key with the seed.
+  Hasher h;
+  h.field("draw").add(draw.seed).add(draw.cell.high()).add(draw.cell.low()).add(draw.cell.depth());
+  const Hash key = h.digest();
+  r123::Philox4x32 philox;
+  const r123::Philox4x32::ctr_type counter = {{number, draw.cycle, static_cast<std::uint32_t>(draw.purpose),
+                                               static_cast<std::uint32_t>(key.high)}};
+  const r123::Philox4x32::key_type k = {
+      {static_cast<std::uint32_t>(key.low), static_cast<std::uint32_t>(key.low >> 32)}};
+  const auto out = philox(counter, k);
+  return {out[0], out[1], out[2], out[3]};
+}
+
+double randomUnit(const Draw& draw, std::uint32_t number) {
+  const auto w = randomWords(draw, number);
+  const std::uint64_t bits = (std::uint64_t{w[0]} << 32 | w[1]) >> 11;
+  return static_cast<double>(bits) * 0x1p-53;
+}
+
+Vector randomDirection(const Draw& draw) {
+  for (std::uint32_t i = 0;; i += 2) {
+    const double u = 2 * randomUnit(draw, i) - 1, v = 2 * randomUnit(draw, i + 1) - 1;
+    const double s = u * u + v * v;
+    if (s >= 1) continue;
+    const double root = 2 * std::sqrt(1 - s);
+    return {u * root, v * root, 1 - 2 * s};
+  }
+}
+
+}  // namespace morula

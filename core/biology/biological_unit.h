@@ -1,0 +1,46 @@
+#pragma once
+// The control of cells, as the simulator sees it [Nilsson 2008, table 4.1]. Replaceable: the logical DNA is one
+// implementation. Asked once per cell and cell cycle, never inside a vertex loop.
+#include <string>
+
+#include "base/cell_path.h"
+#include "biology/state.h"
+
+namespace morula {
+
+class PhysicalUnit;
+
+/// What a unit may know of the cell it is asked about.
+struct CellView {
+  CellPath path;
+  StateId state = 0;
+  double time = 0;                         // now
+  double lastCycle = 0;                    // when its last cell cycle ran, or its birth
+  const PhysicalUnit* physical = nullptr;  // null in a lineage-only scene
+};
+
+class BiologicalUnit {
+ public:
+  virtual ~BiologicalUnit() = default;
+
+  /// The egg's state.
+  virtual StateId startState() const = 0;
+  /// Time from the last cycle (or birth) to the next one, for a cell in this state. [time]
+  virtual double cycleLength(StateId state) const = 0;
+  /// True if the cell's next cell cycle is due: the biological step is much longer than the physical one.
+  virtual bool wantsToRunCellCycle(const CellView& cell) const { return cell.time - cell.lastCycle >= cycleLength(cell.state); }
+  /// The state after one cell cycle.
+  virtual StateId runCellCycle(const CellView& cell) = 0;
+  virtual bool wantsToDivide(const CellView& cell) const = 0;
+  virtual bool wantsToDie(const CellView& cell) const = 0;
+  /// > 0: grow; < 0: shrink; 0: neither.
+  virtual double wantsToGrow(const CellView& cell) const = 0;
+  /// > 0: connect, < 0: do not; the simulator adds the values of the two cells.
+  virtual double wantsToConnect(const CellView& cell) const = 0;
+  /// The state of a daughter: the mother's and one asymmetry substance, A or B.
+  virtual StateId daughterState(StateId mother, bool b) = 0;
+  /// The substances of a state, sorted by name, separated by single spaces.
+  virtual std::string describe(StateId state) const = 0;
+};
+
+}  // namespace morula

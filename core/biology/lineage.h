@@ -1,0 +1,32 @@
+#pragma once
+// The lineage tree: every cell that ever was, by path. Cells that divide or die leave the physics and stay here
+// [Nilsson 2008, §4.4.2].
+#include <cstdint>
+#include <vector>
+
+#include "base/cell_path.h"
+#include "biology/state.h"
+
+namespace morula {
+
+enum class Fate : std::uint8_t { alive, divided, died };
+
+/// One cell's life. Times in the scene's units.
+struct LineageEntry {
+  CellPath path;
+  double born = 0;
+  double ended = 0;            // meaningful unless alive
+  std::uint64_t bornStep = 0;  // the physical step (or cycle, without physics) at which it was born
+  std::uint64_t endedStep = 0;
+  Fate fate = Fate::alive;
+  StateId state = 0;           // its substances: the last ones it had
+};
+
+/// Entries in order of birth: a mother before her daughters, A before B, cells born at one time by their paths.
+struct Lineage {
+  std::vector<LineageEntry> entries;
+};
+
+const char* name(Fate fate);
+
+}  // namespace morula

@@ -1,0 +1,51 @@
+#pragma once
+// What a scenario may say about one cell's mechanics. Units are the scene's own: a length, a mass and a time.
+// Every field here changes results.
+#include <optional>
+
+namespace morula {
+
+enum class Integrator {
+  velocityVerlet,  // second order; the default
+  thesisVerlet,    // as the thesis starts it: first order [Nilsson 2008, eq. 4.6, 4.7]
+};
+
+struct CellParameters {
+  double radius = 1;  // [length] of the egg: the mesh's farthest vertex from its centre
+  double mass = 1;    // [mass] of the egg, spread evenly over the vertices [Nilsson 2008, eq. 4.1]
+};
+
+/// Every mesh edge is a damped spring [Nilsson 2008, eq. 4.2].
+struct MembraneParameters {
+  double stiffness = 40;     // k_s [force/length]; higher: rounder cells, shorter steps
+  double damping = 0.05;     // k_d [force·time/length] along the edge
+  double production = 1.26;  // membrane area of both daughters together over their mother's; 2^(1/3) keeps a sphere's tension
+};
+
+/// P = k_p/V − P_0 [Nilsson 2008, eq. 4.3].
+struct PressureParameters {
+  double constant = 4;  // k_p [force·length], nRT of the egg; daughters share it by volume
+  double outside = 0;   // P_0 [force/length²]
+};
+
+/// How fast a cell grows or shrinks while its biology wants to.
+struct GrowthParameters {
+  double rate = 0.1;  // [1/time] relative change of k_p and mass; lengths follow with a third of it
+};
+
+struct ShellParameters {
+  double semiAxes[3] = {1, 1, 1};  // [length]; all equal: a sphere
+};
+
+struct PhysicsParameters {
+  std::optional<double> timeStep;  // [time]; absent: auto, dyadic, from the stability limits
+  Integrator integrator = Integrator::velocityVerlet;
+  CellParameters cell;
+  MembraneParameters membrane;
+  PressureParameters pressure;
+  double drag = 0;  // [1/time] acceleration −drag·v from the medium
+  std::optional<GrowthParameters> growth;
+  std::optional<ShellParameters> shell;
+};
+
+}  // namespace morula

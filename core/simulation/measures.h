@@ -1,0 +1,64 @@
+#pragma once
+// What can be read off a World. Measured on demand only; nothing here is computed unless somebody asks.
+#include <cstdint>
+#include <vector>
+
+#include "base/cell_path.h"
+#include "base/hash.h"
+#include "base/vec3.h"
+#include "biology/state.h"
+
+namespace morula {
+
+struct World;
+
+/// One living cell's geometry. Lineage-only worlds have none.
+struct CellMeasures {
+  CellPath path;
+  StateId state = 0;
+  double volume = 0;      // [length³] by the divergence theorem [Nilsson 2008, eq. 4.4]
+  double area = 0;        // [length²]
+  double pressure = 0;    // [force/length²] inner minus outer [Nilsson 2008, eq. 4.3]
+  Point centroid;         // [length] of the vertices, which carry the mass
+  double sphericity = 0;  // π^(1/3) (6V)^(2/3) / A, 1 for a sphere
+  int neighbours = 0;     // cells it touches
+};
+
+struct ContactMeasures {
+  CellPath a, b;  // a < b
+  double area = 0;  // [length²]
+};
+
+struct WorldMeasures {
+  double time = 0;
+  std::uint64_t step = 0;
+  std::uint64_t cells = 0;       // alive
+  double volume = 0;             // [length³] all cells
+  double kineticEnergy = 0;      // [force·length]
+  double meanPressure = 0;       // [force/length²]
+  double shellFill = 0;          // volume / the shell's volume; 0 without a shell
+  double outermost = 0;          // largest distance of a vertex, in shell radii (1: on the shell); 0 without a shell
+};
+
+struct ConnectionRecord {
+  CellPath a, b;
+  double made = 0, released = -1;  // [time]; released < 0: it still holds
+  const char* cause = "";          // why it was released: "", "divided", "died", "distance", "gene"
+};
+
+WorldMeasures measureWorld(const World& world);
+/// By lineage path; empty in a lineage-only world.
+std::vector<CellMeasures> measureCells(const World& world);
+/// By (a, b); empty without contact.
+std::vector<ContactMeasures> measureContacts(const World& world);
+/// Mean over the cells of the share of a cell's volume that lies in another cell too, by scan lines through a grid of
+/// `columns` × `columns` columns; O(cells · faces). [1]
+double measureMeanOverlap(const World& world, int columns = 256);
+
+/// The vertex positions of one living cell, in the scene mesh's order.
+std::vector<Point> cellVertices(const World& world, const CellPath& path);
+
+/// The whole state: cells by lineage path, connections, lineage, clock. The same on every machine.
+Hash stateHash(const World& world);
+
+}  // namespace morula

@@ -1,0 +1,42 @@
+#pragma once
+// A scene: everything that decides what a run computes, and nothing else. An absent optional is an absent part of the
+// World, and costs nothing. A scenario file is read into this struct (runner/scenario); makeWorld consumes it.
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "biology/dna.h"
+#include "biology/parameters.h"
+#include "connections/parameters.h"
+#include "contacts/parameters.h"
+#include "division/parameters.h"
+#include "mesh/mesh.h"
+#include "physics/parameters.h"
+
+namespace morula {
+
+/// The run ends at the first of the limits that are given; at least one is.
+struct StopParameters {
+  std::optional<std::uint64_t> cycles;  // times cycle.length: when cell cycle number `cycles` has run
+  std::optional<double> time;           // [time]
+  std::optional<std::uint64_t> cells;   // as soon as at least so many are alive
+};
+
+struct MechanicsScene {
+  PhysicsParameters physics;
+  Mesh mesh;  // of the egg, scaled to physics.cell.radius; every cell keeps its connectivity
+  std::optional<ContactParameters> contact;
+  DivisionParameters division;
+  std::optional<ConnectionParameters> connections;
+};
+
+struct Scene {
+  std::string name;
+  std::uint64_t seed = 0;
+  Dna dna;
+  CycleParameters cycle;
+  StopParameters stop;
+  std::optional<MechanicsScene> mechanics;  // absent: lineage only
+};
+
+}  // namespace morula

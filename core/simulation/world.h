@@ -1,0 +1,73 @@
+#pragma once
+// The state of a scene in motion, and how it goes on.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "biology/biological_unit.h"
+#include "biology/lineage.h"
+#include "connections/connections.h"
+#include "contacts/contacts.h"
+#include "physics/bodies.h"
+#include "simulation/scene.h"
+
+namespace morula {
+
+/// How to compute. Nothing here changes a bit of the result.
+struct Execution {
+  Isa isa = bestIsa();
+  int threads = 1;
+};
+
+/// The living cells, by lineage path. Cell number i is slot i of the bodies, and so of everything physical.
+struct Cells {
+  std::vector<CellPath> path;
+  std::vector<StateId> state;
+  std::vector<double> lastCycle;          // [time]
+  std::vector<std::uint32_t> entry;       // its place in lineage.entries
+};
+
+struct Clock {
+  double time = 0;         // [time] = epochTime + (step − epochStep)·timeStep, so no error piles up
+  std::uint64_t step = 0;
+  double timeStep = 0;     // 0 in a lineage-only world: it goes from cycle to cycle
+  double epochTime = 0;    // where the present time step came into force
+  std::uint64_t epochStep = 0;
+};
+
+/// One entry for the start and one for each change of the step; changes happen at divisions and deaths only.
+struct TimeStepChange {
+  double time = 0;
+  std::uint64_t step = 0;
+  double timeStep = 0;
+};
+
+struct World {
+  Scene model;  // constant
+  Execution execution;
+  std::unique_ptr<BiologicalUnit> biology;
+  Clock clock;
+  Cells cells;
+  std::optional<Bodies> bodies;            // absent: a lineage-only scene
+  std::optional<Contacts> contacts;        // absent: cells cannot touch
+  std::optional<Connections> connections;  // absent: nothing connects
+  Lineage lineage;
+  std::vector<TimeStepChange> timeSteps;
+};
+
+/// Builds the world at time 0: one egg. Throws InputError if the scene cannot run, for example when its fixed time
+/// step lies above the stability limit, which the text names.
+World makeWorld(const Scene& scene, const Execution& execution = {});
+
+/// Goes on by one time step, or in a lineage-only world to the next cell cycle, and does the divisions, deaths and
+/// connections that are due. Throws NumericalError when the physics cannot go on; the world then holds the failed state.
+void step(World& world);
+
+/// True once one of the scene's stop conditions holds.
+bool finished(const World& world);
+
+/// The simulated time at which the run stops, if it is known beforehand (not with stop.cells alone). [time]
+std::optional<double> plannedEnd(const Scene& scene);
+
+}  // namespace morula
