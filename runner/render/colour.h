@@ -1,0 +1,34 @@
+#pragma once
+// Colours as people write them (sRGB, 8 bits a channel), and how cells with several coloured substances get
+// theirs.
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace morula {
+
+struct Colour {
+  std::uint8_t r = 0, g = 0, b = 0;
+  friend constexpr bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// Cells none of whose substances has a colour.
+inline constexpr Colour neutralGrey{0xbd, 0xbd, 0xbd};
+
+/// Reads "#rrggbb", either case. Throws InputError for anything else.
+Colour parseColour(std::string_view text);
+
+/// "#rrggbb".
+std::string text(Colour colour);
+
+/// The average in linear light, as if the colours were lamps: red and green give yellow and not brown. Order
+/// does not matter; none gives neutralGrey.
+Colour mixColours(const std::vector<Colour>& colours);
+
+/// Linear light in [0, 1] of an sRGB channel, and back to the nearest channel (values outside are clamped)
+/// [IEC 61966-2-1].
+double linearLight(std::uint8_t channel);
+std::uint8_t channelOf(double linear);
+
+}  // namespace morula
