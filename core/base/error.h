@@ -1,5 +1,5 @@
 #pragma once
-// The three kinds of failure, one type each; the runner turns them into exit codes 3, 4 and 70.
+// The four kinds of failure, one type each; the runner turns them into exit codes 3, 4, 6 and 70.
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -19,6 +19,11 @@ struct NumericalError : std::runtime_error {
   std::string cell;
   std::uint64_t step;
   std::string quantity, remedy;
+};
+
+/// A file or database that cannot be read or written. The text names the file and the reason. Exit 6.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// A bug of ours. Exit 70.

@@ -1,17 +1,12 @@
 #pragma once
 // Pictures in memory and on disk.
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "render/colour.h"
 
 namespace morula {
-
-/// A file that cannot be read or written. The text names the file and the reason. Exit 6.
-struct FileError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Opaque pixels, row by row from the top left.
 struct Image {
