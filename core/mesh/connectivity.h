@@ -1,0 +1,35 @@
+#pragma once
+// Who neighbours whom in a closed mesh. It never changes during a run: daughters keep their mother's
+// template, so that cells lie side by side in the lanes and every kernel walks one ring structure for all of
+// them.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace morula {
+
+/// One mesh template's connectivity, shared by all cells that have it.
+///
+///        r1 ---- r0        The ring of vertex i: its neighbours r0, r1, …, counter-clockwise seen from
+///        outside.
+///       /  \    /  \       Each edge (i, rk) is ringEdge's k-th entry, each face (i, rk, rk+1) is a corner
+///       of the
+///     r2 --- i --- r5      fan (cyclic: the last face is (i, r5, r0)), and the outline r0 r1 … r5 is the
+///     link of i.
+///       \  /    \  /
+///        r3 ---- r4
+struct Connectivity {
+  int vertexCount = 0, edgeCount = 0;
+  std::vector<std::array<int, 2>> edges;  // the smaller index first; sorted
+  std::vector<int> ringStart;   // vertexCount + 1: the ring of i is [ringStart[i], ringStart[i + 1])
+  std::vector<int> ringVertex;  // the neighbours, from the one with the smallest index on
+  std::vector<int> ringEdge;    // the edge to that neighbour
+  std::vector<Face> faces;
+};
+
+/// The mesh must be one that checkClosedManifold lets pass: CHECKed as far as the rings need it.
+Connectivity makeConnectivity(const Mesh& mesh);
+
+}  // namespace morula
