@@ -28,7 +28,9 @@ class BiologicalUnit {
   /// Time from the last cycle (or birth) to the next one, for a cell in this state. [time]
   virtual double cycleLength(StateId state) const = 0;
   /// True if the cell's next cell cycle is due: the biological step is much longer than the physical one.
-  virtual bool wantsToRunCellCycle(const CellView& cell) const { return cell.time - cell.lastCycle >= cycleLength(cell.state); }
+  virtual bool wantsToRunCellCycle(const CellView& cell) const {
+    return cell.time >= cell.lastCycle + cycleLength(cell.state);
+  }
   /// The state after one cell cycle.
   virtual StateId runCellCycle(const CellView& cell) = 0;
   virtual bool wantsToDivide(const CellView& cell) const = 0;

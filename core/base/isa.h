@@ -1,0 +1,42 @@
+#pragma once
+// Which instruction set the kernels use. It changes speed, never a bit of the result: the lanes of every set do the
+// same IEEE operations in the same order.
+#include <string_view>
+#include <vector>
+
+namespace morula {
+
+enum class Isa {
+  scalar,  // one cell at a time: the oracle
+  narrow,  // two side by side: SSE2, NEON; every machine has it
+  avx2,    // four, without fused multiply-add
+  avx512,  // eight, without fused multiply-add
+};
+
+/// The widest one that this program was built with and this processor has.
+Isa bestIsa();
+/// All that this program was built with and this processor has, narrowest first.
+std::vector<Isa> availableIsas();
+const char* name(Isa isa);
+/// Throws InputError for another word, or for one that is not available here.
+Isa parseIsa(std::string_view word);
+
+/// A kernel table has one entry per Isa; sets that were not built stand as null.
+template <class Table>
+struct PerIsa {
+  const Table* scalar;
+  const Table* narrow;
+  const Table* avx2;
+  const Table* avx512;
+  const Table& operator[](Isa isa) const {
+    switch (isa) {
+      case Isa::scalar: return *scalar;
+      case Isa::narrow: return *narrow;
+      case Isa::avx2: return *avx2;
+      case Isa::avx512: return *avx512;
+    }
+    return *scalar;
+  }
+};
+
+}  // namespace morula

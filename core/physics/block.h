@@ -1,0 +1,59 @@
+#pragma once
+// Eight cells side by side: the unit of storage, of work and of the hot path.
+//
+//   position[vertex][x y z][lane]     one cache line per vertex and axis, lane = cell
+//
+// All cells of a mesh template share its connectivity, so a kernel walks edges and rings once for the whole block and
+// needs no gather, no colouring and no scatter. The width of the storage is eight on every machine; a narrower
+// instruction set takes a line in several groups, and groups without a living cell are left out.
+#include <cstdint>
+
+namespace morula {
+
+constexpr int blockLanes = 8;
+constexpr int vertexStride = 3 * blockLanes;  // doubles from one vertex to the next
+
+/// One step from vertex i around its ring: a neighbour and the edge that leads to it.
+struct RingStep {
+  std::int32_t vertex, edge;
+};
+
+/// A mesh template as the kernels walk it. Rings run counter-clockwise seen from outside and have even length: an odd
+/// one repeats its last neighbour by the edge number edgeCount, whose spring is always slack.
+struct TemplateView {
+  int vertexCount, edgeCount;
+  const std::int32_t* edges;      // [edge][2], first < second
+  const double* restLengths;      // [edge] of the template, at scale 1
+  const std::int32_t* ringStart;  // [vertex + 1] into ring
+  const RingStep* ring;
+};
+
+/// Where a block's numbers lie. Lengths: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].
+struct BlockView {
+  int liveLanes;  // living cells in this block, in the first lanes
+  // State
+  double* position;      // [v]
+  double* velocity;      // [v]; between drift and kick the velocity at half the step
+  double* acceleration;  // [v]; between drift and kick the force
+  // Parameters of each cell
+  const double* vertexMass;        // [l]
+  const double* restScale;         // [l] rest length over the template's
+  const double* pressureConstant;  // [l] k_p
+  // Output of each cell
+  double* volume;    // [l]
+  double* pressure;  // [l]
+  // Scratch of the running thread
+  double* predicted;    // [v] velocity estimate at the new time, for damping
+  double* gradient;     // [v] 6∇V: six times the outward area vector that belongs to the vertex
+  double* coefficient;  // [edgeCount + 1][blockLanes] spring force over edge vector
+};
+
+/// The constants of a scene, as the kernels need them.
+struct KernelParameters {
+  double stiffness, damping;  // springs
+  double outsidePressure;
+  double drag;
+  double semiAxes[3];  // shell
+};
+
+}  // namespace morula

@@ -1,0 +1,24 @@
+#pragma once
+// Loading and storing the three lines of a vertex, for the kernels.
+#include "base/lanes.h"
+#include "base/vec3.h"
+#include "physics/block.h"
+
+namespace morula::MORULA_ISA {
+
+using Vec = Vec3<Lanes>;
+
+/// The vectors of `width` cells, from lane `lane` on, at vertex `v` of a [vertex][3][lane] array.
+MORULA_INLINE Vec loadVec(const double* array, int v, int lane) {
+  const double* p = array + v * vertexStride + lane;
+  return {load(p), load(p + blockLanes), load(p + 2 * blockLanes)};
+}
+
+MORULA_INLINE void storeVec(double* array, int v, int lane, const Vec& a) {
+  double* p = array + v * vertexStride + lane;
+  store(p, a.x);
+  store(p + blockLanes, a.y);
+  store(p + 2 * blockLanes, a.z);
+}
+
+}  // namespace morula::MORULA_ISA

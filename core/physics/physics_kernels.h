@@ -1,0 +1,21 @@
+#pragma once
+// The kernels of one cell's mechanics, one table per instruction set. Each works on one block.
+#include "base/isa.h"
+#include "physics/block.h"
+
+namespace morula {
+
+struct PhysicsKernels {
+  using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
+  using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&, double timeStep);
+  TimedStage driftVelocityVerlet, kickVelocityVerlet;
+  TimedStage driftThesisVerlet, kickThesisVerlet;
+  Stage keepInSphere, keepInEllipsoid;
+  Stage findSpringCoefficients, findDampedSpringCoefficients;
+  Stage gatherRings;
+  Stage addPressureForces, addPressureAndDragForces;
+};
+
+const PhysicsKernels& physicsKernels(Isa isa);
+
+}  // namespace morula

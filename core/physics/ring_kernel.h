@@ -1,0 +1,58 @@
+#pragma once
+// One walk around each vertex's ring of neighbours gives its spring force, its share of the volume's gradient, and the
+// volume: no face pass, no scatter.
+//
+//   d_k = x_k − x                   to neighbour k, counter-clockwise seen from outside
+//   F   = Σ c_k d_k                 springs (spring_kernel.h)
+//   G   = Σ d_k × d_{k+1} = 6 ∇V    each face of the ring adds twice its area vector, and ∇V takes a third of an area
+//         For an even ring, Σ over odd k of d_k × (d_{k+1} − d_{k−1}): half the products.
+//   V   = Σ_i G_i·(x_i − x_0) / 18  V is homogeneous of third degree: Σ ∇_iV·x_i = 3V, and 6·3 = 18. It equals
+//                                   [Nilsson 2008, eq. 4.4]. Any x_0 serves; a vertex of the cell keeps the terms small.
+#include "physics/lane_vec3.h"
+
+namespace morula::MORULA_ISA {
+
+template <int valence>  // 0: as long as the ring says
+MORULA_INLINE void gatherRing(const BlockView& b, const RingStep* ring, int steps, int lane, const Vec& x, Vec& force,
+                              Vec& gradient) {
+  const int n = valence > 0 ? valence : steps;
+  const Vec first = loadVec(b.position, ring[0].vertex, lane) - x;
+  force = load(b.coefficient + ring[0].edge * blockLanes + lane) * first;
+  gradient = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+  Vec before = first;
+#pragma GCC unroll 3
+  for (int k = 1; k < n; k += 2) {
+    const Vec odd = loadVec(b.position, ring[k].vertex, lane) - x;
+    force += load(b.coefficient + ring[k].edge * blockLanes + lane) * odd;
+    Vec after = first;
+    if (k + 1 < n) {
+      after = loadVec(b.position, ring[k + 1].vertex, lane) - x;
+      force += load(b.coefficient + ring[k + 1].edge * blockLanes + lane) * after;
+    }
+    gradient += cross(odd, after - before);
+    before = after;
+  }
+}
+
+/// acceleration ← spring force, gradient ← 6∇V, volume ← V.
+inline void gatherRings(const TemplateView& mesh, const BlockView& b, const KernelParameters&) {
+  Lanes volume[blockLanes / width];
+  for (Lanes& v : volume) v = Lanes(0.0);
+  for (int v = 0; v < mesh.vertexCount; ++v) {
+    const RingStep* ring = mesh.ring + mesh.ringStart[v];
+    const int steps = mesh.ringStart[v + 1] - mesh.ringStart[v];
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+      const Vec x = loadVec(b.position, v, lane);
+      Vec force, gradient;
+      if (steps == 6) gatherRing<6>(b, ring, steps, lane, x, force, gradient);
+      else gatherRing<0>(b, ring, steps, lane, x, force, gradient);
+      storeVec(b.acceleration, v, lane, force);
+      storeVec(b.gradient, v, lane, gradient);
+      volume[group] += dot(gradient, x - loadVec(b.position, 0, lane));
+    }
+  }
+  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
+    store(b.volume + lane, volume[group] / 18.0);
+}
+
+}  // namespace morula::MORULA_ISA

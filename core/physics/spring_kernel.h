@@ -1,0 +1,34 @@
+#pragma once
+// Damped springs along the mesh's edges [Nilsson 2008, eq. 4.2]: f_s = k_s Δl + k_d Δv.
+//
+// On the first end of edge e, with d = x_second − x_first, l = |d|, and w the velocities:
+//   f = (k_s (l − L0) + k_d (w_second − w_first)·d/l) d/l = c_e d,   and −c_e d on the second end.
+// One number per edge; the ring pass (ring_kernel.h) gathers c_e d from either side with the sign that d has there.
+#include "physics/lane_vec3.h"
+
+namespace morula::MORULA_ISA {
+
+// Keeps 1/l finite where two ends coincide; the force c d is then 0, as its direction is unknown. Below rounding else.
+constexpr double nothing = 1e-280;
+
+template <bool damped>
+inline void findSpringCoefficients(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
+  const Lanes stiffness = p.stiffness, damping = p.damping;
+  for (int e = 0; e < mesh.edgeCount; ++e) {
+    const int first = mesh.edges[2 * e], second = mesh.edges[2 * e + 1];
+    const Lanes templateLength = mesh.restLengths[e];
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      const Vec d = loadVec(b.position, second, lane) - loadVec(b.position, first, lane);
+      const Lanes length = squareRoot(dot(d, d) + nothing);
+      const Lanes inverse = 1.0 / length;
+      Lanes tension = stiffness * (length - templateLength * load(b.restScale + lane));
+      if constexpr (damped) {
+        const Vec dw = loadVec(b.predicted, second, lane) - loadVec(b.predicted, first, lane);
+        tension += damping * (dot(dw, d) * inverse);
+      }
+      store(b.coefficient + e * blockLanes + lane, tension * inverse);
+    }
+  }
+}
+
+}  // namespace morula::MORULA_ISA

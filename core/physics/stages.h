@@ -1,0 +1,21 @@
+#pragma once
+// The stages of one block's step, in the order of the thesis' figure 4.4.
+#include "physics/bodies.h"
+#include "physics/physics_kernels.h"
+
+namespace morula {
+
+/// The kernels that a scene's parameters call for, chosen once. A mechanism that is absent is null and never called.
+struct PhysicsStages {
+  PhysicsKernels::TimedStage drift, kick;
+  PhysicsKernels::Stage keepInShell;  // null without a shell
+  PhysicsKernels::Stage findSpringCoefficients, gatherRings, addPressureForces;
+};
+
+PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa);
+
+/// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`; `kick` turns them
+/// into accelerations once the outer ones are added. A time step of 0 only evaluates.
+void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);
+
+}  // namespace morula

@@ -1,0 +1,67 @@
+#pragma once
+// Time integration, in two halves around the forces.
+//
+// Velocity Verlet, second order [Swope et al. 1982]:
+//   drift:  v½ = v + ½Δt a,   x' = x + Δt v½            kick:  v' = v½ + ½Δt a'
+// with damping forces taken at the prediction w = v½ + ½Δt a = v + Δt a, which is good to Δt² and keeps the order.
+//
+// The thesis' Verlet, x' = 2x − x_prev + a Δt² [Nilsson 2008, eq. 4.6], written with its velocity v = (x − x_prev)/Δt
+// [eq. 4.7]: v' = v + Δt a, x' = x + Δt v'. Damping sees that lagged velocity: first order.
+#include "base/lanes.h"
+#include "physics/block.h"
+
+namespace morula::MORULA_ISA {
+
+/// x ← x', velocity ← v½, predicted ← w.
+inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double dt) {
+  const Lanes halfStep = 0.5 * dt, step = dt;
+  const int lines = 3 * mesh.vertexCount;
+  for (int i = 0; i < lines; ++i)
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      const int at = i * blockLanes + lane;
+      const Lanes impulse = halfStep * load(b.acceleration + at);
+      const Lanes half = load(b.velocity + at) + impulse;
+      store(b.velocity + at, half);
+      store(b.predicted + at, half + impulse);
+      store(b.position + at, load(b.position + at) + step * half);
+    }
+}
+
+/// Force → acceleration, velocity ← v'.
+inline void kickVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double dt) {
+  const Lanes halfStep = 0.5 * dt;
+  const int lines = 3 * mesh.vertexCount;
+  for (int i = 0; i < lines; ++i)
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      const int at = i * blockLanes + lane;
+      const Lanes a = load(b.acceleration + at) / load(b.vertexMass + lane);
+      store(b.acceleration + at, a);
+      store(b.velocity + at, load(b.velocity + at) + halfStep * a);
+    }
+}
+
+/// x ← x', velocity and predicted ← v'.
+inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double dt) {
+  const Lanes step = dt;
+  const int lines = 3 * mesh.vertexCount;
+  for (int i = 0; i < lines; ++i)
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      const int at = i * blockLanes + lane;
+      const Lanes v = load(b.velocity + at) + step * load(b.acceleration + at);
+      store(b.velocity + at, v);
+      store(b.predicted + at, v);
+      store(b.position + at, load(b.position + at) + step * v);
+    }
+}
+
+/// Force → acceleration.
+inline void kickThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double) {
+  const int lines = 3 * mesh.vertexCount;
+  for (int i = 0; i < lines; ++i)
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      const int at = i * blockLanes + lane;
+      store(b.acceleration + at, load(b.acceleration + at) / load(b.vertexMass + lane));
+    }
+}
+
+}  // namespace morula::MORULA_ISA
