@@ -1,0 +1,44 @@
+#pragma once
+// The DNA of an organism: the same list of genes in every cell [Nilsson 2008, §4.4.1 and §5.1.2].
+//
+//   # a comment                    also behind a gene
+//   START: a0, a1                  the egg's substances; may repeat
+//   g1(a3|a1, a2)                  gene g1 produces a3 in a cell cycle if a1 and a2 are present
+//
+// Names are made of letters, digits and '_' and begin with a letter. Eight of them act on the cell, see
+// substances.h.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "biology/state.h"
+
+namespace morula {
+
+struct Gene {
+  std::string name;
+  SubstanceId product = 0;
+  std::vector<SubstanceId> inputs;  // sorted; all must be present
+};
+
+struct Dna {
+  std::vector<std::string>
+      substances;  // every name that occurs, and A and B; sorted: a SubstanceId is a place here
+  std::vector<SubstanceId> start;  // what the egg holds; sorted
+  std::vector<Gene> genes;         // as written
+  std::string source;              // the text that this was read from
+};
+
+/// Reads DNA in the syntax above. `file` and `path` only name the place in messages; `firstLine` and
+/// `firstColumn` (from 1) tell where the text begins in the file, for DNA inside a YAML block, where every
+/// line is indented alike. Throws InputError with all that is wrong, one line each: "file:line:column: [path:
+/// ]what is wrong; what would be right". Wrong is also what could never have an effect, such as an input that
+/// no gene produces.
+Dna parseDna(std::string_view text, const std::string& file, int firstLine = 1, int firstColumn = 1,
+             const std::string& path = "");
+
+/// The id of a name, if the DNA knows it.
+std::optional<SubstanceId> findSubstance(const Dna& dna, std::string_view name);
+
+}  // namespace morula

@@ -1,0 +1,140 @@
+// What is well written but cannot work. An organism that silently does nothing is the worst answer to a slip
+// of the pen, so a name that nothing can ever produce, or a gene that can never be active, is an error.
+#include <algorithm>
+#include <map>
+
+#include "base/did_you_mean.h"
+#include "biology/dna_text.h"
+#include "biology/substances.h"
+
+namespace morula::dna_text {
+
+namespace {
+
+std::string quoted(const std::string& text) { return "'" + text + "'"; }
+std::string atLine(const Place& place) { return "line " + std::to_string(place.line); }
+
+/// All names that a cell can come to hold; those of lines that could not be read get the benefit of the
+/// doubt.
+std::set<std::string> possibleSubstances(const Lines& lines) {
+  std::set<std::string> names = lines.unreadableWords;
+  names.insert({substance::a, substance::b});
+  for (const Word& word : lines.start) names.insert(word.text);
+  for (const GeneLine& gene : lines.genes) names.insert(gene.product.text);
+  return names;
+}
+
+std::set<std::string> inputsOfAllGenes(const Lines& lines) {
+  std::set<std::string> names;
+  for (const GeneLine& gene : lines.genes)
+    for (const Word& input : gene.inputs) names.insert(input.text);
+  return names;
+}
+
+bool isAsymmetry(const std::string& name) { return name == substance::a || name == substance::b; }
+
+/// `Divide`, or `devide` where no gene reads it: it would do nothing. Short words have too many innocent
+/// neighbours.
+std::string misspelt(const std::string& name, bool isRead) {
+  for (const std::string& word : substance::acting) {
+    if (name == word) return "";
+    if (equalButForCase(name, word)) return word;
+    if (!isRead && word.size() >= 6 && editDistance(name, word) == 1) return word;
+  }
+  return "";
+}
+
+void checkStart(const Lines& lines, Complaints& complaints) {
+  if (!lines.hasStartLine)
+    complaints.add(lines.begin, "no START line; name the egg's substances, for example START: a0");
+  std::map<std::string, Place> seen;
+  for (const Word& word : lines.start) {
+    const auto [first, isNew] = seen.emplace(word.text, word.place);
+    if (word.text == "START") complaints.add(word.place, "START cannot be a substance; take another name");
+    else if (!isNew)
+      complaints.add(word.place, quoted(word.text) + " is in START already (" + atLine(first->second) +
+                                     "); take one away");
+    else if (isAsymmetry(word.text))
+      complaints.add(word.place,
+                     quoted(word.text) + " is given to daughters only, at a division; take another name");
+    else if (word.text == substance::divide || word.text == substance::die)
+      complaints.add(word.place,
+                     quoted(word.text) +
+                         " acts when a gene produces it; START a substance and a gene such as g1(" +
+                         word.text + "|a0)");
+  }
+}
+
+void checkNames(const Lines& lines, Complaints& complaints) {
+  std::map<std::string, Place> names;
+  std::map<std::vector<std::string>, const GeneLine*> contents;
+  for (const GeneLine& gene : lines.genes) {
+    const auto [firstName, isNewName] = names.emplace(gene.name.text, gene.name.place);
+    if (!isNewName)
+      complaints.add(gene.name.place, "gene " + quoted(gene.name.text) + " exists already (" +
+                                          atLine(firstName->second) + "); give this one another name");
+    std::vector<std::string> content;
+    for (const Word& input : gene.inputs) content.push_back(input.text);
+    std::ranges::sort(content);
+    content.push_back(gene.product.text);
+    const auto [firstGene, isNewGene] = contents.emplace(content, &gene);
+    if (!isNewGene)
+      complaints.add(gene.product.place,
+                     "the same product and inputs as gene " + quoted(firstGene->second->name.text) + " (" +
+                         atLine(firstGene->second->name.place) + "); take one of the two away");
+  }
+}
+
+void checkProduct(const Word& product, bool isRead, Complaints& complaints) {
+  if (product.text == "START")
+    complaints.add(product.place, "START cannot be a substance; take another name");
+  else if (isAsymmetry(product.text))
+    complaints.add(product.place, "no gene produces " + quoted(product.text) +
+                                      ": daughters get it at a division; take another name");
+  else if (const std::string meant = misspelt(product.text, isRead); !meant.empty())
+    complaints.add(product.place,
+                   quoted(product.text) + " does nothing; did you mean " + quoted(meant) + "?");
+}
+
+void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Complaints& complaints) {
+  std::set<std::string> seen;
+  for (const Word& input : gene.inputs) {
+    const bool isNew = seen.insert(input.text).second;
+    const std::string name = quoted(input.text);
+    if (input.text == "START") {
+      complaints.add(input.place, "START cannot be a substance; take another name");
+    } else if (!isNew) {
+      complaints.add(input.place, name + " is an input of this gene already; take one away");
+    } else if (isAsymmetry(input.text) && seen.contains(substance::a) && seen.contains(substance::b)) {
+      complaints.add(input.place,
+                     "no cell holds both 'A' and 'B', so this gene is never active; take one away");
+    } else if (input.text == substance::die) {
+      complaints.add(input.place,
+                     "a cell that holds 'die' runs no further cycle, so this gene is never active; "
+                     "take another input");
+    } else if (!possible.contains(input.text)) {
+      const std::vector<std::string> candidates(possible.begin(), possible.end());
+      const std::string meant = closest(input.text, candidates);
+      complaints.add(input.place, "nothing produces " + name + ", so this gene is never active; " +
+                                      (meant.empty() ? "add it to START or write a gene that produces it"
+                                                     : "did you mean " + quoted(meant) + "?"));
+    }
+  }
+}
+
+}  // namespace
+
+void checkMeaning(const Lines& lines, Complaints& complaints) {
+  checkStart(lines, complaints);
+  checkNames(lines, complaints);
+  std::set<std::string> possible = possibleSubstances(lines);
+  const std::set<std::string> read = inputsOfAllGenes(lines);
+  // Without START everything would seem unproduced: one complaint is enough.
+  if (!lines.hasStartLine) possible.insert(read.begin(), read.end());
+  for (const GeneLine& gene : lines.genes) {
+    checkProduct(gene.product, read.contains(gene.product.text), complaints);
+    checkInputs(gene, possible, complaints);
+  }
+}
+
+}  // namespace morula::dna_text

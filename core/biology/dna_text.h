@@ -1,0 +1,53 @@
+#pragma once
+// Between text and Dna: what stands where, so that every complaint can name its place. Private to this room.
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace morula::dna_text {
+
+struct Place {
+  int line = 1, column = 1;  // in the user's file, from 1
+};
+
+struct Word {
+  std::string text;
+  Place place;
+};
+
+struct GeneLine {
+  Word name, product;
+  std::vector<Word> inputs;
+};
+
+struct Lines {
+  Place begin;              // of the whole text
+  std::vector<Word> start;  // of all START lines
+  std::vector<GeneLine> genes;
+  bool hasStartLine = false;              // even one that could not be read
+  std::set<std::string> unreadableWords;  // names in lines that could not be read: they may be anything
+};
+
+/// Collects complaints; `file:line:column: [path: ]text` in the order of places.
+class Complaints {
+ public:
+  void add(Place place, std::string text) { list_.push_back({place, std::move(text)}); }
+  /// Throws InputError if there are any.
+  void report(const std::string& file, const std::string& path);
+
+ private:
+  struct Complaint {
+    Place place;
+    std::string text;
+  };
+  std::vector<Complaint> list_;
+};
+
+/// The grammar: one line, one START list, gene or comment.
+Lines readLines(std::string_view text, Place begin, Complaints& complaints);
+
+/// The meaning: whatever is well written but cannot work.
+void checkMeaning(const Lines& lines, Complaints& complaints);
+
+}  // namespace morula::dna_text
