@@ -1,0 +1,35 @@
+#pragma once
+// Where goldens lie, and how a new one is accepted.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "golden/golden.h"
+
+namespace morula {
+
+struct Acceptance {
+  std::string by;   // who accepts
+  std::string why;  // required: what changed and why the new result is right
+};
+
+/// Writes the observed data as the scenario's golden, with the tolerance rules of `rules` (usually those of
+/// the golden it replaces), atomically. Throws InputError without a reason or with a rule that matches
+/// nothing, StoreError-like std::runtime_error never: a file that cannot be written is an InputError that
+/// names it. Refuses (InputError) when the environment variable CI is set and not empty: goldens are accepted
+/// by people.
+void acceptGolden(const std::filesystem::path& file, const GoldenData& observed,
+                  std::vector<ToleranceRule> rules, const Acceptance& acceptance);
+
+/// "thesis/unique-four" for …/scenarios/thesis/unique-four.yaml: the path below the nearest folder
+/// `scenarios`, or the file's stem elsewhere.
+std::string goldenName(const std::filesystem::path& scenario);
+/// …/golden/thesis/unique-four.golden for …/scenarios/thesis/unique-four.yaml; unique-four.golden beside a
+/// scenario that lies elsewhere.
+std::filesystem::path goldenPath(const std::filesystem::path& scenario);
+
+/// Golden files under `goldenFolder` that have no scenario under `scenarioFolder`, sorted.
+std::vector<std::filesystem::path> goldensWithoutScenario(const std::filesystem::path& goldenFolder,
+                                                          const std::filesystem::path& scenarioFolder);
+
+}  // namespace morula

@@ -1,0 +1,41 @@
+#pragma once
+// What a check found: one row of `check_result`, one entry of `morula check --json`.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace morula {
+
+struct CheckResult {
+  std::string check;     // "lineage", "bits", "values final.*.volume", …
+  std::string kind;      // "golden", "bullet", "invariant"
+  std::string expected;  // of the worst or first difference; of the whole when passed
+  std::string actual;
+  std::string tolerance;  // "exact", "rel 1e-9 scale 1"
+  bool passed = true;
+  // Where, as far as it applies:
+  std::string failureClass;  // "" when passed; INPUT_CHANGED, SETUP, COMPUTATION, LINEAGE, NONDETERMINISM, …
+  std::optional<std::uint64_t> firstStep;  // the first step at which it differs
+  std::optional<std::string> cell;         // its path; "" is the egg
+  std::string field;                       // "pressure"
+  std::optional<double> share;  // of the tolerance used: 0 equal, 1 at its edge; absent for exact checks
+  std::string message;          // for people: all that differs, several lines; "" when passed
+  friend bool operator==(const CheckResult&, const CheckResult&) = default;
+};
+
+struct CheckReport {
+  std::string scenario;  // "thesis/unique-four"
+  std::vector<CheckResult> results;
+
+  bool passed() const {
+    for (const CheckResult& r : results)
+      if (!r.passed) return false;
+    return true;
+  }
+};
+
+/// For people: one line per check, and under each failed one what differs.
+std::string describe(const CheckReport& report);
+
+}  // namespace morula

@@ -1,0 +1,48 @@
+#pragma once
+// What a golden file records of a run, as plain data: no simulation is needed to fill or test it.
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/hash.h"
+#include "biology/lineage.h"
+#include "golden/golden.h"
+#include "simulation/measures.h"
+
+namespace morula {
+
+struct GoldenTimeStep {
+  std::uint64_t step = 0;
+  double time = 0, timeStep = 0;  // [time]
+};
+
+struct GoldenStepHash {
+  std::uint64_t step = 0;
+  Hash hash;
+};
+
+struct GoldenFacts {
+  std::string scenario;  // "thesis/unique-four"
+  std::string scenarioHash;
+  std::uint64_t seed = 0;
+  std::uint64_t steps = 0;
+  std::vector<LineageEntry> lineage;
+  std::function<std::string(StateId)> describe;  // a state's substances
+  std::vector<GoldenTimeStep> timeSteps;
+  Hash stateHash;
+  std::vector<GoldenStepHash> stepHashes;
+  bool mechanics = false;  // false: a lineage-only scene, without values
+  WorldMeasures end;
+  std::vector<CellMeasures> cells;     // at the end
+  std::vector<WorldMeasures> samples;  // on the way
+};
+
+/// Beyond this many cells (ever born) the lineage is recorded as counts and digests per generation.
+inline constexpr std::size_t goldenLineageLimit = 4096;
+/// Beyond this many living cells only the organism's values are recorded, not each cell's.
+inline constexpr std::size_t goldenCellLimit = 256;
+
+GoldenData makeGoldenData(const GoldenFacts& facts);
+
+}  // namespace morula

@@ -1,0 +1,53 @@
+#pragma once
+// How far a value may lie from the golden one, and why.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace morula {
+
+struct Tolerance {
+  enum class Kind {
+    exact,     // the same bits; −0 and 0 differ
+    absolute,  // |a − e| ≤ amount
+    relative,  // |a − e| ≤ amount · max(|e|, scale)
+    ulp,       // at most `amount` representable numbers apart
+  };
+  Kind kind = Kind::exact;
+  double amount = 0;
+  double scale = 0;  // relative only: the size below which the value counts as this large
+
+  /// "exact", "abs 1e-9", "rel 1e-9 scale 1", "ulp 4".
+  std::string text() const;
+  /// The part of the tolerance that the difference uses: 0 equal bits, 1 at its edge, infinite when nothing
+  /// is allowed (exact, or not a number).
+  double share(double expected, double actual) const;
+  bool passes(double expected, double actual) const { return share(expected, actual) <= 1; }
+};
+
+/// `tolerance PATTERN exact|abs X|rel X [scale X]|ulp N [until_step N] [why "…"]`. The last rule that matches
+/// a value holds for it; a value that no rule matches must be exact.
+struct ToleranceRule {
+  std::string pattern;  // of value names; * stands for any text
+  Tolerance tolerance;
+  std::optional<std::uint64_t> untilStep;  // matches values up to this step only
+  std::string why;                         // required unless exact
+  int line = 0;
+
+  bool matches(std::string_view name, std::uint64_t step) const;
+  std::string text() const;  // as in the file
+};
+
+/// Reads one rule. Throws InputError that begins with `place`.
+ToleranceRule readRule(std::string_view line, const std::string& place);
+
+/// How many representable numbers lie between the two (0: equal, also −0 and 0); the largest number if one is
+/// NaN.
+std::uint64_t ulpsBetween(double a, double b);
+
+/// True if the pattern, in which * stands for any text, fits the whole name.
+bool fits(std::string_view pattern, std::string_view name);
+
+}  // namespace morula

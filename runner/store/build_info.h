@@ -1,0 +1,26 @@
+#pragma once
+// What this program was built from, fixed when it was built (build_info.cmake writes the values).
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace morula {
+
+struct BuildInfo {
+  std::string version;    // "0.1.0"
+  std::string sources;    // digest of all sources of core/ and runner/: needs no git, sees uncommitted edits
+  std::string gitCommit;  // "unknown" without git, as in a source archive
+  std::string gitState;   // "clean", "modified" (tracked files differ from the commit) or "unknown"
+  std::string compiler;   // "GNU 12.2.0"
+  std::string flags;      // build type and compiler options
+  std::string target;     // "Linux x86_64"
+  std::vector<std::pair<std::string, std::string>> libraries;  // name, version; by name
+};
+
+const BuildInfo& buildInfo();
+
+/// 32 hexadecimal digits over what can change a result: sources, compiler, flags, target, libraries. The
+/// commit is not in it: the same sources under another commit are the same program.
+std::string buildId(const BuildInfo& build);
+
+}  // namespace morula

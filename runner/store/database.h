@@ -1,0 +1,119 @@
+#pragma once
+// SQLite's C interface with owners: Database, Statement, Transaction. Errors are StoreErrors that name the
+// file.
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace morula {
+
+class Database {
+ public:
+  enum class Mode { create, existing };
+
+  /// Opens a file (Mode::create: makes it if it is not there) and checks that SQLite can read it. Waits
+  /// `patience` for other writers, now and later.
+  Database(std::filesystem::path file, Mode mode, std::chrono::milliseconds patience);
+
+  /// Runs statements that take no values and give no rows.
+  void execute(const std::string& sql);
+  std::int64_t integer(const std::string& sql);  // the first column of the first row
+  const std::filesystem::path& file() const { return file_; }
+  bool readOnly() const;
+
+  /// Throws the StoreError for what SQLite last reported. `doing`: "store the run".
+  [[noreturn]] void fail(int code, const std::string& doing) const;
+
+ private:
+  friend class Statement;
+  struct Close {
+    void operator()(sqlite3* db) const;
+  };
+  std::filesystem::path file_;
+  std::unique_ptr<sqlite3, Close> db_;
+};
+
+/// A prepared statement. Parameters are bound in order by `run` or `start`, columns read by number from 0.
+class Statement {
+ public:
+  Statement(Database& db, std::string_view sql);
+
+  /// Binds the values and runs a statement that gives no rows; ready to run again.
+  template <class... Values>
+  void run(const Values&... values) {
+    start(values...);
+    next();
+    reset();
+  }
+
+  /// Binds the values; the rows follow with `next`.
+  template <class... Values>
+  Statement& start(const Values&... values) {
+    reset();
+    int place = 0;
+    (bind(++place, values), ...);
+    expectParameters(place);
+    return *this;
+  }
+
+  /// Goes to the next row; false after the last one.
+  bool next();
+
+  bool isNull(int column) const;
+  std::int64_t integer(int column) const;
+  std::uint64_t natural(int column) const { return static_cast<std::uint64_t>(integer(column)); }
+  /// NULL reads as NaN: see bind(double).
+  double real(int column) const;
+  std::string text(int column) const;  // NULL reads as ""
+
+ private:
+  struct Finalize {
+    void operator()(sqlite3_stmt* s) const;
+  };
+
+  /// SQLite keeps every finite double and the infinities bit for bit, but −0.0 becomes 0.0 and NaN becomes
+  /// NULL. So REAL columns are for reading and reckoning; what must be exact to the last bit is stored as a
+  /// hash beside them.
+  void bind(int place, double value);
+  void bind(int place, std::int64_t value);
+  void bind(int place, std::uint64_t value);  // two's complement: SQLite's integers are signed
+  void bind(int place, int value) { bind(place, std::int64_t{value}); }
+  void bind(int place, bool value) { bind(place, std::int64_t{value}); }
+  void bind(int place, std::string_view value);  // must live until the statement has run
+  void bind(int place, const std::string& value) { bind(place, std::string_view(value)); }
+  void bind(int place, const char* value) { bind(place, std::string_view(value)); }
+  void bindNull(int place);
+  template <class T>
+  void bind(int place, const std::optional<T>& value) {
+    if (value) bind(place, *value);
+    else bindNull(place);
+  }
+  void reset();
+  void expectParameters(int count) const;
+
+  Database* db_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+};
+
+/// BEGIN IMMEDIATE; rolled back at the end of the scope unless committed.
+class Transaction {
+ public:
+  explicit Transaction(Database& db);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+
+ private:
+  Database& db_;
+  bool open_ = true;
+};
+
+}  // namespace morula

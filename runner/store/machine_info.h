@@ -1,0 +1,18 @@
+#pragma once
+// Where and when a run took place. For the record only: nothing here may change a result.
+#include <string>
+
+namespace morula {
+
+struct MachineInfo {
+  std::string cpu;     // "AMD EPYC 7B13"
+  std::string kernel;  // "Linux 6.1.0-18-amd64 x86_64"
+};
+
+/// Reads the machine's description; what cannot be read is "unknown".
+MachineInfo machineInfo();
+
+/// Now, as "2008-06-17T12:34:56Z".
+std::string utcNow();
+
+}  // namespace morula

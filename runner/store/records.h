@@ -1,0 +1,89 @@
+#pragma once
+// What is stored of a run, as plain data: no simulation and no database is needed to fill or read it.
+// The tables are described in store/README.md.
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/hash.h"
+#include "biology/lineage.h"
+#include "golden/check_result.h"
+#include "simulation/measures.h"
+#include "store/build_info.h"
+#include "store/machine_info.h"
+
+namespace morula {
+
+enum class RunStatus { running, done, failed, killed };
+const char* name(RunStatus status);
+
+/// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
+struct Document {
+  std::string role;  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh"
+  std::string path;  // where it was read from; "" if it was not
+  std::string content;
+  friend bool operator==(const Document&, const Document&) = default;
+};
+
+/// What is known before the first step.
+struct RunRecord {
+  std::string scenario;      // its name
+  std::string scenarioHash;  // semantic: formatting and key order do not count
+  std::uint64_t seed = 0;
+  std::vector<Document> documents;
+  std::string command;  // as typed
+  std::string isa;      // the kernels' instruction set; changes no result
+  int threads = 1;      // changes no result
+  BuildInfo build = buildInfo();
+  MachineInfo machine = machineInfo();
+};
+
+/// 16 hexadecimal digits over scenarioHash, seed and build: the same computation has the same id, anywhere.
+std::string runId(const RunRecord& record);
+
+/// How the run ended.
+struct RunEnd {
+  RunStatus status = RunStatus::done;  // done, failed or killed
+  std::optional<Hash> stateHash;       // of the final state; required when done
+  std::uint64_t steps = 0;
+  std::uint64_t cells = 0;  // alive at the end
+  double time = 0;          // [time] simulated
+  std::string failure;      // what went wrong; "" unless failed
+};
+
+/// The state of the organism at one moment, as far as it was measured.
+struct Sample {
+  WorldMeasures world;
+  std::vector<CellMeasures> cells;        // by path; empty in a lineage-only scene
+  std::vector<ContactMeasures> contacts;  // by (a, b); empty without contact
+};
+
+/// A change of the time step; the first entry is the start.
+struct TimeStepRecord {
+  double time = 0;  // [time]
+  std::uint64_t step = 0;
+  double timeStep = 0;  // [time] from here on
+  friend bool operator==(const TimeStepRecord&, const TimeStepRecord&) = default;
+};
+
+struct StepHash {
+  std::uint64_t step = 0;
+  Hash hash;
+  friend bool operator==(const StepHash&, const StepHash&) = default;
+};
+
+/// What a run leaves behind. Every part may be empty: what was not asked for is not stored.
+struct RunResults {
+  std::vector<LineageEntry> lineage;          // in any order; read back in order of birth
+  std::map<StateId, std::string> stateTexts;  // the substances of each state in `lineage`
+  std::map<CellPath, std::string> names;      // optional labels of cells
+  std::vector<Sample> samples;                // by time
+  std::vector<ConnectionRecord> connections;  // in the order in which they were made
+  std::vector<TimeStepRecord> timeSteps;
+  std::vector<StepHash> stepHashes;  // by step
+  std::vector<CheckResult> checks;
+};
+
+}  // namespace morula

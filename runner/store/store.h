@@ -1,0 +1,78 @@
+#pragma once
+// A file of results: SQLite, one or many runs in it. The life of a run:
+//
+//   Store store = Store::openForWriting("results/unique-four.db");
+//   std::string id = store.begin(record);     // the row `run`, status running, is on the disk before the
+//   first step … step … store.finish(id, end, results);           // all results and the status done, failed
+//   or killed: one transaction store.addChecks(id, checks);              // what `morula check` found
+//
+// A process that dies in between leaves the row with status running and no results; the file stays whole.
+// One writer at a time: others wait (StoreOptions::patience), then get a StoreError.
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "store/database.h"
+#include "store/records.h"
+
+namespace morula {
+
+struct StoreOptions {
+  std::chrono::milliseconds patience{30'000};  // how long to wait for another writer
+};
+
+/// A run as it stands in the file.
+struct StoredRun {
+  std::string id;
+  RunRecord record;  // without the documents' contents: Store::documents
+  RunStatus status = RunStatus::running;
+  std::string started, ended;          // UTC; ended is "" while running
+  std::string stateHash;               // "" unless done
+  std::uint64_t steps = 0, cells = 0;  // 0 while running
+  double time = 0;                     // [time]
+  std::string failure;
+};
+
+class Store {
+ public:
+  using Options = StoreOptions;
+
+  /// Opens the file, and makes it if it is not there. Throws StoreError: not a database, not Morula's, from a
+  /// newer Morula, directory missing or not writable, locked.
+  static Store openForWriting(const std::filesystem::path& file, Options options = {});
+  /// Opens a file that is there, to read from it.
+  static Store openForReading(const std::filesystem::path& file, Options options = {});
+
+  /// Enters the run and returns its id. If the file has a finished run of that id, its row and results stay
+  /// until `finish` has compared the two; unfinished or failed attempts are replaced now.
+  std::string begin(const RunRecord& record);
+
+  /// Stores how the run ended and what it left behind, replacing what the file has of this id. Throws
+  /// NondeterminismError, and leaves the file as it was, if a finished run of this id has another state hash
+  /// (or this one failed). A killed attempt never replaces a finished run.
+  void finish(const std::string& id, const RunEnd& end, const RunResults& results);
+
+  /// Replaces the run's check results of the kinds that occur in `checks`.
+  void addChecks(const std::string& id, const std::vector<CheckResult>& checks);
+
+  /// All runs, by start, then id.
+  std::vector<StoredRun> runs();
+  /// The run whose id is, or begins with, `id`; with "" the only run in the file or else the one that was
+  /// started last. Throws StoreError if there is none or several.
+  StoredRun find(const std::string& id);
+  /// Everything the run left behind. State ids are numbered anew; their texts are the same.
+  RunResults results(const std::string& id);
+  /// Only the lineage, state texts and names.
+  RunResults lineage(const std::string& id);
+  std::vector<CheckResult> checks(const std::string& id);
+  std::vector<Document> documents(const std::string& id);
+
+  const std::filesystem::path& file() const { return db_.file(); }
+
+ private:
+  explicit Store(Database db) : db_(std::move(db)) {}
+  Database db_;
+};
+
+}  // namespace morula
