@@ -1,0 +1,68 @@
+#include "contacts/contacts.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace morula {
+
+namespace {
+
+constexpr double skinShare = 0.15;  // of the smallest influence radius: the measured optimum between list length and rebuilds
+
+}  // namespace
+
+Contacts makeContacts(const ContactParameters& parameters, Isa isa) {
+  Contacts c;
+  c.parameters = parameters;
+  c.kernels = &contactKernels(isa);
+  c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
+                : parameters.friction > 0            ? c.kernels->addPairForcesWithFriction
+                                                     : c.kernels->addPairForces;
+  return c;
+}
+
+void resetContacts(Contacts& c, const Bodies& bodies) {
+  c.radius.assign(bodies.restScale.size(), 0);
+  for (int slot = 0; slot < bodies.count; ++slot)
+    c.radius[slot] = static_cast<float>(c.parameters.radius * bodies.mesh.meanRestLength * bodies.restScale[slot]);
+  const std::size_t vertices = bodies.position.size() / 3;
+  c.rows.assign((vertices + 1) * 8, 0);
+  const SnapshotRow far{1e100, 1e100, 1e100, 0, 0, 0, 1, 0, 0, 0};
+  std::memcpy(&c.rows[vertices * 8], &far, sizeof far);
+  c.farthest.assign(bodies.blockCount(), 0);
+  c.list.reference.assign(bodies.position.begin(), bodies.position.end());
+  c.list.skin = bodies.count > 0 ? skinShare * *std::min_element(c.radius.begin(), c.radius.begin() + bodies.count) : 0;
+  c.listIsValid = false;
+}
+
+void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
+  const std::size_t lines = std::size_t(index) * bodies.vertexCount();
+  c.farthest[index] = c.kernels->takeSnapshot(bodies.mesh.view(), block, &c.radius[std::size_t(index) * blockLanes],
+                                              &c.list.reference[lines * vertexStride], &c.rows[lines * blockLanes * 8]);
+}
+
+void refreshList(Contacts& c, const Bodies& bodies, int threads) {
+  const double limit = 0.25 * c.list.skin * c.list.skin;
+  // Not `<=`: a NaN must lead to a rebuild, never to a stale list.
+  const bool still = std::all_of(c.farthest.begin(), c.farthest.end(), [&](double f) { return f < limit; });
+  if (c.listIsValid && still) return;
+  buildNeighbourList(c.list, bodies, c.radius, threads);
+  c.listIsValid = true;
+  ++c.rebuilds;
+}
+
+void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
+  const std::int64_t first = c.list.firstSlice[block], last = c.list.firstSlice[block + 1];
+  // Slip below this speed counts as sticking; about the noise of a settled packing.
+  constexpr double slipSpeed = 1e-6;
+  const ContactConstants constants{c.parameters.stiffness,
+                                   c.parameters.damping,
+                                   c.parameters.friction,
+                                   slipSpeed,
+                                   timeStep,
+                                   static_cast<std::int32_t>(bodies.position.size() / 3)};
+  c.addForces(c.list.slices.data() + first, last - first, c.list.indices.data(), c.rows.data(), constants,
+              bodies.vertexMass.data(), bodies.vertexCount(), bodies.acceleration.data());
+}
+
+}  // namespace morula

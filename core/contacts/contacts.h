@@ -1,0 +1,57 @@
+#pragma once
+// Cells that touch: who may (neighbour_list.h), what a vertex shows (snapshot.h), what acts (the laws' kernels).
+#include <cstdint>
+
+#include "base/aligned.h"
+#include "base/cell_path.h"
+#include "contacts/contacts_kernels.h"
+#include "contacts/neighbour_list.h"
+#include "contacts/parameters.h"
+#include "physics/bodies.h"
+
+namespace morula {
+
+struct Contacts {
+  // Constant
+  ContactParameters parameters;
+  const ContactKernels* kernels = nullptr;
+  ContactKernels::AddForces addForces = nullptr;  // of the scene's law
+
+  // State between rebuilds; nothing of it is part of the result
+  AlignedVector<double> radius;      // [slot] influence radius [length], rounded to float
+  AlignedVector<double> rows;        // SnapshotRow of every vertex, and the far row
+  AlignedVector<double> farthest;    // [block] largest squared displacement since the list was built
+  NeighbourList list;
+  bool listIsValid = false;
+
+  // Counters
+  std::uint64_t rebuilds = 0;
+  std::uint64_t pairEvaluations = 0;
+};
+
+Contacts makeContacts(const ContactParameters& parameters, Isa isa);
+
+/// To be called when the cells have changed: new radii, room for the rows, and the list is void.
+void resetContacts(Contacts& contacts, const Bodies& bodies);
+
+/// Takes one block's snapshot, from the scratch that `advance` has just filled.
+void takeSnapshot(Contacts& contacts, const Bodies& bodies, const BlockView& block, int index);
+
+/// Builds the list anew if a vertex has moved half the skin. Needs all snapshots.
+void refreshList(Contacts& contacts, const Bodies& bodies, int threads);
+
+/// Adds contact forces to one block's force. Needs all snapshots and a valid list.
+void addContactForces(Contacts& contacts, Bodies& bodies, int block, double timeStep);
+
+/// Two cells that touch and over which area. [length²]
+struct ContactArea {
+  int a, b;  // slots, a < b
+  double area;
+};
+
+/// A vertex touches the cell of its nearest facing neighbour within reach when its gap to it is below a quarter of the
+/// influence radius; it stands for a third of the area of its faces. Area of a pair: the mean of the two sides. From the
+/// last snapshot; by (a, b).
+std::vector<ContactArea> measureContactAreas(const Contacts& contacts, const Bodies& bodies);
+
+}  // namespace morula

@@ -1,0 +1,13 @@
+// Compiled once per instruction set (core/CMakeLists.txt); see contacts_dispatch.cpp for the choice.
+#include "contacts/contacts_kernels.h"
+
+#include "contacts/pair_law_kernel.h"
+#include "contacts/rows_kernel.h"
+#include "contacts/thesis_law_kernel.h"
+
+namespace morula::MORULA_ISA {
+
+extern const ContactKernels contacts;
+const ContactKernels contacts = {takeSnapshot, addPairForces<false>, addPairForces<true>, addThesisForces};
+
+}  // namespace morula::MORULA_ISA

@@ -1,0 +1,37 @@
+#pragma once
+// The kernels of contact, one table per instruction set.
+#include "base/isa.h"
+#include "contacts/snapshot.h"
+#include "physics/block.h"
+
+namespace morula {
+
+/// Neighbours of up to eight vertices, those with lists of like length together: entry k of lane l is
+/// indices[(start + k)·8 + l]. Each list runs in rising order of vertex numbers, so sums have one order.
+struct NeighbourSlice {
+  VertexNumber vertex[blockLanes];  // the far row where there is none
+  std::int64_t start;
+  std::int32_t length;
+};
+
+struct ContactConstants {
+  double stiffness, damping, friction;
+  double slipSpeed;  // [length/time] below which friction fades out linearly
+  double timeStep;   // the thesis' law depends on it [Nilsson 2008, eq. 4.8]
+  std::int32_t vertices;  // number of rows, and the number of the far row behind them
+};
+
+struct ContactKernels {
+  /// Writes the rows of a block's vertices from position, predicted and gradient. Returns the largest squared distance
+  /// of a vertex from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
+  double (*takeSnapshot)(const TemplateView&, const BlockView&, const double* radius, const double* reference, double* rows);
+  /// force += contact forces, for a range of slices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
+  /// `vertexMass` [slot]; `vertexCount` of one cell.
+  using AddForces = void (*)(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
+                             const double* rows, const ContactConstants&, const double* vertexMass, int vertexCount, double* force);
+  AddForces addPairForces, addPairForcesWithFriction, addThesisForces;
+};
+
+const ContactKernels& contactKernels(Isa isa);
+
+}  // namespace morula
