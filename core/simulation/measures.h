@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "base/vec3.h"
 #include "biology/state.h"
+#include "connections/connections.h"
 
 namespace morula {
 
@@ -38,12 +39,6 @@ struct WorldMeasures {
   double meanPressure = 0;       // [force/length²]
   double shellFill = 0;          // volume / the shell's volume; 0 without a shell
   double outermost = 0;          // largest distance of a vertex, in shell radii (1: on the shell); 0 without a shell
-};
-
-struct ConnectionRecord {
-  CellPath a, b;
-  double made = 0, released = -1;  // [time]; released < 0: it still holds
-  const char* cause = "";          // why it was released: "", "divided", "died", "distance", "gene"
 };
 
 WorldMeasures measureWorld(const World& world);

@@ -1,0 +1,42 @@
+// [Nilsson 2008, eq. 4.9] f_c = k_c v̂.
+#include <algorithm>
+
+#include "connections/connections.h"
+
+namespace morula {
+
+namespace {
+
+Point centre(const Bodies& bodies, int slot) {
+  Vector sum;
+  for (int v = 0; v < bodies.vertexCount(); ++v) sum += bodies.vertex(slot, v);
+  return sum / static_cast<double>(bodies.vertexCount());
+}
+
+void addToVertices(Bodies& bodies, int slot, const Vector& force) {
+  for (int v = 0; v < bodies.vertexCount(); ++v) {
+    double* f = &bodies.acceleration[bodies.at(slot, v)];
+    f[0] += force.x;
+    f[blockLanes] += force.y;
+    f[2 * blockLanes] += force.z;
+  }
+}
+
+}  // namespace
+
+void addConnectionForces(const Connections& c, const std::vector<CellPath>& paths, Bodies& bodies) {
+  const auto slotOf = [&](const CellPath& path) {
+    return static_cast<int>(std::lower_bound(paths.begin(), paths.end(), path) - paths.begin());
+  };
+  for (std::size_t i : c.active) {
+    const int a = slotOf(c.history[i].a), b = slotOf(c.history[i].b);
+    const Vector between = centre(bodies, b) - centre(bodies, a);
+    const double distance = norm(between);
+    if (!(distance > 0)) continue;  // concentric: no direction, no force
+    const Vector force = (c.parameters.strength / (distance * bodies.vertexCount())) * between;
+    addToVertices(bodies, a, force);
+    addToVertices(bodies, b, -force);
+  }
+}
+
+}  // namespace morula

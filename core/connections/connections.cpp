@@ -1,0 +1,62 @@
+#include "connections/connections.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace morula {
+
+namespace {
+
+using Pair = std::pair<CellPath, CellPath>;
+
+Pair ordered(const CellPath& a, const CellPath& b) { return a < b ? Pair{a, b} : Pair{b, a}; }
+
+/// Where the pair stands, or would stand, in the active list.
+auto place(const Connections& c, const Pair& pair) {
+  return std::lower_bound(c.active.begin(), c.active.end(), pair, [&](std::size_t i, const Pair& p) {
+    return Pair{c.history[i].a, c.history[i].b} < p;
+  });
+}
+
+}  // namespace
+
+bool areConnected(const Connections& c, const CellPath& a, const CellPath& b) {
+  const Pair pair = ordered(a, b);
+  const auto at = place(c, pair);
+  return at != c.active.end() && c.history[*at].a == pair.first && c.history[*at].b == pair.second;
+}
+
+void connect(Connections& c, const CellPath& a, const CellPath& b, double time) {
+  CHECK(a != b, "a cell cannot be connected to itself");
+  if (areConnected(c, a, b)) return;
+  const Pair pair = ordered(a, b);
+  const auto at = place(c, pair) - c.active.begin();
+  c.history.push_back({pair.first, pair.second, time});
+  c.active.insert(c.active.begin() + at, c.history.size() - 1);
+}
+
+void release(Connections& c, const CellPath& a, const CellPath& b, double time, const char* cause) {
+  if (!areConnected(c, a, b)) return;
+  const auto at = place(c, ordered(a, b)) - c.active.begin();
+  ConnectionRecord& record = c.history[c.active[at]];
+  record.released = time;
+  record.cause = cause;
+  c.active.erase(c.active.begin() + at);
+}
+
+void releaseAll(Connections& c, const CellPath& cell, double time, const char* cause) {
+  for (const CellPath& other : partners(c, cell)) release(c, cell, other, time, cause);
+}
+
+std::vector<CellPath> partners(const Connections& c, const CellPath& cell) {
+  std::vector<CellPath> others;
+  for (std::size_t i : c.active) {
+    if (c.history[i].a == cell) others.push_back(c.history[i].b);
+    if (c.history[i].b == cell) others.push_back(c.history[i].a);
+  }
+  std::sort(others.begin(), others.end());
+  return others;
+}
+
+}  // namespace morula

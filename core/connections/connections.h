@@ -1,0 +1,38 @@
+#pragma once
+// The list of cell–cell connections, and what makes and ends them [Nilsson 2008, §4.4.3].
+#include <string>
+#include <vector>
+
+#include "base/cell_path.h"
+#include "connections/parameters.h"
+#include "physics/bodies.h"
+
+namespace morula {
+
+struct ConnectionRecord {
+  CellPath a, b;  // a < b
+  double made = 0, released = -1;  // [time]; released < 0: it still holds
+  const char* cause = "";          // why it ended: "", "divided", "died", "distance", "gene"
+};
+
+struct Connections {
+  ConnectionParameters parameters;
+  std::vector<ConnectionRecord> history;  // in the order in which they were made
+  std::vector<std::size_t> active;        // places in history, by (a, b)
+};
+
+bool areConnected(const Connections& connections, const CellPath& a, const CellPath& b);
+/// Does nothing if they are connected already.
+void connect(Connections& connections, const CellPath& a, const CellPath& b, double time);
+/// Does nothing if they are not connected.
+void release(Connections& connections, const CellPath& a, const CellPath& b, double time, const char* cause);
+/// All connections of a cell that dies.
+void releaseAll(Connections& connections, const CellPath& cell, double time, const char* cause);
+/// The other ends of a cell's connections, by path.
+std::vector<CellPath> partners(const Connections& connections, const CellPath& cell);
+
+/// Adhesion [Nilsson 2008, eq. 4.9]: on each of the two cells the constant force k_c towards the other's centre, spread
+/// evenly over its vertices. `paths` [slot], sorted. Adds to the bodies' forces; equal and opposite on a pair.
+void addConnectionForces(const Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies);
+
+}  // namespace morula

@@ -1,0 +1,39 @@
+#include "division/cut.h"
+
+#include <cmath>
+
+#include "base/maths.h"
+
+namespace morula {
+
+CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double production) {
+  CutResult result;
+  Body &a = result.daughters.a, &b = result.daughters.b;
+  a = b = mother;
+  const Point centre = measureCentroid(mother.position);
+  for (std::size_t v = 0; v < mother.position.size(); ++v) {
+    const double height = dot(mother.position[v] - centre, normal);
+    Body& beyond = height > 0 ? b : a;  // the daughter for which this vertex lies beyond the plane
+    beyond.position[v] = mother.position[v] - height * normal;
+  }
+
+  const double volumeA = measureVolume(a.position, faces), volumeB = measureVolume(b.position, faces);
+  const double volume = volumeA + volumeB;
+  if (!(volumeA >= 0.1 * volume && volumeB >= 0.1 * volume)) {
+    result.failure = "the plane through its centre of mass would cut its volume into " + std::to_string(volumeA) +
+                     " and " + std::to_string(volumeB);
+    return result;
+  }
+  const double shareA = volumeA / volume;
+  a.mass = mother.mass * shareA;
+  b.mass = mother.mass - a.mass;
+  a.pressureConstant = mother.pressureConstant * shareA;
+  b.pressureConstant = mother.pressureConstant - a.pressureConstant;
+  const double rootA = cubeRoot(volumeA), rootB = cubeRoot(volumeB);
+  const double surfaceShareA = rootA * rootA / (rootA * rootA + rootB * rootB);
+  a.restScale = mother.restScale * std::sqrt(production * surfaceShareA);
+  b.restScale = mother.restScale * std::sqrt(production * (1 - surfaceShareA));
+  return result;
+}
+
+}  // namespace morula

@@ -1,0 +1,37 @@
+#include "division/principal_axis.h"
+
+#include <Eigen/Dense>
+
+#include "mesh/measures.h"
+
+namespace morula {
+
+Vector principalAxis(std::span<const Point> points) {
+  const Point c = measureCentroid(points);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const Point& p : points) {
+    const Eigen::Vector3d d(p.x - c.x, p.y - c.y, p.z - c.z);
+    covariance += d * d.transpose();
+  }
+  // The iterative solver: tridiagonalisation and QR use + − × ÷ and square roots only. (computeDirect uses acos.)
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d& values = solver.eigenvalues();  // rising
+  const Eigen::Matrix3d& vectors = solver.eigenvectors();
+
+  Eigen::Vector3d axis = vectors.col(2);
+  int equal = 1;
+  while (equal < 3 && values[2] - values[2 - equal] <= 1e-6 * values[2]) ++equal;
+  if (equal > 1) {
+    const auto space = vectors.rightCols(equal);
+    axis = space * space.transpose() * Eigen::Vector3d::UnitX();
+    if (axis.squaredNorm() < 0.25) axis = space * space.transpose() * Eigen::Vector3d::UnitY();
+    axis /= std::sqrt(axis.squaredNorm());
+  }
+  int largest = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::abs(axis[i]) > std::abs(axis[largest])) largest = i;
+  if (axis[largest] < 0) axis = -axis;
+  return {axis[0], axis[1], axis[2]};
+}
+
+}  // namespace morula
