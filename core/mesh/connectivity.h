@@ -12,12 +12,9 @@ namespace morula {
 
 /// One mesh template's connectivity, shared by all cells that have it.
 ///
-///        r1 ---- r0        The ring of vertex i: its neighbours r0, r1, …, counter-clockwise seen from
-///        outside.
-///       /  \    /  \       Each edge (i, rk) is ringEdge's k-th entry, each face (i, rk, rk+1) is a corner
-///       of the
-///     r2 --- i --- r5      fan (cyclic: the last face is (i, r5, r0)), and the outline r0 r1 … r5 is the
-///     link of i.
+///        r1 ---- r0        The ring of vertex i: its neighbours, counter-clockwise seen from outside.
+///       /  \    /  \       Each neighbour rk comes with the edge (i, rk) and begins the face
+///     r2 --- i --- r5      (i, rk, rk+1); the last face is (i, r5, r0).
 ///       \  /    \  /
 ///        r3 ---- r4
 struct Connectivity {

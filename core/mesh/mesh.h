@@ -16,18 +16,21 @@ struct Mesh {
   std::vector<Face> faces;
 };
 
-/// The icosphere with unit radius: an icosahedron whose faces are split in four `level` times (0 to 4: 12, 42, 162,
-/// 642, 2562 vertices) and whose vertices lie on the sphere. The first vertices of a level are those of the level below.
-/// Throws InputError for another level.
+/// The icosphere with unit radius: an icosahedron whose faces are split in four `level` times (0 to 4: 12,
+/// 42, 162, 642, 2562 vertices) and whose vertices lie on the sphere. The first vertices of a level are those
+/// of the level below. Throws InputError for another level.
 Mesh makeIcosphere(int level);
 
-/// Reads `v` and `f` lines of a Wavefront OBJ text (polygons are split into fans; other lines are passed over), checks it
-/// with `checkClosedManifold` and returns it moved and scaled: centroid at the origin, farthest vertex at distance 1.
-/// Throws InputError "name:line: …".
+/// Reads `v` and `f` lines of a Wavefront OBJ text (polygons are split into fans; names, materials and the
+/// like are passed over), checks it with `checkClosedManifold` and returns it moved and scaled: the mean of
+/// the vertices at the origin, the farthest vertex at distance 1. Throws InputError "name:line:column: …",
+/// one line per mistake.
 Mesh readObj(const std::string& text, const std::string& name);
 
-/// Throws InputError that names the offending edge, face or vertex (1-based, as in OBJ) unless the mesh is closed
-/// (each edge has two faces), consistently oriented, manifold (one fan per vertex), connected, with positive volume.
+/// Throws InputError "name: …" that names the offending edge, face or vertex (1-based, as in OBJ) unless the
+/// mesh is closed (each edge has two faces), consistently oriented, manifold (one fan per vertex), connected,
+/// without flat faces or unused vertices, and of positive volume. That the surface does not cut through
+/// itself is not checked.
 void checkClosedManifold(const Mesh& mesh, const std::string& name);
 
 }  // namespace morula

@@ -1,0 +1,231 @@
+// Reads the part of Wavefront OBJ that says what the surface is: `v` and `f`.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "base/error.h"
+#include "mesh/measures.h"
+#include "mesh/mesh.h"
+#include "mesh/obj_statements.h"
+#include "mesh/validity.h"
+
+namespace morula {
+
+namespace {
+
+// Names, textures, normals, materials, smoothing, points and lines: they do not change the surface.
+constexpr std::array<std::string_view, 19> passedOver = {
+    "vt",     "vn",     "vp",     "g",   "o",     "s",        "mg",       "p",          "l",        "usemtl",
+    "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+
+struct Corner {
+  std::int64_t vertex;  // 0-based
+  ObjWord word;
+};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, const std::string& name) : statements_(text) { source_.name = name; }
+
+  Mesh read() {
+    std::vector<ObjWord> words;
+    while (statements_.next(words)) {
+      const std::string_view keyword = words[0].text;
+      if (keyword == "v") readVertex(words);
+      else if (keyword == "f") readFace(words);
+      else if (std::find(passedOver.begin(), passedOver.end(), keyword) == passedOver.end())
+        fail(words[0],
+             quoted(keyword) + " is no statement of a polygon mesh; write v for a vertex, f for a face");
+    }
+    addFaces();
+    if (!errors_.empty()) throw InputError(allErrors());
+    if (mesh_.vertices.empty())
+      throw InputError(source_.name + ": no vertices; a mesh needs lines \"v x y z\" and \"f 1 2 3\"");
+    moveToUnitSize();
+    checkClosedManifold(mesh_, source_);
+    return std::move(mesh_);
+  }
+
+ private:
+  static std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+
+  void fail(const ObjWord& at, const std::string& text) { errors_.push_back({at.line, at.column, text}); }
+
+  // In the order of the text, not in that of finding them.
+  std::string allErrors() {
+    std::stable_sort(errors_.begin(), errors_.end(), [](const Error& a, const Error& b) {
+      return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    });
+    std::string all;
+    for (std::size_t i = 0; i < std::min(errors_.size(), maxErrors); ++i) {
+      const Error& e = errors_[i];
+      all += (i ? "\n" : "") + source_.name + ":" + std::to_string(e.line) + ":" + std::to_string(e.column) +
+             ": " + e.text;
+    }
+    if (errors_.size() > maxErrors)
+      all += "\n… and " + std::to_string(errors_.size() - maxErrors) + " more mistakes";
+    return all;
+  }
+
+  // v x y z, and what exporters put behind: a weight, or a colour of three numbers, or both.
+  void readVertex(const std::vector<ObjWord>& words) {
+    std::vector<double> numbers;
+    bool good = true;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      double value = 0;
+      good &= readNumber(words[i], value);
+      numbers.push_back(value);
+    }
+    const std::size_t n = numbers.size();
+    if (n != 3 && n != 4 && n != 6 && n != 7) {
+      fail(words[0], "a vertex of " + std::to_string(n) + " numbers; write \"v x y z\"");
+      good = false;
+    }
+    // A bad vertex keeps its place, so that the numbers of those behind it stay true in further messages.
+    mesh_.vertices.push_back(good ? Point{numbers[0], numbers[1], numbers[2]} : Point{});
+    source_.vertexLines.push_back(words[0].line);
+  }
+
+  bool readNumber(const ObjWord& word, double& value) {
+    std::string_view digits = word.text;
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
+      fail(word, quoted(word.text) + " is not a number; write it like 0.5 or -1e-3");
+    else if (error == std::errc::result_out_of_range || !(std::abs(value) <= largest))
+      fail(word,
+           quoted(word.text) + " is not a usable coordinate; it must be finite, between -1e100 and 1e100");
+    else return true;
+    return false;
+  }
+
+  void readFace(const std::vector<ObjWord>& words) {
+    ++faceCount_;
+    std::vector<Corner> corners;
+    bool good = true;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      std::int64_t vertex = 0;
+      good &= readCorner(words[i], vertex);
+      corners.push_back({vertex, words[i]});
+    }
+    if (corners.size() < 3) {
+      fail(words[0], "a face of " + std::to_string(corners.size()) + " corners; a face has three or more");
+      good = false;
+    }
+    if (!good) return;
+    polygons_.push_back({std::move(corners), faceCount_, words[0].line});
+  }
+
+  // v, v/vt, v//vn or v/vt/vn; each counts from 1, or from the latest one back with -1.
+  bool readCorner(const ObjWord& word, std::int64_t& vertex) {
+    std::string_view rest = word.text;
+    for (int part = 0; part < 3; ++part) {
+      const std::size_t slash = std::min(rest.find('/'), rest.size());
+      const std::string_view digits = rest.substr(0, slash);
+      const bool last = slash == rest.size();
+      std::int64_t index = 0;
+      const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+      const bool absent = part == 1 && digits.empty() && !last;  // v//vn
+      if (!absent && (error == std::errc::invalid_argument || end != digits.data() + digits.size())) break;
+      if (!absent && index == 0 && error == std::errc()) {
+        fail(word, quoted(word.text) +
+                       ": there is no number 0; vertices count from 1, or from the latest back with -1");
+        return false;
+      }
+      if (part == 0) {
+        const auto known = static_cast<std::int64_t>(mesh_.vertices.size());
+        if (error != std::errc() || index < -known) {
+          fail(word, quoted(word.text) + ": there is no such vertex; " + std::to_string(known) +
+                         " stand above this line");
+          return false;
+        }
+        vertex = index > 0 ? index - 1 : known + index;
+      }
+      if (last) return true;
+      rest.remove_prefix(slash + 1);
+    }
+    fail(word, quoted(word.text) + " is not a corner; write the vertex's number, as 7, 7/1, 7//1 or 7/1/1");
+    return false;
+  }
+
+  // Faces may stand before their vertices, so their numbers can only be judged at the end.
+  void addFaces() {
+    for (const Polygon& polygon : polygons_) {
+      const auto& corners = polygon.corners;
+      if (!checkCorners(corners)) continue;
+      for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+        mesh_.faces.push_back({static_cast<std::int32_t>(corners[0].vertex),
+                               static_cast<std::int32_t>(corners[k].vertex),
+                               static_cast<std::int32_t>(corners[k + 1].vertex)});
+        source_.faceLines.push_back(polygon.line);
+        source_.faceNumbers.push_back(polygon.number);
+      }
+    }
+  }
+
+  bool checkCorners(const std::vector<Corner>& corners) {
+    const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
+    bool good = true;
+    for (const Corner& c : corners)
+      if (c.vertex >= count) {
+        fail(c.word,
+             quoted(c.word.text) + ": there is no such vertex; the file has " + std::to_string(count));
+        good = false;
+      }
+    std::vector<Corner> sorted = corners;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });
+    const auto twice = std::adjacent_find(
+        sorted.begin(), sorted.end(), [](const Corner& a, const Corner& b) { return a.vertex == b.vertex; });
+    if (twice != sorted.end()) {
+      fail(twice[1].word, "vertex " + std::to_string(twice->vertex + 1) +
+                              " occurs twice in this face; the corners of a face are different vertices");
+      good = false;
+    }
+    return good;
+  }
+
+  // Centroid to the origin, farthest vertex to distance 1. Twice divided, for the square of a tiny or huge
+  // distance would not be a number.
+  void moveToUnitSize() {
+    const Point centre = measureCentroid(mesh_.vertices);
+    double extent = 0, farthest = 0;
+    for (Point& v : mesh_.vertices) {
+      v -= centre;
+      extent = std::max({extent, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    }
+    if (!(extent > 0))
+      throw InputError(source_.name + ": all vertices lie at one place; a cell needs an inside");
+    for (Point& v : mesh_.vertices) {
+      v = v / extent;
+      farthest = std::max(farthest, norm(v));
+    }
+    for (Point& v : mesh_.vertices) v = v / farthest;
+  }
+
+  struct Polygon {
+    std::vector<Corner> corners;
+    int number, line;
+  };
+  struct Error {
+    int line, column;
+    std::string text;
+  };
+  static constexpr std::size_t maxErrors = 20;
+  static constexpr double largest = 1e100;
+
+  ObjStatements statements_;
+  Mesh mesh_;
+  MeshSource source_;
+  std::vector<Polygon> polygons_;
+  int faceCount_ = 0;
+  std::vector<Error> errors_;
+};
+
+}  // namespace
+
+Mesh readObj(const std::string& text, const std::string& name) { return ObjReader(text, name).read(); }
+
+}  // namespace morula

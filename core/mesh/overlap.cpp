@@ -1,0 +1,172 @@
+#include "mesh/overlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/error.h"
+#include "mesh/scan_line.h"
+
+namespace morula {
+
+namespace {
+
+// The lines along one axis: the middles of equal shares of [low, high].
+struct Grid {
+  double low, spacing;
+  int count;
+
+  double at(int i) const { return low + (i + 0.5) * spacing; }
+  // Line numbers [first, end) that hold all lines within [from, to]; one more on each side for the rounding.
+  std::pair<int, int> linesWithin(double from, double to) const {
+    const auto number = [this](double x) {
+      return static_cast<int>(
+          std::clamp(std::floor((x - low) / spacing - 0.5), -1.0, static_cast<double>(count)));
+    };
+    return {std::max(number(from) - 1, 0), std::min(number(to) + 2, count)};
+  }
+};
+
+struct Triangle {
+  int mesh, face;
+};
+
+// A line's way into (sign −1) or out of (+1) a mesh.
+struct Crossing {
+  double z;
+  int mesh, sign;
+  bool operator<(const Crossing& o) const { return std::tie(z, mesh, sign) < std::tie(o.z, o.mesh, o.sign); }
+};
+
+class Scan {
+ public:
+  Scan(std::span<const MeshView> meshes, const Box& box, int columns)
+      : meshes_(meshes),
+        x_{box.low.x, (box.high.x - box.low.x) / columns, columns},
+        y_{box.low.y, (box.high.y - box.low.y) / columns, columns},
+        crossings_(columns),
+        inside_(meshes.size(), 0.0),
+        shared_(meshes.size(), 0.0) {}
+
+  Overlap run() {
+    sortTrianglesByRow();
+    for (int row = 0; row < y_.count; ++row) {
+      collectCrossings(row);
+      for (auto& crossings : crossings_) {
+        std::sort(crossings.begin(), crossings.end());
+        sweep(crossings);
+        crossings.clear();
+      }
+    }
+    Overlap result;
+    const double cell = x_.spacing * y_.spacing;
+    for (std::size_t m = 0; m < meshes_.size(); ++m) {
+      result.volumes.push_back(inside_[m] * cell);
+      result.shares.push_back(inside_[m] > 0 ? shared_[m] / inside_[m] : 0);
+    }
+    result.unionVolume = union_ * cell;
+    return result;
+  }
+
+ private:
+  // Counting sort of (row, triangle): row r has rows_[rowStart_[r], rowStart_[r + 1]).
+  void sortTrianglesByRow() {
+    rowStart_.assign(y_.count + 1, 0);
+    forEachRowOfEachTriangle([this](int row, const Triangle&) { ++rowStart_[row + 1]; });
+    for (int r = 0; r < y_.count; ++r) rowStart_[r + 1] += rowStart_[r];
+    rows_.resize(rowStart_.back());
+    std::vector<std::size_t> next(rowStart_.begin(), rowStart_.end() - 1);
+    forEachRowOfEachTriangle([&](int row, const Triangle& t) { rows_[next[row]++] = t; });
+  }
+
+  template <class Action>
+  void forEachRowOfEachTriangle(Action action) const {
+    for (int m = 0; m < static_cast<int>(meshes_.size()); ++m)
+      for (int f = 0; f < static_cast<int>(meshes_[m].faces.size()); ++f) {
+        const auto& [a, b, c] = meshes_[m].faces[f];
+        const Points& v = meshes_[m].vertices;
+        const auto [low, high] = std::minmax({v[a].y, v[b].y, v[c].y});
+        const auto [first, end] = y_.linesWithin(low, high);
+        for (int row = first; row < end; ++row) action(row, Triangle{m, f});
+      }
+  }
+
+  void collectCrossings(int row) {
+    const double y = y_.at(row);
+    for (std::size_t i = rowStart_[row]; i < rowStart_[row + 1]; ++i) {
+      const auto [m, f] = rows_[i];
+      const auto& [a, b, c] = meshes_[m].faces[f];
+      const Points& v = meshes_[m].vertices;
+      Slice s;
+      if (!slice(v[a], v[b], v[c], y, s)) continue;
+      const auto [first, end] = x_.linesWithin(s.xLow, s.xHigh);
+      for (int column = first; column < end; ++column)
+        if (const double x = x_.at(column); s.meets(x))
+          crossings_[column].push_back({s.heightAt(x), m, s.sign});
+    }
+  }
+
+  // Walks up one line and adds each stretch to those that it lies in.
+  void sweep(const std::vector<Crossing>& crossings) {
+    around_.clear();
+    double below = 0;
+    for (const Crossing& c : crossings) {
+      const double length = c.z - below;
+      int count = 0;
+      for (const auto& [mesh, winding] : around_) count += winding > 0;
+      if (count > 0) union_ += length;
+      for (const auto& [mesh, winding] : around_) {
+        if (winding <= 0) continue;
+        inside_[mesh] += length;
+        if (count > 1) shared_[mesh] += length;
+      }
+      below = c.z;
+      turn(c.mesh, -c.sign);
+    }
+    CHECK(around_.empty(), "a line that does not come out of a closed mesh");
+  }
+
+  void turn(int mesh, int by) {
+    const auto place =
+        std::find_if(around_.begin(), around_.end(), [mesh](const auto& a) { return a.first == mesh; });
+    if (place == around_.end()) around_.emplace_back(mesh, by);
+    else if ((place->second += by) == 0) around_.erase(place);
+  }
+
+  std::span<const MeshView> meshes_;
+  Grid x_, y_;
+  std::vector<std::size_t> rowStart_;
+  std::vector<Triangle> rows_;
+  std::vector<std::vector<Crossing>> crossings_;  // of the present row, per column
+  std::vector<std::pair<int, int>> around_;       // meshes and how often they wind around the present stretch
+  std::vector<double> inside_, shared_;           // [length] per mesh, over all lines
+  double union_ = 0;                              // [length]
+};
+
+}  // namespace
+
+double Overlap::meanShare() const {
+  double sum = 0;
+  for (double s : shares) sum += s;
+  return shares.empty() ? 0 : sum / static_cast<double>(shares.size());
+}
+
+Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
+  CHECK(columns > 0, "no columns, no lines");
+  if (meshes.empty()) return {};
+  Box box = measureBox(meshes[0].vertices);
+  for (const MeshView& mesh : meshes) {
+    const Box other = measureBox(mesh.vertices);
+    box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y),
+               std::min(box.low.z, other.low.z)};
+    box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y),
+                std::max(box.high.z, other.high.z)};
+  }
+  const Vector size = box.high - box.low;
+  CHECK(std::isfinite(dot(size, size)), "meshes whose vertices are not finite");
+  if (!(size.x > 0 && size.y > 0))
+    return {std::vector<double>(meshes.size()), std::vector<double>(meshes.size()), 0};
+  return Scan(meshes, box, columns).run();
+}
+
+}  // namespace morula
