@@ -1,12 +1,19 @@
 #include "base/did_you_mean.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace morula {
 
 namespace {
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::string digitsOf(std::string_view word) {
+  std::string digits;
+  std::ranges::copy_if(word, std::back_inserter(digits), [](char c) { return c >= '0' && c <= '9'; });
+  return digits;
+}
 }  // namespace
 
 int editDistance(std::string_view a, std::string_view b) {
@@ -34,7 +41,7 @@ bool equalButForCase(std::string_view a, std::string_view b) {
 }
 
 std::string closest(std::string_view word, std::span<const std::string> candidates) {
-  const int limit = std::max(1, static_cast<int>(word.size()) / 3);
+  const int limit = static_cast<int>(word.size()) / 3;
   int best = limit + 1;
   std::string found;
   for (const std::string& candidate : candidates) {
@@ -42,8 +49,7 @@ std::string closest(std::string_view word, std::span<const std::string> candidat
     const int lengthDifference = std::abs(static_cast<int>(candidate.size()) - static_cast<int>(word.size()));
     if (lengthDifference >= best) continue;
     const int distance = equalButForCase(word, candidate) ? 0 : editDistance(word, candidate);
-    // A word may not be turned into something that shares no letter with it ("x" into "y").
-    if (distance < best && distance < static_cast<int>(std::max(word.size(), candidate.size()))) {
+    if (distance < best && digitsOf(word) == digitsOf(candidate)) {
       best = distance;
       found = candidate;
     }

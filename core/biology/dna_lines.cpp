@@ -1,6 +1,7 @@
 // The grammar of DNA text. A line that cannot be read yields one complaint, at the first place where it goes
 // wrong.
 #include <algorithm>
+#include <utility>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
@@ -21,21 +22,26 @@ struct Unreadable {
   std::string text;
 };
 
-/// One character as a message can show it: a whole UTF-8 sequence, or \x and two digits if it cannot be
-/// printed.
-std::string printable(std::string_view text) {
-  const auto byte = static_cast<unsigned char>(text.front());
-  if (byte < 0x20 || byte == 0x7F) {
-    constexpr char digits[] = "0123456789abcdef";
-    return {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
-  }
-  std::size_t length = 1;
-  if (byte >= 0xC0)
-    while (length < 4 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80)
-      ++length;
-  else if (byte >= 0x80) return "a byte that is not UTF-8";
-  return std::string(text.substr(0, length));
+/// The first character as a message can show it: a letter beyond ASCII with its code point, because some look
+/// like others or like nothing; what cannot be printed as its byte.
+std::string shown(std::string_view text) {
+  constexpr char digits[] = "0123456789ABCDEF";
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (byte(0) >= 0x20 && byte(0) < 0x7F) return "'" + std::string(text.substr(0, 1)) + "'";
+  const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : byte(0) >= 0xC2 ? 2 : 1;
+  unsigned code =
+      length == 1 ? 0
+                  : byte(0) & (0xFF >> (length + 1));  // UTF-8: the bits below the leading ones and a zero
+  for (std::size_t i = 1; i < length && code != 0; ++i)
+    code = i < text.size() && (byte(i) & 0xC0) == 0x80 ? code << 6 | (byte(i) & 0x3F) : 0;
+  if (code == 0) return std::string("0x") + digits[byte(0) >> 4] + digits[byte(0) & 15];
+  std::string hex;
+  for (int shift = code > 0xFFFF ? 20 : 12; shift >= 0; shift -= 4) hex += digits[code >> shift & 15];
+  return "'" + std::string(text.substr(0, length)) + "' (U+" + hex + ")";
 }
+
+constexpr auto startExample = "; the egg's substances are written START: a0, a1";
+constexpr auto geneExample = "; a gene is written g1(product|input, input)";
 
 /// Reads one line from left to right.
 class Cursor {
@@ -62,8 +68,9 @@ class Cursor {
   Word word(const std::string& what) {
     if (!atWord()) {
       if (isDigit(next()) || next() == '_')
-        fail(what + " begins with '" + next() + "'; a name begins with a letter, for example a" + next());
-      failUnexpected(what + " is missing" + (atEnd() ? " at the end of the line" : " before " + shown()));
+        fail(what + " begins with " + shown(rest()) + "; a name begins with a letter");
+      failUnexpected(what + " is missing" +
+                     (atEnd() ? " at the end of the line" : " before " + shown(rest())));
     }
     Word word{"", place()};
     while (!atEnd() && isWordPart(next())) word.text += line_[at_++];
@@ -73,15 +80,16 @@ class Cursor {
 
   [[noreturn]] void fail(const std::string& text) const { throw Unreadable{place(), text}; }
 
-  /// Complains about the next character itself if no line of DNA could hold it there, else with `text`.
+  /// Complains about the next character itself if no line of DNA could hold it, else with `text` and the
+  /// example.
   [[noreturn]] void failUnexpected(const std::string& text) const {
     if (!atEnd() && !isPunctuation(next()) && !isWordPart(next()))
-      fail("unexpected character " + shown() +
+      fail("unexpected character " + shown(rest()) +
            "; names are made of letters, digits and '_', and begin with a letter");
-    fail(text + "; a gene is written g1(product|input, input)");
+    fail(text + example);
   }
 
-  std::string shown() const { return "'" + printable(rest()) + "'"; }
+  std::string example = geneExample;  // what would be right
 
  private:
   void skipSpace() {
@@ -93,15 +101,13 @@ class Cursor {
   std::size_t at_ = 0;
 };
 
-constexpr auto startExample = "; the egg's substances are written START: a0, a1";
-
 void readStart(Cursor& cursor, Lines& lines) {
-  if (!cursor.take(':')) cursor.fail(std::string("':' is missing after START") + startExample);
-  if (cursor.atEnd()) cursor.fail(std::string("START names no substance") + startExample);
+  cursor.example = startExample;
+  if (!cursor.take(':')) cursor.failUnexpected("':' is missing after START");
+  if (cursor.atEnd()) cursor.failUnexpected("START names no substance");
   std::vector<Word> words = {cursor.word("a substance")};
   while (!cursor.atEnd()) {
-    if (cursor.atWord()) cursor.fail("',' is missing after '" + words.back().text + "'" + startExample);
-    if (!cursor.take(',')) cursor.failUnexpected("START holds " + cursor.shown());
+    if (!cursor.take(',')) cursor.failUnexpected("',' is missing after '" + words.back().text + "'");
     words.push_back(cursor.word("a substance"));
   }
   lines.start.insert(lines.start.end(), words.begin(), words.end());
@@ -124,25 +130,31 @@ GeneLine readGene(Cursor& cursor, Word name) {
     if (cursor.atWord()) cursor.failUnexpected("',' is missing" + after);
     cursor.failUnexpected("')' is missing" + after);
   }
-  if (!cursor.atEnd())
-    cursor.fail("text after the gene: " + cursor.shown() +
-                "; write one gene per line, and # before a comment");
+  if (!cursor.atEnd()) cursor.fail("text after the gene; write one gene per line, and # before a comment");
   return gene;
+}
+
+bool meansStart(const std::string& word) {
+  static const std::vector<std::string> candidates = {"START"};
+  return !closest(word, candidates).empty();
 }
 
 void readLine(Cursor& cursor, Lines& lines) {
   if (cursor.atEnd()) return;
   const Place begin = cursor.place();
   Word first = cursor.word("a gene's name");
-  if (first.text == "START") {
+  if (first.text == "START" && cursor.next() != '(') {
     lines.hasStartLine = true;
-    if (cursor.next() == '(')
-      throw Unreadable{begin, "START cannot name a gene; take another name, for example g1"};
-    readStart(cursor, lines);
+    const bool readableSoFar = std::exchange(lines.isStartReadable, false);
+    readStart(cursor, lines);  // throws if it cannot be read
+    lines.isStartReadable = readableSoFar;
+  } else if (first.text == "START") {
+    throw Unreadable{begin, "START cannot name a gene; take another name, for example g1"};
   } else if (cursor.take('(')) {
     lines.genes.push_back(readGene(cursor, std::move(first)));
-  } else if (equalButForCase(first.text, "START") || cursor.next() == ':') {
+  } else if (meansStart(first.text)) {
     lines.hasStartLine = true;
+    lines.isStartReadable = false;
     throw Unreadable{begin, "'" + first.text + "' begins no line of DNA" + startExample};
   } else {
     cursor.failUnexpected("'(' is missing after the gene's name '" + first.text + "'");

@@ -129,8 +129,8 @@ void checkMeaning(const Lines& lines, Complaints& complaints) {
   checkNames(lines, complaints);
   std::set<std::string> possible = possibleSubstances(lines);
   const std::set<std::string> read = inputsOfAllGenes(lines);
-  // Without START everything would seem unproduced: one complaint is enough.
-  if (!lines.hasStartLine) possible.insert(read.begin(), read.end());
+  // Without all of START everything would seem unproduced: one complaint is enough.
+  if (!lines.hasStartLine || !lines.isStartReadable) possible.insert(read.begin(), read.end());
   for (const GeneLine& gene : lines.genes) {
     checkProduct(gene.product, read.contains(gene.product.text), complaints);
     checkInputs(gene, possible, complaints);

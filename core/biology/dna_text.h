@@ -26,6 +26,7 @@ struct Lines {
   std::vector<Word> start;  // of all START lines
   std::vector<GeneLine> genes;
   bool hasStartLine = false;              // even one that could not be read
+  bool isStartReadable = true;            // false: the egg may hold more than `start`
   std::set<std::string> unreadableWords;  // names in lines that could not be read: they may be anything
 };
 
