@@ -90,6 +90,17 @@ TEST_CASE("divide is obeyed once for each time that it is produced") {
   CHECK(always.census() == Census{{"A a divide", 32}, {"B a divide", 32}});
 }
 
+TEST_CASE("a newborn cell holds its mother's divide and does not want to divide") {
+  const auto unit = makeLogicalDna(parseDna("START: a\ng1(divide|a)\n", "f"), {});
+  const StateId mother = unit->runCellCycle(inState(unit->startState()));
+  CHECK(unit->wantsToDivide(inState(mother)));
+  for (bool b : {false, true}) {
+    const StateId daughter = unit->daughterState(mother, b);
+    CHECK(unit->describe(daughter) == (b ? "B divide" : "A divide"));
+    CHECK_FALSE(unit->wantsToDivide(inState(daughter)));
+  }
+}
+
 TEST_CASE("a gene may read divide: daughters inherit it for one cycle") {
   Organism organism("START: a\ng1(divide|a)\ng2(seen|divide, A)\ng3(missed|divide, B)\n");
   organism.runCellCycle();
