@@ -1,0 +1,65 @@
+#include "scenario/cross_checks.h"
+
+#include <algorithm>
+
+#include "base/did_you_mean.h"
+#include "scenario/numbers.h"
+
+namespace morula::scenario {
+
+namespace {
+
+void checkSubstances(const Dna& dna, Reading& reading) {
+  if (dna.substances.empty()) return;  // it could not be read, which has been said
+  for (const auto& use : reading.substances) {
+    const bool pattern = use.path == "colours" && use.name.back() == '*';
+    const auto beginning = use.name.substr(0, use.name.size() - (pattern ? 1 : 0));
+    const auto fits = [&](const std::string& s) {
+      return pattern ? s.starts_with(beginning) : s == beginning;
+    };
+    if (std::any_of(dna.substances.begin(), dna.substances.end(), fits)) continue;
+    if (pattern) {
+      reading.problems.add(use.place, use.path + "." + use.name, "no substance of the DNA begins so",
+                           "a name, or its beginning and '*'");
+      continue;
+    }
+    const auto near = closest(use.name, dna.substances);
+    reading.problems.add(use.place, use.path + "." + use.name, "the DNA has no substance '" + use.name + "'",
+                         near.empty() ? "needs a name that occurs in the DNA" : "did you mean " + near + "?");
+  }
+}
+
+/// The place of a parameter's value, or of the innermost map that is given.
+Place placeOf(const Node& root, const std::string& path) {
+  const Node* node = &root;
+  for (std::size_t begin = 0; begin < path.size();) {
+    const auto end = std::min(path.find('.', begin), path.size());
+    const auto* member = node->find(path.substr(begin, end - begin));
+    if (!member) break;
+    node = &member->value;
+    begin = end + 1;
+  }
+  return node->place;
+}
+
+void checkShell(const PhysicsParameters& physics, Reading& reading, const Node& root) {
+  if (!physics.shell) return;
+  const auto& axes = physics.shell->semiAxes;
+  const double smallest = std::min({axes[0], axes[1], axes[2]});
+  if (physics.cell.radius > smallest)
+    reading.problems.add(placeOf(root, "physics.cell.radius"), "physics.cell.radius",
+                         formatReal(physics.cell.radius) + " does not fit into the shell",
+                         "needs at most its smallest semi-axis, " + formatReal(smallest) + " [length]");
+}
+
+}  // namespace
+
+void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
+  checkSubstances(scenario.scene.dna, reading);
+  if (scenario.scene.mechanics) checkShell(scenario.scene.mechanics->physics, reading, root);
+  if (scenario.record.pictures && !scenario.scene.mechanics)
+    reading.problems.add(placeOf(root, "record.pictures"), "record.pictures",
+                         "cells without bodies cannot be drawn", "add a physics block or remove this");
+}
+
+}  // namespace morula::scenario

@@ -1,0 +1,88 @@
+#include "scenario/files.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "base/error.h"
+
+namespace morula {
+
+std::string readFile(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    throw FileError("'" + file.string() + "' is a folder; needs a file");
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  if (!stream.is_open() || stream.bad())
+    throw FileError("'" + file.string() + "' cannot be read: " + std::strerror(errno));
+  return bytes;
+}
+
+namespace scenario {
+
+namespace {
+
+/// Calls `read`; its InputErrors become problems. Line for line they name their own places.
+template <class Read>
+void guarded(Problems& problems, const Place& place, Read read) {
+  try {
+    read();
+  } catch (const InputError& error) { problems.addForeign(place, error.what()); }
+}
+
+/// A file that the scenario names; nothing and a problem if it cannot be read.
+std::optional<std::string> readNamedFile(const std::filesystem::path& file, const Place& place,
+                                         const std::string& path, Problems& problems) {
+  try {
+    return readFile(file);
+  } catch (const FileError& error) {
+    problems.add(place, path, error.what(), "names count from the scenario's folder");
+    return {};
+  }
+}
+
+void readDna(Scenario& scenario, const DnaSource& dna, Problems& problems,
+             const std::filesystem::path& folder) {
+  if (dna.file) {
+    const auto file = folder / *dna.file;
+    const auto text = readNamedFile(file, dna.place, "dna.file", problems);
+    if (text) guarded(problems, dna.place, [&] { scenario.scene.dna = parseDna(*text, file.string()); });
+  } else if (dna.text) {
+    const Node& text = *dna.text;
+    guarded(problems, text.place, [&] {
+      const auto& place = text.place;
+      if (!place.option.empty()) scenario.scene.dna = parseDna(text.text, place.option);
+      else if (text.style == '|')
+        scenario.scene.dna = parseDna(text.text, problems.file(), place.line + 1, text.textColumn, "dna");
+      else
+        // In quotes a line of DNA has no line of its own; its number within the text still helps.
+        scenario.scene.dna =
+            parseDna(text.text, problems.file() + ":" + std::to_string(place.line) + ": dna");
+    });
+  }
+}
+
+void readMesh(Scenario& scenario, const Node& root, Problems& problems, const std::filesystem::path& folder) {
+  auto& mechanics = *scenario.scene.mechanics;
+  if (scenario.mesh.icosphere) {
+    mechanics.mesh = makeIcosphere(static_cast<int>(*scenario.mesh.icosphere));
+  } else if (scenario.mesh.file) {
+    const auto& place = root.find("physics")->value.find("mesh")->value.find("file")->value.place;
+    const auto file = folder / *scenario.mesh.file;
+    const auto text = readNamedFile(file, place, "physics.mesh.file", problems);
+    if (text) guarded(problems, place, [&] { mechanics.mesh = readObj(*text, file.string()); });
+  }
+  for (auto& vertex : mechanics.mesh.vertices) vertex *= mechanics.physics.cell.radius;
+}
+
+}  // namespace
+
+void readReferences(Scenario& scenario, Reading& reading, const Node& root,
+                    const std::filesystem::path& folder) {
+  readDna(scenario, reading.dna, reading.problems, folder);
+  if (scenario.scene.mechanics) readMesh(scenario, root, reading.problems, folder);
+}
+
+}  // namespace scenario
+}  // namespace morula

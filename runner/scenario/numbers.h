@@ -1,0 +1,40 @@
+#pragma once
+// Numbers as people write them, and nothing else: no octal or hexadecimal, no units, no .inf, no trailing
+// text. The same text gives the same number on every machine and in every locale.
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace morula::scenario {
+
+/// A number or what is wrong with the text, as half a sentence: "has a leading zero".
+template <class T>
+struct Parsed {
+  T value{};
+  std::string wrong;  // empty: all is well
+};
+
+/// Decimal notation with '.', optional sign, optional exponent; finite.
+Parsed<double> parseReal(std::string_view text);
+/// Decimal digits.
+Parsed<std::uint64_t> parseNatural(std::string_view text);
+
+/// An interval of numbers. Open ends exclude their value.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool openLow = false;
+
+  bool holds(double value) const { return (openLow ? value > low : value >= low) && value <= high; }
+  /// "> 0", "≥ 0", "from 0 to 4"; empty if everything is allowed.
+  std::string text() const;
+};
+
+inline constexpr Range positive{.low = 0, .openLow = true};
+inline constexpr Range notNegative{.low = 0};
+
+/// The shortest decimal text that reads back as the same number: "0.1", "40", "1e+30".
+std::string formatReal(double value);
+
+}  // namespace morula::scenario

@@ -1,0 +1,92 @@
+#pragma once
+// One description per parameter feeds the loader, the schema for editors, the list for people and the
+// resolved form.
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "scenario/scenario.h"
+#include "scenario/yaml_node.h"
+
+namespace morula::scenario {
+
+using Json = nlohmann::ordered_json;
+
+/// A substance named outside of the DNA: to be looked up once the DNA is read.
+struct SubstanceUse {
+  std::string name;  // may end in '*' where patterns are allowed
+  Place place;
+  std::string path;
+};
+
+/// Where the DNA's text comes from. Parsed after everything else is read.
+struct DnaSource {
+  std::optional<Node> text;  // the scalar in the scenario
+  std::optional<std::string> file;
+  Place place;
+};
+
+/// What reading the values needs and leaves behind besides the Scenario.
+struct Reading {
+  Problems& problems;
+  std::vector<SubstanceUse> substances;
+  DnaSource dna;
+};
+
+enum class Decides {
+  results,       // part of Scenario::meaning
+  presentation,  // names, colours, pictures
+};
+
+struct Parameter {
+  std::string path;     // "physics.membrane.stiffness"
+  std::string unit;     // "force/length"; empty: a pure number or no number
+  std::string allowed;  // for people: "a number > 0", "longest or random"
+  std::string meaning;  // one line
+  bool required = false;
+  Decides decides = Decides::results;
+  Json schema;         // JSON Schema of the value
+  std::string absent;  // for people: what holds if an optional value is not given
+  std::function<void(Scenario&, const Node&, Reading&)> read;
+  std::function<Json(const Scenario&)> write;  // null: not given
+
+  std::string key() const { return path.substr(path.rfind('.') + 1); }
+  std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
+};
+
+/// A map of parameters. Absent: its parameters have their defaults, or the part that it describes does not
+/// exist.
+struct Section {
+  enum class Members { any, atLeastOne, exactlyOne };
+  std::string path{};  // "" is the whole file
+  std::string meaning{};
+  std::string absent{};  // for people: what holds without it
+  bool required = false;
+  Members members = Members::any;
+  Decides decides = Decides::results;
+  std::string needs{};                    // the path of a section without which this one makes no sense
+  std::function<void(Scenario&)> make{};  // called when the section is given
+  std::function<bool(const Scenario&)> exists{};  // absent: always
+
+  std::string key() const { return path.substr(path.rfind('.') + 1); }
+  std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
+};
+
+struct ParameterTable {
+  std::vector<Section> sections;      // a section before those inside it
+  std::vector<Parameter> parameters;  // in the order in which people should meet them
+
+  const Section* section(std::string_view path) const;
+  /// The parameters and sections directly inside a section.
+  std::vector<const Parameter*> parametersOf(std::string_view section) const;
+  std::vector<const Section*> sectionsOf(std::string_view section) const;
+};
+
+/// The table (parameter_table.cpp).
+const ParameterTable& parameterTable();
+
+/// A Scenario with all defaults, in which every section exists.
+Scenario allDefaults();
+
+}  // namespace morula::scenario

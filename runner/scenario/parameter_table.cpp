@@ -1,0 +1,190 @@
+// Every parameter of a scenario, each described once. To add one: a field in its struct, a line here.
+#include "scenario/value_types.h"
+
+namespace morula::scenario {
+
+namespace {
+
+#define AT(expression)         \
+  +[](Scenario & s) -> auto& { \
+    return s.expression;       \
+  }
+#define MECHANICS(expression) AT(scene.mechanics->expression)
+#define PHYSICS(expression) AT(scene.mechanics->physics.expression)
+
+std::vector<Section> sections() {
+  using enum Section::Members;
+  return {
+      {.path = "", .meaning = "A scenario: an organism, how it grows, and how it is shown"},
+      {.path = "cycle", .meaning = "The pace of biology"},
+      {.path = "stop",
+       .meaning = "The run ends at the first of these limits",
+       .required = true,
+       .members = atLeastOne},
+      {.path = "physics",
+       .meaning = "The mechanics of cells. Units are the scene's own: a length, a mass, a time",
+       .absent = "lineage only: cells have no bodies",
+       .make =
+           [](Scenario& s) {
+             if (!s.scene.mechanics) s.scene.mechanics.emplace();
+           },
+       .exists = [](const Scenario& s) { return s.scene.mechanics.has_value(); }},
+      {.path = "physics.mesh",
+       .meaning = "The egg's surface; every cell keeps its connectivity",
+       .members = exactlyOne,
+       .make =
+           [](Scenario& s) {
+             s.mesh = {std::nullopt, std::nullopt};
+           }},
+      {.path = "physics.cell", .meaning = "The egg; each division halves volume and mass"},
+      {.path = "physics.membrane", .meaning = "Every mesh edge is a damped spring [Nilsson 2008, eq. 4.2]"},
+      {.path = "physics.pressure", .meaning = "P = constant / V − outside [Nilsson 2008, eq. 4.3]"},
+      {.path = "physics.growth",
+       .meaning = "What cells do while their genes produce grow or shrink",
+       .absent = "cells keep their size",
+       .make = [](Scenario& s) { s.scene.mechanics->physics.growth.emplace(); },
+       .exists = [](const Scenario& s) { return s.scene.mechanics->physics.growth.has_value(); }},
+      {.path = "physics.shell",
+       .meaning = "The egg shell, which no cell leaves",
+       .absent = "no shell",
+       .members = exactlyOne,
+       .make = [](Scenario& s) { s.scene.mechanics->physics.shell.emplace(); },
+       .exists = [](const Scenario& s) { return s.scene.mechanics->physics.shell.has_value(); }},
+      {.path = "physics.contact",
+       .meaning = "How cells touch",
+       .absent = "cells pass through one another",
+       .make = [](Scenario& s) { s.scene.mechanics->contact.emplace(); },
+       .exists = [](const Scenario& s) { return s.scene.mechanics->contact.has_value(); }},
+      {.path = "division",
+       .meaning = "Where cells divide",
+       .needs = "physics",
+       .exists = [](const Scenario& s) { return s.scene.mechanics.has_value(); }},
+      {.path = "connections",
+       .meaning = "Cells that hold on to one another [Nilsson 2008, §4.4.3]",
+       .absent = "no cell holds another",
+       .needs = "physics",
+       .make = [](Scenario& s) { s.scene.mechanics->connections.emplace(); },
+       .exists = [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->connections; }},
+      {.path = "senses",
+       .meaning = "What cells may know of themselves and their neighbours. Takes no keys yet"},
+      {.path = "record", .meaning = "What is written down while the scene runs"},
+      {.path = "check",
+       .meaning = "What the result is held against besides its golden file. Takes no keys yet",
+       .decides = Decides::presentation},
+  };
+}
+
+Parameter required(Parameter p) {
+  p.required = true;
+  return p;
+}
+
+Parameter presentation(Parameter p) {
+  p.decides = Decides::presentation;
+  return p;
+}
+
+std::vector<Parameter> parameters() {
+  return {
+      required(natural("morula", {1, 1}, "Version of this format", AT(format))),
+      required(presentation(name("name", "Names the results", AT(scene.name)))),
+      presentation(text("summary", "One line for people", AT(summary))),
+      natural("seed", {}, "Chooses the random numbers; equal seeds give equal results", AT(scene.seed)),
+      dna(),
+      colourPerSubstance("colours", "Cells mix the colours of their substances; longer patterns win",
+                         AT(colours)),
+
+      real("cycle.length", "time", positive, "Time between a cell's cycles", AT(scene.cycle.length)),
+      timePerSubstance("cycle.per-substance", "The same for cells that hold a substance; the shortest wins",
+                       AT(scene.cycle.perSubstance)),
+
+      optionalNatural("stop.cycles", {1, 1'000'000'000}, "no limit",
+                      "When so many times cycle.length have passed", AT(scene.stop.cycles)),
+      optionalReal("stop.time", "time", positive, "", "no limit", "At this simulated time",
+                   AT(scene.stop.time)),
+      optionalNatural("stop.cells", {1, 1'000'000'000}, "no limit", "When at least so many cells live",
+                      AT(scene.stop.cells)),
+
+      optionalReal("physics.time_step", "time", positive, "auto", "auto",
+                   "Smaller: more exact and slower. auto: powers of two below the stability limits",
+                   PHYSICS(timeStep)),
+      choice("physics.integrator", {"velocity-verlet", "thesis-verlet"},
+             "Second order, or first order as the thesis starts it [Nilsson 2008, eq. 4.6, 4.7]",
+             PHYSICS(integrator)),
+      real("physics.drag", "1/time", notNegative, "The medium slows every vertex: acceleration −drag·v",
+           PHYSICS(drag)),
+
+      optionalNatural("physics.mesh.icosphere", {0, 4}, "see file",
+                      "Times that an icosahedron is refined: 12, 42, 162, 642, 2562 vertices",
+                      AT(mesh.icosphere)),
+      optionalFile("physics.mesh.file", "Wavefront OBJ of a closed surface of roughly equal triangles",
+                   AT(mesh.file)),
+
+      real("physics.cell.radius", "length", positive, "From the egg's centre to its farthest vertex",
+           PHYSICS(cell.radius)),
+      real("physics.cell.mass", "mass", positive,
+           "Of the egg, spread evenly over the vertices [Nilsson 2008, eq. 4.1]", PHYSICS(cell.mass)),
+
+      real("physics.membrane.stiffness", "force/length", positive,
+           "k_s; higher: rounder cells, shorter time steps", PHYSICS(membrane.stiffness)),
+      real("physics.membrane.damping", "force·time/length", notNegative, "k_d, along the edge",
+           PHYSICS(membrane.damping)),
+      real("physics.membrane.production", "", positive,
+           "Membrane of both daughters over their mother's; 1.26 keeps a sphere's tension",
+           PHYSICS(membrane.production)),
+
+      real("physics.pressure.constant", "force·length", notNegative,
+           "k_p of the egg; daughters share it by volume", PHYSICS(pressure.constant)),
+      real("physics.pressure.outside", "force/length²", notNegative, "P_0", PHYSICS(pressure.outside)),
+
+      real("physics.growth.rate", "1/time", positive,
+           "Relative change of mass and k_p; lengths follow with a third", PHYSICS(growth->rate)),
+
+      shellSphere(),
+      shellEllipsoid(),
+
+      choice("physics.contact.law", {"pair", "thesis"},
+             "Pair-symmetric penalty, or implicit planes with eq. 4.8 [Nilsson 2008]",
+             MECHANICS(contact->law)),
+      real("physics.contact.stiffness", "force/length", positive, "K of a vertex pair; law pair only",
+           MECHANICS(contact->stiffness)),
+      real("physics.contact.damping", "force·time/length", notNegative, "C against approach; law pair only",
+           MECHANICS(contact->damping)),
+      real("physics.contact.friction", "", notNegative, "Coulomb's coefficient",
+           MECHANICS(contact->friction)),
+      real("physics.contact.radius", "", positive,
+           "Reach of a vertex, in mean rest lengths of its cell's edges", MECHANICS(contact->radius)),
+
+      divisionPlane(),
+
+      choice("connections.make", {"at-division", "by-gene", "both"},
+             "Sisters at birth; neighbours whose genes produce connect; or either",
+             MECHANICS(connections->make)),
+      choice("connections.on-division", {"plane", "both"},
+             "A dividing cell's connections: each to the daughter on its side, or all to both",
+             MECHANICS(connections->onDivision)),
+      real("connections.strength", "force", notNegative, "k_c, constant pull [Nilsson 2008, eq. 4.9]",
+           MECHANICS(connections->strength)),
+      optionalReal("connections.release-distance", "", positive, "", "never by distance",
+                   "Released beyond this distance of the centres, in sums of the two radii",
+                   MECHANICS(connections->releaseDistance)),
+
+      optionalReal("record.every", "time", positive, "", "only start and end", "Time between samples",
+                   AT(record.every)),
+      presentation(optionalReal("record.pictures", "time", positive, "", "one picture, of the end",
+                                "Time between pictures of a sequence", AT(record.pictures))),
+  };
+}
+
+#undef AT
+#undef MECHANICS
+#undef PHYSICS
+
+}  // namespace
+
+const ParameterTable& parameterTable() {
+  static const ParameterTable table{sections(), parameters()};
+  return table;
+}
+
+}  // namespace morula::scenario

@@ -1,0 +1,145 @@
+#include "scenario/read_table.h"
+
+#include <algorithm>
+
+#include "base/did_you_mean.h"
+
+namespace morula::scenario {
+
+namespace {
+
+std::string join(const std::vector<std::string>& words, const std::string& last = ", ") {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + words[i];
+  return text;
+}
+
+std::string inside(const std::string& section, const std::string& key) {
+  return section.empty() ? key : section + "." + key;
+}
+
+std::vector<std::string> keysOf(const std::string& section) {
+  std::vector<std::string> keys;
+  for (const auto* p : parameterTable().parametersOf(section)) keys.push_back(p->key());
+  for (const auto* s : parameterTable().sectionsOf(section)) keys.push_back(s->key());
+  return keys;
+}
+
+/// What an unknown key was probably meant to be: a key of this section, or one of another.
+std::string remedy(const std::string& section, const std::string& key) {
+  const auto here = keysOf(section);
+  if (const auto near = closest(key, here); !near.empty()) return "did you mean " + near + "?";
+  for (const auto& s : parameterTable().sections)
+    if (s.key() == key) return "did you mean " + s.path + "?";
+  for (const auto& p : parameterTable().parameters)
+    if (p.key() == key) return "did you mean " + p.path + "?";
+  return here.empty() ? "this map takes no keys yet: write {}" : "known here: " + join(here);
+}
+
+class TableReader {
+ public:
+  TableReader(Scenario& scenario, Reading& reading) : scenario_(scenario), reading_(reading) {}
+
+  void read(const Section& section, const Node& node) {
+    if (node.kind == Node::Kind::broken) return;
+    if (node.kind != Node::Kind::map) {
+      const bool whole = section.path.empty();
+      reading_.problems.add(
+          node.place, section.path,
+          node.kind == Node::Kind::null ? (whole ? "the file is empty" : "is empty") : "is " + describe(node),
+          whole ? "a scenario is a map that begins with 'morula: 1'" : "needs a map; {} for defaults");
+      return;
+    }
+    if (section.make) section.make(scenario_);
+    checkKeys(section, node);
+    for (const auto* parameter : parameterTable().parametersOf(section.path)) {
+      if (const auto* member = node.find(parameter->key()))
+        parameter->read(scenario_, member->value, reading_);
+      else if (parameter->required) missing(node, parameter->path, "needs " + parameter->allowed);
+    }
+    for (const auto* child : parameterTable().sectionsOf(section.path)) {
+      const auto* member = node.find(child->key());
+      if (!member && child->required)
+        missing(node, child->path, "needs at least one of " + join(keysOf(child->path)));
+      if (!member) continue;
+      if (child->needs.empty() || given_(child->needs)) read(*child, member->value);
+      else
+        reading_.problems.add(member->place, child->path, "makes no sense without " + child->needs,
+                              "add '" + child->needs + ": {}' or remove this");
+    }
+  }
+
+  /// Only top-level sections are ever needed by others.
+  std::function<bool(const std::string&)> given_;
+
+ private:
+  void missing(const Node& node, const std::string& path, const std::string& right) {
+    reading_.problems.add(node.place, path, "is missing", right);
+  }
+
+  void checkKeys(const Section& section, const Node& node) {
+    const auto known = keysOf(section.path);
+    std::vector<const Member*> good;
+    bool unknown = false;
+    for (const auto& member : node.members) {
+      if (member.key.empty()) continue;
+      if (std::find(known.begin(), known.end(), member.key) != known.end()) {
+        good.push_back(&member);
+        continue;
+      }
+      unknown = true;
+      reading_.problems.add(member.place, inside(section.path, member.key), "unknown key",
+                            remedy(section.path, member.key));
+    }
+    if (section.members != Section::Members::any && good.empty() && !unknown)
+      reading_.problems.add(
+          node.place, section.path, "is empty",
+          (section.members == Section::Members::atLeastOne ? "needs at least one of " : "needs one of ") +
+              join(known));
+    if (section.members == Section::Members::exactlyOne && good.size() > 1)
+      reading_.problems.add(good[1]->place, inside(section.path, good[1]->key),
+                            "stands beside " + good[0]->key, "give one of " + join(known, " or "));
+  }
+
+  Scenario& scenario_;
+  Reading& reading_;
+};
+
+}  // namespace
+
+void readTable(const Node& root, Scenario& scenario, Reading& reading) {
+  TableReader reader(scenario, reading);
+  reader.given_ = [&](const std::string& path) { return root.find(path) != nullptr; };
+  reader.read(*parameterTable().section(""), root);
+}
+
+const Section* ParameterTable::section(std::string_view path) const {
+  for (const auto& s : sections)
+    if (s.path == path) return &s;
+  return nullptr;
+}
+
+std::vector<const Parameter*> ParameterTable::parametersOf(std::string_view section) const {
+  std::vector<const Parameter*> found;
+  for (const auto& p : parameters)
+    if (p.parent() == section) found.push_back(&p);
+  return found;
+}
+
+std::vector<const Section*> ParameterTable::sectionsOf(std::string_view section) const {
+  std::vector<const Section*> found;
+  for (const auto& s : sections)
+    if (!s.path.empty() && s.parent() == section) found.push_back(&s);
+  return found;
+}
+
+Scenario allDefaults() {
+  Scenario scenario;
+  for (const auto& section : parameterTable().sections)
+    if (section.make && section.members != Section::Members::exactlyOne) section.make(scenario);
+  scenario.scene.mechanics->physics.shell.emplace();
+  return scenario;
+}
+
+}  // namespace morula::scenario

@@ -1,0 +1,95 @@
+#include "scenario/resolved.h"
+
+#include "scenario/numbers.h"
+
+namespace morula::scenario {
+
+namespace {
+
+bool exists(const Section& section, const Scenario& scenario) {
+  return !section.exists || section.exists(scenario);
+}
+
+Json resolveSection(const Section& section, const Scenario& scenario, bool onlyResults) {
+  Json map = Json::object();
+  const auto skip = [&](Decides decides) { return onlyResults && decides == Decides::presentation; };
+  for (const auto* parameter : parameterTable().parametersOf(section.path)) {
+    if (skip(parameter->decides)) continue;
+    if (auto value = parameter->write(scenario); !value.is_null()) map[parameter->key()] = std::move(value);
+  }
+  for (const auto* child : parameterTable().sectionsOf(section.path))
+    if (!skip(child->decides) && exists(*child, scenario))
+      map[child->key()] = resolveSection(*child, scenario, onlyResults);
+  return map;
+}
+
+void hash(const Json& value, Hasher& hasher) {
+  if (value.is_object()) {
+    hasher.add("map").add(std::uint64_t{value.size()});
+    for (const auto& [key, member] : value.items()) {
+      hasher.field(key);
+      hash(member, hasher);
+    }
+  } else if (value.is_array()) {
+    hasher.add("list").add(std::uint64_t{value.size()});
+    for (const auto& item : value) hash(item, hasher);
+  } else if (value.is_number_float()) {
+    hasher.add("real").add(value.get<double>());
+  } else if (value.is_number()) {
+    hasher.add("natural").add(value.get<std::uint64_t>());
+  } else {
+    hasher.add("text").add(value.get_ref<const std::string&>());
+  }
+}
+
+void write(const Json& value, const std::string& indent, std::string& out) {
+  const auto inner = indent + "  ";
+  if (value.is_object() && !value.empty()) {
+    out += "{";
+    bool first = true;
+    for (const auto& [key, member] : value.items()) {
+      out += (first ? "\n" : ",\n") + inner + Json(key).dump() + ": ";
+      write(member, inner, out);
+      first = false;
+    }
+    out += "\n" + indent + "}";
+  } else if (value.is_array() && !value.empty()) {
+    out += "[";
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      out += i ? ", " : "";
+      write(value[i], inner, out);
+    }
+    out += "]";
+  } else if (value.is_number_float()) {
+    out += formatReal(value.get<double>());
+  } else {
+    out += value.dump();
+  }
+}
+
+}  // namespace
+
+Json resolve(const Scenario& scenario) {
+  return resolveSection(*parameterTable().section(""), scenario, false);
+}
+
+Hash hashMeaning(const Scenario& scenario) {
+  Hasher hasher;
+  hash(resolveSection(*parameterTable().section(""), scenario, true), hasher);
+  if (scenario.scene.mechanics) {
+    const auto& mesh = scenario.scene.mechanics->mesh;
+    hasher.field("mesh").add(std::uint64_t{mesh.vertices.size()});
+    for (const auto& v : mesh.vertices) hasher.add(v.x).add(v.y).add(v.z);
+    for (const auto& face : mesh.faces)
+      for (const auto corner : face) hasher.add(corner);
+  }
+  return hasher.digest();
+}
+
+std::string writeJson(const Json& value) {
+  std::string text;
+  write(value, "", text);
+  return text + "\n";
+}
+
+}  // namespace morula::scenario

@@ -1,0 +1,80 @@
+#include "scenario/scenario.h"
+
+#include "base/error.h"
+#include "scenario/cross_checks.h"
+#include "scenario/files.h"
+#include "scenario/read_table.h"
+#include "scenario/resolved.h"
+
+namespace morula {
+
+namespace {
+
+using namespace scenario;
+
+void applyOverrides(Node& root, const std::vector<Override>& overrides, Problems& problems) {
+  for (const auto& change : overrides) {
+    const Place place{1, 1, change.place};
+    for (const auto& other : overrides)
+      if (&other < &change && other.path == change.path)
+        problems.add(place, change.path, "given twice",
+                     "keep one of '" + other.value + "' and '" + change.value + "'");
+    assign(root, change.path, readYamlValue(change.value, change.place, problems));
+  }
+}
+
+}  // namespace
+
+Override parseOverride(const std::string& text) {
+  const auto equals = text.find('=');
+  const auto path = text.substr(0, equals);
+  if (equals == text.npos || path.empty() || path.front() == '.' || path.back() == '.' ||
+      path.find("..") != path.npos)
+    throw InputError("--set " + text +
+                     ": is not an assignment; needs path=value, as physics.time_step=0.001");
+  return {path, text.substr(equals + 1), "--set " + path};
+}
+
+Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
+                      const std::vector<Override>& overrides) {
+  Scenario result;
+  result.file = name;
+  result.bytes = bytes;
+
+  Problems problems(name);
+  const SourceText source(bytes, problems);
+  problems.throwIfAny();
+  auto root = readYaml(source, problems);
+  if (root.kind == Node::Kind::broken) problems.throwIfAny();
+  if (root.kind == Node::Kind::map) applyOverrides(root, overrides, problems);
+
+  Reading reading{problems, {}, {}};
+  readTable(root, result, reading);
+  readReferences(result, reading, root, folder);
+  crossCheck(result, reading, root);
+  problems.throwIfAny();
+
+  result.resolved = writeJson(resolve(result));
+  result.meaning = hashMeaning(result);
+  return result;
+}
+
+Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  return readScenario(readFile(file), file.string(), file.parent_path(), overrides);
+}
+
+std::optional<std::string> colourOf(const Scenario& scenario, const std::string& substance) {
+  if (const auto exact = scenario.colours.find(substance); exact != scenario.colours.end())
+    return exact->second;
+  std::optional<std::string> colour;
+  std::size_t longest = 0;
+  for (const auto& [pattern, value] : scenario.colours) {
+    if (pattern.empty() || pattern.back() != '*' || pattern.size() <= longest) continue;
+    if (!substance.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))) continue;
+    colour = value;
+    longest = pattern.size();
+  }
+  return colour;
+}
+
+}  // namespace morula

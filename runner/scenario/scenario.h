@@ -1,0 +1,67 @@
+#pragma once
+// A scenario file, read strictly: what to compute (the Scene) and how to show it. The only room that knows
+// YAML.
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/hash.h"
+#include "simulation/scene.h"
+
+namespace morula {
+
+/// Where the egg's mesh comes from: exactly one of the two.
+struct MeshSource {
+  std::optional<std::uint64_t> icosphere = 2;  // level 0 to 4: 12, 42, 162, 642, 2562 vertices
+  std::optional<std::string> file;             // a Wavefront OBJ, relative to the scenario file
+};
+
+/// What is written down while the scene runs. Nothing here changes what the cells do.
+struct RecordParameters {
+  std::optional<double> every;     // [time] between samples; absent: only the start and the end
+  std::optional<double> pictures;  // [time] between pictures of a sequence; absent: only the end is drawn
+};
+
+struct Scenario {
+  std::uint64_t format = 1;
+  std::string summary;
+  Scene scene;  // ready for makeWorld: DNA parsed, mesh built and scaled
+  MeshSource mesh;
+  /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
+  std::map<std::string, std::string> colours;
+  RecordParameters record;
+
+  std::string file;   // as given by the user
+  std::string bytes;  // the file, byte by byte
+  std::string
+      resolved;  // canonical JSON of every parameter, defaults included; itself a scenario that can be read
+  Hash meaning;  // of all that decides results: neither format, comments and key order nor colours count
+};
+
+/// One `--set path=value`. The value is what would stand in the file.
+struct Override {
+  std::string path;   // physics.time_step
+  std::string value;  // 0.001, auto, {sphere: 1}, …
+  std::string place;  // how messages name it: "--set physics.time_step", "--seed"
+};
+
+/// Reads `--set path=value`. Throws InputError without a path or '='.
+Override parseOverride(const std::string& text);
+
+/// Reads, overrides and checks a scenario file. Throws InputError with one line per mistake, all of them at
+/// once, sorted by line: `file:line:column: path: what is wrong; what would be right`. Throws FileError if
+/// the file cannot be read.
+Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
+/// The same for a text in memory. Messages call it `name`; files that it mentions are looked for in `folder`.
+Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
+                      const std::vector<Override>& overrides = {});
+
+/// The colour of a substance by the scenario's `colours`: its own entry, or else that of the longest fitting
+/// pattern.
+std::optional<std::string> colourOf(const Scenario& scenario, const std::string& substance);
+
+}  // namespace morula

@@ -1,0 +1,111 @@
+#include "scenario/schema.h"
+
+#include "scenario/resolved.h"
+
+namespace morula {
+
+namespace scenario {
+
+namespace {
+
+std::string description(const Parameter& p) {
+  return p.meaning + (p.unit.empty() ? "" : " [" + p.unit + "]") +
+         (p.absent.empty() ? "" : "; absent: " + p.absent);
+}
+
+Json parameterSchema(const Parameter& p, const Scenario& defaults) {
+  Json schema{{"description", description(p)}};
+  schema.update(p.schema);
+  if (auto value = p.write(defaults); !p.required && !value.is_null()) schema["default"] = std::move(value);
+  return schema;
+}
+
+Json sectionSchema(const Section& section, const Scenario& defaults) {
+  const auto& table = parameterTable();
+  Json schema{
+      {"type", "object"},
+      {"description", section.meaning + (section.absent.empty() ? "" : "; absent: " + section.absent)}};
+  Json properties = Json::object(), required = Json::array();
+  for (const auto* p : table.parametersOf(section.path)) {
+    properties[p->key()] = parameterSchema(*p, defaults);
+    if (p->required) required.push_back(p->key());
+  }
+  Json needs = Json::object();
+  for (const auto* child : table.sectionsOf(section.path)) {
+    properties[child->key()] = sectionSchema(*child, defaults);
+    if (child->required) required.push_back(child->key());
+    if (!child->needs.empty()) needs[child->key()] = Json::array({child->needs});
+  }
+  schema["properties"] = std::move(properties);
+  schema["additionalProperties"] = false;
+  if (!required.empty()) schema["required"] = std::move(required);
+  if (!needs.empty()) schema["dependentRequired"] = std::move(needs);
+  if (section.members != Section::Members::any) schema["minProperties"] = 1;
+  if (section.members == Section::Members::exactlyOne) schema["maxProperties"] = 1;
+  return schema;
+}
+
+/// A cell of a Markdown table.
+std::string cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2) text.insert(at, "\\");
+  return text;
+}
+
+std::string defaultText(const Parameter& p, const Scenario& defaults) {
+  if (p.required) return "**required**";
+  if (!p.absent.empty() && p.write(defaults).is_null()) return p.absent;
+  const auto value = p.write(defaults);
+  if (value.is_string()) return value.get<std::string>().empty() ? "none" : value.get<std::string>();
+  if (value.empty()) return "none";
+  auto text = writeJson(value);
+  text.pop_back();
+  return text;
+}
+
+std::string sectionMarkdown(const Section& section, const Scenario& defaults) {
+  const auto& table = parameterTable();
+  std::string text = section.path.empty() ? "## The file\n\n" : "## `" + section.path + "`\n\n";
+  text += section.meaning + ".";
+  if (section.required) text += " Required.";
+  if (!section.absent.empty()) text += " Absent: " + section.absent + ".";
+  if (!section.needs.empty()) text += " Needs `" + section.needs + "`.";
+  if (section.members == Section::Members::exactlyOne) text += " Exactly one of:";
+  if (section.members == Section::Members::atLeastOne) text += " At least one of:";
+  text += "\n";
+  if (const auto parameters = table.parametersOf(section.path); !parameters.empty()) {
+    text += "\n| key | value | unit | default | meaning |\n|---|---|---|---|---|\n";
+    for (const auto* p : parameters) {
+      auto allowed = p->allowed;
+      if (const auto unit = " [" + p->unit + "]"; !p->unit.empty())
+        if (const auto at = allowed.find(unit); at != allowed.npos) allowed.erase(at, unit.size());
+      text += "| `" + p->key() + "` | " + cell(allowed) + " | " + p->unit + " | " +
+              cell(defaultText(*p, defaults)) + " | " + cell(p->meaning) + " |\n";
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+}  // namespace scenario
+
+std::string scenarioSchema() {
+  using namespace scenario;
+  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Morula scenario"}};
+  schema.update(sectionSchema(*parameterTable().section(""), allDefaults()));
+  return schema.dump(2) + "\n";
+}
+
+std::string scenarioParametersAsMarkdown() {
+  using namespace scenario;
+  const auto defaults = allDefaults();
+  std::string text =
+      "# Parameters of a scenario\n\n"
+      "Written by `morula schema --markdown` from the table that the loader reads with; do not edit.\n"
+      "Units are the scene's own: a length, a mass and a time; a force is mass·length/time².\n\n";
+  for (const auto& section : parameterTable().sections) text += sectionMarkdown(section, defaults);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace morula

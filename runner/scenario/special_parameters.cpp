@@ -1,0 +1,160 @@
+// Parameters that are one of a kind: DNA, the shell's two spellings, the division plane.
+#include "base/did_you_mean.h"
+#include "scenario/value_types.h"
+
+namespace morula::scenario {
+
+namespace {
+
+/// Reads a map that has exactly one known key; null and a problem otherwise.
+const Member* readOnly(const Node& node, const std::string& path, const std::string& key,
+                       const std::string& allowed, Problems& problems) {
+  const Member* found = nullptr;
+  for (const auto& member : node.members) {
+    if (member.key == key) found = &member;
+    else if (!member.key.empty())
+      problems.add(
+          member.place, path + "." + member.key, "unknown key",
+          closest(member.key, std::vector{key}).empty() ? "known here: " + key : "did you mean " + key + "?");
+  }
+  if (node.members.empty()) problems.add(node.place, path, "is empty", "needs " + allowed);
+  return found;
+}
+
+}  // namespace
+
+Parameter dna() {
+  Parameter p;
+  p.path = "dna";
+  p.allowed = "DNA text after '|', or {file: name.dna}";
+  p.meaning = "The organism's genes in the thesis' syntax: START: a0 and lines g1(a1|a0, A)";
+  p.required = true;
+  p.schema = {{"oneOf", Json::array({{{"type", "string"}},
+                                     {{"type", "object"},
+                                      {"properties", {{"file", {{"type", "string"}, {"minLength", 1}}}}},
+                                      {"required", {"file"}},
+                                      {"additionalProperties", false}}})}};
+  p.read = [allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
+    reading.dna.place = node.place;
+    if (node.kind == Node::Kind::map) {
+      const auto* file = readOnly(node, "dna", "file", allowed, reading.problems);
+      if (!file) return;
+      reading.dna.place = file->value.place;
+      if (file->value.kind == Node::Kind::scalar && !file->value.text.empty())
+        reading.dna.file = file->value.text;
+      else if (file->value.kind != Node::Kind::broken)
+        reading.problems.add(file->value.place, "dna.file", "is " + describe(file->value),
+                             "needs a file name");
+    } else if (node.kind == Node::Kind::scalar) {
+      // Folding joins lines, and a line is a gene.
+      if (node.style == '>')
+        reading.problems.add(node.place, "dna", "'>' joins the lines", "write '|', which keeps them");
+      else reading.dna.text = node;
+    } else if (node.kind != Node::Kind::broken) {
+      reading.problems.add(node.place, "dna",
+                           node.kind == Node::Kind::null ? "is empty" : "is " + describe(node),
+                           "needs " + allowed);
+    }
+  };
+  p.write = [](const Scenario& s) {
+    const auto& dna = s.scene.dna;
+    if (dna.substances.empty()) return Json();
+    const auto list = [&](const std::vector<SubstanceId>& ids) {
+      std::string text;
+      for (const auto id : ids) text += (text.empty() ? "" : ", ") + dna.substances[id];
+      return text;
+    };
+    std::string text = "START: " + list(dna.start) + "\n";
+    for (const auto& gene : dna.genes)
+      text += gene.name + "(" + dna.substances[gene.product] + "|" + list(gene.inputs) + ")\n";
+    return Json(text);
+  };
+  return p;
+}
+
+Parameter shellSphere() {
+  auto p = real("physics.shell.sphere", "length", positive, "Radius of a sphere about the origin", nullptr);
+  p.absent = "see ellipsoid";
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    if (const auto radius = readReal(node, positive, path, allowed, reading.problems))
+      for (double& axis : s.scene.mechanics->physics.shell->semiAxes) axis = *radius;
+  };
+  p.write = [](const Scenario& s) {
+    const auto& axes = s.scene.mechanics->physics.shell->semiAxes;
+    return axes[0] == axes[1] && axes[1] == axes[2] ? Json(axes[0]) : Json();
+  };
+  return p;
+}
+
+Parameter shellEllipsoid() {
+  auto p = real("physics.shell.ellipsoid", "length", positive, "Semi-axes along x, y and z of an ellipsoid",
+                nullptr);
+  p.allowed = "three numbers > 0 [length], as [27, 15, 11]";
+  p.absent = "see sphere";
+  p.schema = {{"type", "array"}, {"items", p.schema}, {"minItems", 3}, {"maxItems", 3}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    const auto axes = readTriple(node, positive, path, allowed, reading.problems);
+    if (!axes) return;
+    s.scene.mechanics->physics.shell = ShellParameters{{axes->x, axes->y, axes->z}};
+  };
+  p.write = [](const Scenario& s) {
+    const auto& axes = s.scene.mechanics->physics.shell->semiAxes;
+    return axes[0] == axes[1] && axes[1] == axes[2] ? Json() : Json{axes[0], axes[1], axes[2]};
+  };
+  return p;
+}
+
+Parameter divisionPlane() {
+  Parameter p;
+  p.path = "division.plane";
+  p.allowed = "longest, random, or {axis: [x, y, z]}";
+  p.meaning =
+      "Cells divide across the direction of their largest extent, a random one, or one fixed axis (any "
+      "length but 0)";
+  p.schema = {
+      {"oneOf",
+       Json::array(
+           {{{"enum", {"longest", "random"}}},
+            {{"type", "object"},
+             {"properties",
+              {{"axis",
+                {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}}},
+             {"required", {"axis"}},
+             {"additionalProperties", false}}})}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    auto& division = s.scene.mechanics->division;
+    if (node.kind == Node::Kind::map) {
+      const auto* axis = readOnly(node, path, "axis", allowed, reading.problems);
+      if (!axis) return;
+      const auto value = readTriple(axis->value, {}, path + ".axis", "three numbers, not all 0, as [1, 0, 0]",
+                                    reading.problems);
+      if (!value) return;
+      if (*value == Vector{})
+        reading.problems.add(axis->value.place, path + ".axis", "has length 0",
+                             "at least one number is not 0");
+      else division = {DivisionPlane::axis, *value};
+    } else if (node.kind == Node::Kind::scalar && node.text == "longest") {
+      division.plane = DivisionPlane::longest;
+    } else if (node.kind == Node::Kind::scalar && node.text == "random") {
+      division.plane = DivisionPlane::random;
+    } else if (node.kind != Node::Kind::broken) {
+      const auto near = node.kind == Node::Kind::scalar
+                            ? closest(node.text, std::vector<std::string>{"longest", "random"})
+                            : "";
+      reading.problems.add(node.place, path,
+                           node.kind == Node::Kind::null     ? "is empty"
+                           : node.kind == Node::Kind::scalar ? describe(node) + " is not known here"
+                                                             : "is " + describe(node),
+                           near.empty() ? "needs " + allowed : "did you mean " + near + "? Needs " + allowed);
+    }
+  };
+  p.write = [](const Scenario& s) {
+    const auto& division = s.scene.mechanics->division;
+    if (division.plane == DivisionPlane::longest) return Json("longest");
+    if (division.plane == DivisionPlane::random) return Json("random");
+    return Json{{"axis", {division.axis.x, division.axis.y, division.axis.z}}};
+  };
+  return p;
+}
+
+}  // namespace morula::scenario

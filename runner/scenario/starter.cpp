@@ -1,0 +1,46 @@
+#include "scenario/schema.h"
+
+namespace morula {
+
+std::string starterScenario(const std::string& name) {
+  return R"(# A scenario: an organism, how it grows, and how it is shown.
+# All keys: morula schema --markdown; in editors: morula schema > scenario.schema.json
+morula: 1                      # version of this format
+name: )" +
+         name +
+         R"(
+summary: One cell divides twice into four, two of each kind
+seed: 1                        # chooses the random numbers; equal seeds give equal results
+
+# Genes. g1(a1|a0): cells with a0 make a1 in their next cycle. divide and die act on the cell; at a division one
+# daughter gets A and the other B. What is not made in a cycle is gone after it.
+dna: |
+  START: a0
+  g1(a1|a0)
+  g2(divide|a0)
+  g3(divide|a1)
+  g4(left|a1,A)
+  g5(right|a1,B)
+  g6(left|left)
+  g7(right|right)
+
+cycle: {length: 1}             # [time] between cell cycles
+stop: {cycles: 5}              # or time, or cells
+
+physics:                       # without this block: the lineage only, without bodies
+  time_step: auto              # or a number [time]
+  mesh: {icosphere: 2}         # 162 vertices; or {file: shape.obj}
+  cell: {radius: 0.95, mass: 1}
+  membrane: {stiffness: 40, damping: 0.5}
+  pressure: {constant: 4, outside: 1.1}  # at rest constant / volume = outside
+  shell: {sphere: 1}           # or {ellipsoid: [27, 15, 11]}
+  contact: {}                  # without it cells pass through one another
+
+division: {plane: longest}     # or random, or {axis: [1, 0, 0]}
+
+colours: {left: '#e41a1c', right: '#377eb8'}
+record: {every: 0.25}          # [time] between samples in the database
+)";
+}
+
+}  // namespace morula

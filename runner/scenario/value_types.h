@@ -1,0 +1,62 @@
+#pragma once
+// The kinds of values that parameters have. Each function makes a Parameter that reads, writes and describes
+// one field.
+#include "scenario/numbers.h"
+#include "scenario/parameter.h"
+
+namespace morula::scenario {
+
+template <class T>
+using Field = T& (*)(Scenario&);
+
+/// The largest whole number that SQLite and most other programs hold.
+inline constexpr std::uint64_t largestNatural = 0x7FFFFFFFFFFFFFFF;
+
+struct NaturalRange {
+  std::uint64_t low = 0, high = largestNatural;
+};
+
+struct Names {
+  std::vector<std::string> names;  // in the order of the enumeration's values
+};
+
+Parameter real(std::string path, std::string unit, Range range, std::string meaning, Field<double> field);
+/// `absent`: what holds if it is not given. `word`: a text that may be written for that, such as "auto"; may
+/// be empty.
+Parameter optionalReal(std::string path, std::string unit, Range range, std::string word, std::string absent,
+                       std::string meaning, Field<std::optional<double>> field);
+Parameter natural(std::string path, NaturalRange range, std::string meaning, Field<std::uint64_t> field);
+Parameter optionalNatural(std::string path, NaturalRange range, std::string absent, std::string meaning,
+                          Field<std::optional<std::uint64_t>> field);
+/// Free text of one line, or a name made of letters, digits, '-' and '_'.
+Parameter text(std::string path, std::string meaning, Field<std::string> field);
+Parameter name(std::string path, std::string meaning, Field<std::string> field);
+Parameter optionalFile(std::string path, std::string meaning, Field<std::optional<std::string>> field);
+Parameter timePerSubstance(std::string path, std::string meaning, Field<std::map<std::string, double>> field);
+Parameter colourPerSubstance(std::string path, std::string meaning,
+                             Field<std::map<std::string, std::string>> field);
+
+/// An enumeration whose values count from 0.
+Parameter choiceOf(std::string path, std::vector<std::string> names, std::string meaning,
+                   std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set);
+template <class E>
+Parameter choice(std::string path, std::vector<std::string> names, std::string meaning, Field<E> field) {
+  return choiceOf(
+      std::move(path), std::move(names), std::move(meaning),
+      [field](Scenario& s) { return static_cast<int>(field(s)); },
+      [field](Scenario& s, int value) { field(s) = static_cast<E>(value); });
+}
+
+// Parameters that are one of a kind.
+Parameter dna();
+Parameter shellSphere();
+Parameter shellEllipsoid();
+Parameter divisionPlane();
+
+// For the kinds themselves.
+std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
+                               const std::string& allowed, Problems& problems);
+std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,
+                                 const std::string& allowed, Problems& problems);
+
+}  // namespace morula::scenario
