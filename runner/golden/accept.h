@@ -13,11 +13,10 @@ struct Acceptance {
   std::string why;  // required: what changed and why the new result is right
 };
 
-/// Writes the observed data as the scenario's golden, with the tolerance rules of `rules` (usually those of
-/// the golden it replaces), atomically. Throws InputError without a reason or with a rule that matches
-/// nothing, StoreError-like std::runtime_error never: a file that cannot be written is an InputError that
-/// names it. Refuses (InputError) when the environment variable CI is set and not empty: goldens are accepted
-/// by people.
+/// Writes the observed data as the scenario's golden, with the tolerance rules `rules` (usually those of the
+/// golden it replaces), atomically; makes the folder if need be. Throws InputError without a reason, with a
+/// rule that matches nothing, and when the environment variable CI is set and not empty: goldens are accepted
+/// by people. Throws std::filesystem::filesystem_error if the file cannot be written (exit 6).
 void acceptGolden(const std::filesystem::path& file, const GoldenData& observed,
                   std::vector<ToleranceRule> rules, const Acceptance& acceptance);
 

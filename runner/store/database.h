@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,11 @@ class Database {
   std::unique_ptr<sqlite3, Close> db_;
 };
 
+/// Bytes for a BLOB column.
+struct Blob {
+  std::string_view bytes;
+};
+
 /// A prepared statement. Parameters are bound in order by `run` or `start`, columns read by number from 0.
 class Statement {
  public:
@@ -48,22 +54,20 @@ class Statement {
   /// Binds the values and runs a statement that gives no rows; ready to run again.
   template <class... Values>
   void run(const Values&... values) {
-    start(values...);
+    bindAll(values...);
     next();
     reset();
   }
 
-  /// Binds the values; the rows follow with `next`.
+  /// Binds copies of the values; the rows follow with `next`.
   template <class... Values>
   Statement& start(const Values&... values) {
-    reset();
-    int place = 0;
-    (bind(++place, values), ...);
-    expectParameters(place);
+    copyValues_ = true;
+    bindAll(values...);
     return *this;
   }
 
-  /// Goes to the next row; false after the last one.
+  /// Goes to the next row; false after the last one, and then ready to start again.
   bool next();
 
   bool isNull(int column) const;
@@ -78,6 +82,14 @@ class Statement {
     void operator()(sqlite3_stmt* s) const;
   };
 
+  template <class... Values>
+  void bindAll(const Values&... values) {
+    reset();
+    int place = 0;
+    (bind(++place, values), ...);
+    expectParameters(place);
+  }
+
   /// SQLite keeps every finite double and the infinities bit for bit, but −0.0 becomes 0.0 and NaN becomes
   /// NULL. So REAL columns are for reading and reckoning; what must be exact to the last bit is stored as a
   /// hash beside them.
@@ -86,9 +98,10 @@ class Statement {
   void bind(int place, std::uint64_t value);  // two's complement: SQLite's integers are signed
   void bind(int place, int value) { bind(place, std::int64_t{value}); }
   void bind(int place, bool value) { bind(place, std::int64_t{value}); }
-  void bind(int place, std::string_view value);  // must live until the statement has run
+  void bind(int place, std::string_view value);
   void bind(int place, const std::string& value) { bind(place, std::string_view(value)); }
   void bind(int place, const char* value) { bind(place, std::string_view(value)); }
+  void bind(int place, Blob value);
   void bindNull(int place);
   template <class T>
   void bind(int place, const std::optional<T>& value) {
@@ -100,6 +113,8 @@ class Statement {
 
   Database* db_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  bool copyValues_ =
+      false;  // else the bound texts must live until the statement has run, as they do in `run`
 };
 
 /// BEGIN IMMEDIATE; rolled back at the end of the scope unless committed.

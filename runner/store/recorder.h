@@ -8,30 +8,41 @@ namespace morula {
 
 struct World;
 
+struct RecordOptions {
+  std::optional<double> every;  // [time] sample at 0, every, 2·every, … and at the end; absent: no samples
+  std::optional<std::uint64_t> hashEvery;  // [steps] state hash at step 0, hashEvery, …; absent: none
+};
+
 class Recorder {
  public:
-  /// `every` [time]: sample when the time reaches 0, every, 2·every, … and at the end; absent: no samples at
-  /// all.
-  explicit Recorder(std::optional<double> every = {}) : every_(every) {}
+  explicit Recorder(RecordOptions options = {}) : options_(options) {}
 
-  /// Call once after makeWorld and once after every step. Costs one comparison unless a sample is due; a
+  /// Call once after makeWorld and once after every step. Costs two comparisons unless something is due; a
   /// sample is taken at the first step at or after its time and carries the time of that step.
   void observe(const World& world);
 
   /// True if the last call of `observe` took a sample (for pictures over time).
   bool sampled() const { return sampled_; }
+  /// The samples so far.
+  const std::vector<Sample>& samples() const { return results_.samples; }
+  const std::vector<StepHash>& stepHashes() const { return results_.stepHashes; }
 
   /// The run has ended: everything recorded, with a last sample, the lineage, connections and changes of the
-  /// time step. After a NumericalError pass `failed`: the broken state is then not measured.
+  /// time step. After a NumericalError pass `failed`: the broken state is then not measured. The recorder is
+  /// empty afterwards.
   RunResults take(const World& world, bool failed = false);
 
  private:
   void sample(const World& world);
 
-  std::optional<double> every_;
-  std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every_
+  RecordOptions options_;
+  std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every
   bool sampled_ = false;
-  std::vector<Sample> samples_;
+  RunResults results_;
 };
+
+/// How a run ended, read off its world. `failure`: the NumericalError's text for a failed run, which has no
+/// state hash.
+RunEnd endOf(const World& world, RunStatus status, const std::string& failure = {});
 
 }  // namespace morula

@@ -10,6 +10,7 @@
 // One writer at a time: others wait (StoreOptions::patience), then get a StoreError.
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct StoreOptions {
 /// A run as it stands in the file.
 struct StoredRun {
   std::string id;
-  RunRecord record;  // without the documents' contents: Store::documents
+  RunRecord record;  // without documents: see Store::documents
   RunStatus status = RunStatus::running;
   std::string started, ended;          // UTC; ended is "" while running
   std::string stateHash;               // "" unless done
@@ -71,8 +72,13 @@ class Store {
   const std::filesystem::path& file() const { return db_.file(); }
 
  private:
+  struct Attempt {
+    RunRecord record;
+    std::string started;
+  };
   explicit Store(Database db) : db_(std::move(db)) {}
   Database db_;
+  std::map<std::string, Attempt> attempts_;  // begun here and not finished, by id
 };
 
 }  // namespace morula

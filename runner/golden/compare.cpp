@@ -1,0 +1,223 @@
+// Holds a run against its golden, check by check.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "golden/difference.h"
+#include "golden/number_text.h"
+
+namespace morula {
+
+namespace {
+
+/// One item as the golden and as the run have it; null where one of them has none.
+struct Pair {
+  const GoldenItem* golden = nullptr;
+  const GoldenItem* observed = nullptr;
+};
+
+/// The pairs of one check, in the golden's order, then what only the run has.
+using Pairs = std::vector<Pair>;
+
+std::string checkOf(const GoldenItem& item) {
+  if (item.kind == "count") return "counts";
+  if (item.kind == "cell" || item.kind == "generation") return "lineage";
+  if (item.kind == "time_step") return "time_steps";
+  if (item.kind == "step_hash") return "step_hashes";
+  if (item.kind == "value") return "values";
+  return item.kind;  // bits
+}
+
+std::map<std::string, Pairs> pairUp(const Golden& golden, const GoldenData& observed) {
+  std::map<std::string, const GoldenItem*> open;
+  for (const GoldenItem& item : observed.items) open.emplace(item.kind + ' ' + item.key, &item);
+  std::map<std::string, Pairs> checks;
+  for (const GoldenItem& item : golden.data.items) {
+    Pair pair{&item, nullptr};
+    if (const auto found = open.find(item.kind + ' ' + item.key); found != open.end()) {
+      pair.observed = found->second;
+      open.erase(found);
+    }
+    checks[checkOf(item)].push_back(pair);
+  }
+  for (const GoldenItem& item : observed.items)
+    if (open.contains(item.kind + ' ' + item.key)) checks[checkOf(item)].push_back({nullptr, &item});
+  return checks;
+}
+
+/// Makes the result of a check of which these differences were found among so many items.
+CheckResult resultOf(const std::string& check, std::vector<Difference> differences, std::size_t items) {
+  CheckResult r;
+  r.check = check;
+  r.kind = "golden";
+  r.tolerance = "exact";
+  r.passed = differences.empty();
+  if (r.passed) {
+    r.expected = r.actual = std::to_string(items) + (items == 1 ? " item" : " items");
+    return r;
+  }
+  sortByStep(differences);
+  const Difference& first = differences.front();
+  r.expected = first.expected;
+  r.actual = first.actual;
+  r.firstStep = first.step;
+  r.cell = first.cell;
+  r.field = first.field;
+  r.message = listed(differences);
+  return r;
+}
+
+CheckResult compareExactly(const std::string& file, const std::string& check, const Pairs& pairs) {
+  std::vector<Difference> differences;
+  for (const Pair& p : pairs)
+    if (auto d = findDifference(file, p.golden, p.observed)) differences.push_back(std::move(*d));
+  CheckResult r = resultOf(check, std::move(differences), pairs.size());
+  if (pairs.size() == 1 && r.passed) r.expected = r.actual = pairs.front().golden->fields.back();
+  return r;
+}
+
+CheckResult compareScenario(const Golden& golden, const GoldenData& observed) {
+  std::vector<Difference> differences;
+  const auto compare = [&](const char* field, const std::string& expected, const std::string& actual,
+                           const char* what) {
+    if (expected != actual)
+      differences.push_back(
+          {golden.file,
+           0,
+           {},
+           field,
+           expected,
+           actual,
+           golden.file + ": " + field + ": expected '" + expected + "', actual '" + actual + "': " + what});
+  };
+  compare("scenario", golden.data.scenario, observed.scenario, "this is another scenario's golden");
+  compare("scenario_hash", golden.data.scenarioHash, observed.scenarioHash,
+          "the scenario has changed since this golden was accepted");
+  compare("seed", std::to_string(golden.data.seed), std::to_string(observed.seed),
+          "the run has another seed");
+  CheckResult r = resultOf("scenario", std::move(differences), 1);
+  r.firstStep.reset();
+  if (r.passed) r.expected = r.actual = golden.data.scenarioHash;
+  return r;
+}
+
+/// The values under one rule (null: under none, so exact).
+struct RuleCheck {
+  const ToleranceRule* rule = nullptr;
+  std::vector<Difference> differences;
+  std::size_t values = 0;
+  double share = 0;                   // the largest
+  const GoldenItem* worst = nullptr;  // whose it is
+
+  void add(const std::string& file, const Pair& pair) {
+    const Tolerance tolerance = rule ? rule->tolerance : Tolerance{};
+    const std::optional<double> e = readReal(pair.golden->fields[1]), a = readReal(pair.observed->fields[1]);
+    const double used = tolerance.share(*e, *a);
+    ++values;
+    if (!worst || used > share) share = used, worst = pair.golden;
+    if (used <= 1) return;
+    Difference d = *findDifference(file, pair.golden, pair.observed);
+    d.field = pair.golden->key.substr(pair.golden->key.rfind('/') + 1);
+    d.step = stepOf(*pair.golden);
+    d.text = d.place + ": " + pair.golden->key + " at step " + pair.golden->fields[0] + ": " +
+             compareInWords(*e, *a) + "; tolerance " + tolerance.text();
+    if (tolerance.kind != Tolerance::Kind::exact) d.text += ", used " + writeReal(used) + " times";
+    if (rule) d.text += " (" + file + ':' + std::to_string(rule->line) + ')';
+    differences.push_back(std::move(d));
+  }
+
+  CheckResult result() && {
+    CheckResult r = resultOf(rule ? "values " + rule->pattern : "values", std::move(differences), values);
+    if (!rule) return r;
+    r.tolerance = rule->tolerance.text();
+    if (rule->untilStep) r.tolerance += " until_step " + std::to_string(*rule->untilStep);
+    if (rule->tolerance.kind == Tolerance::Kind::exact || !worst) return r;
+    r.share = share;
+    if (r.passed) {
+      r.cell = cellOf(*worst);
+      r.field = worst->key.substr(worst->key.rfind('/') + 1);
+    }
+    return r;
+  }
+};
+
+void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckResult>& results) {
+  const std::vector<ToleranceRule>& rules = golden.rules;
+  std::vector<RuleCheck> checks(rules.size() + 1);  // the last one: no rule
+  for (std::size_t i = 0; i < rules.size(); ++i) checks[i].rule = &rules[i];
+  std::vector<bool> matched(rules.size(), false);
+  std::vector<Difference> unpaired;
+
+  for (const Pair& pair : pairs) {
+    if (!pair.golden || !pair.observed || pair.golden->fields[0] != pair.observed->fields[0]) {
+      unpaired.push_back(*findDifference(golden.file, pair.golden, pair.observed));
+      if (!pair.golden) continue;
+    }
+    const std::uint64_t step = stepOf(*pair.golden).value_or(0);
+    std::size_t holds = rules.size();
+    for (std::size_t i = 0; i < rules.size(); ++i)
+      if (rules[i].matches(pair.golden->key, step)) matched[i] = true, holds = i;  // the last match wins
+    if (pair.observed && pair.golden->fields[0] == pair.observed->fields[0])
+      checks[holds].add(golden.file, pair);
+  }
+
+  std::vector<Difference> idle;
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    const std::string place = golden.file + ':' + std::to_string(rules[i].line);
+    if (!matched[i])
+      idle.push_back({place,
+                      {},
+                      {},
+                      "tolerance",
+                      rules[i].pattern,
+                      "",
+                      place + ": the tolerance rule '" + rules[i].pattern +
+                          "' matches no value; remove it or mend its pattern"});
+  }
+  if (!rules.empty()) results.push_back(resultOf("tolerances", std::move(idle), rules.size()));
+  results.push_back(resultOf("completeness", std::move(unpaired), pairs.size()));
+  for (RuleCheck& check : checks)
+    if (check.values > 0) results.push_back(std::move(check).result());
+}
+
+const CheckResult* find(const std::vector<CheckResult>& results, const std::string& check) {
+  for (const CheckResult& r : results)
+    if (r.check == check) return &r;
+  return nullptr;
+}
+
+/// Why a check failed. An earlier cause explains what follows from it: a changed scenario, then the state
+/// before the first step, then the lineage, and only what is left is a change of the computation.
+void classify(std::vector<CheckResult>& results) {
+  const auto failed = [&](const char* check) {
+    const CheckResult* r = find(results, check);
+    return r && !r->passed ? r : nullptr;
+  };
+  std::string cause = "COMPUTATION";
+  if (failed("lineage")) cause = "LINEAGE";
+  if (const CheckResult* r = failed("step_hashes"); r && r->firstStep == 0u) cause = "SETUP";
+  if (failed("scenario")) cause = "INPUT_CHANGED";
+  for (CheckResult& r : results) {
+    if (r.passed) continue;
+    const bool aboutTheFile =
+        r.check == "tolerances" || (r.check == "completeness" && cause == "COMPUTATION");
+    r.failureClass = aboutTheFile ? "INPUT_CHANGED" : cause;
+  }
+}
+
+}  // namespace
+
+CheckReport compareGolden(const Golden& golden, const GoldenData& observed) {
+  CheckReport report{golden.data.scenario, {}};
+  std::map<std::string, Pairs> checks = pairUp(golden, observed);
+  report.results.push_back(compareScenario(golden, observed));
+  for (const char* check : {"counts", "lineage", "time_steps", "bits", "step_hashes"})
+    if (const auto found = checks.find(check); found != checks.end())
+      report.results.push_back(compareExactly(golden.file, check, found->second));
+  if (checks.contains("values") || !golden.rules.empty())
+    compareValues(golden, checks["values"], report.results);
+  classify(report.results);
+  return report;
+}
+
+}  // namespace morula

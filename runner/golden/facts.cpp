@@ -1,0 +1,138 @@
+#include "golden/facts.h"
+
+#include <algorithm>
+#include <map>
+
+#include "golden/number_text.h"
+
+namespace morula {
+
+namespace {
+
+std::string nameOf(const CellPath& path) { return path.isEgg() ? "egg" : path.text(); }
+
+/// Works out each state's text once: a large lineage has few states.
+class StateTexts {
+ public:
+  explicit StateTexts(const std::function<std::string(StateId)>& describe) : describe_(describe) {}
+  const std::string& operator()(StateId state) {
+    const auto found = texts_.find(state);
+    return found != texts_.end() ? found->second : texts_.emplace(state, describe_(state)).first->second;
+  }
+
+ private:
+  const std::function<std::string(StateId)>& describe_;
+  std::map<StateId, std::string> texts_;
+};
+
+class Builder {
+ public:
+  std::vector<GoldenItem> items;
+
+  void count(const char* name, std::uint64_t n) { items.push_back({"count", name, {std::to_string(n)}}); }
+
+  void value(const std::string& when, const std::string& who, const char* what, std::uint64_t step,
+             double v) {
+    items.push_back({"value", when + '/' + who + '/' + what, {std::to_string(step), writeReal(v)}});
+  }
+
+  void organism(const std::string& when, const WorldMeasures& m) {
+    const auto add = [&](const char* what, double v) { value(when, "organism", what, m.step, v); };
+    add("cells", static_cast<double>(m.cells));
+    add("volume", m.volume);
+    add("kinetic_energy", m.kineticEnergy);
+    add("mean_pressure", m.meanPressure);
+    add("shell_fill", m.shellFill);
+    add("outermost", m.outermost);
+  }
+
+  void cell(const std::string& when, std::uint64_t step, const CellMeasures& m) {
+    const std::string who = nameOf(m.path);
+    const auto add = [&](const char* what, double v) { value(when, who, what, step, v); };
+    add("volume", m.volume);
+    add("area", m.area);
+    add("pressure", m.pressure);
+    add("x", m.centroid.x);
+    add("y", m.centroid.y);
+    add("z", m.centroid.z);
+    add("sphericity", m.sphericity);
+    add("neighbours", m.neighbours);
+  }
+};
+
+void addCounts(Builder& to, const GoldenFacts& facts) {
+  std::uint64_t alive = 0, divided = 0, died = 0;
+  for (const LineageEntry& e : facts.lineage)
+    ++(e.fate == Fate::alive ? alive : e.fate == Fate::divided ? divided : died);
+  to.count("cells", alive);
+  to.count("cells_ever", facts.lineage.size());
+  to.count("divisions", divided);
+  to.count("deaths", died);
+  to.count("steps", facts.steps);
+}
+
+void addLineage(Builder& to, std::vector<const LineageEntry*> entries, StateTexts& stateText) {
+  std::sort(entries.begin(), entries.end(), [](auto* a, auto* b) { return a->path < b->path; });
+  for (const LineageEntry* e : entries) {
+    const bool alive = e->fate == Fate::alive;
+    to.items.push_back({"cell",
+                        nameOf(e->path),
+                        {writeReal(e->born), std::to_string(e->bornStep), alive ? "-" : writeReal(e->ended),
+                         alive ? "-" : std::to_string(e->endedStep), name(e->fate), stateText(e->state)}});
+  }
+}
+
+/// One digest per generation, so that a difference still shows where it begins.
+void addGenerations(Builder& to, std::vector<const LineageEntry*> entries, StateTexts& stateText) {
+  std::sort(entries.begin(), entries.end(), [](auto* a, auto* b) {
+    return a->path.depth() != b->path.depth() ? a->path.depth() < b->path.depth() : a->path < b->path;
+  });
+  for (std::size_t begin = 0; begin < entries.size();) {
+    const int depth = entries[begin]->path.depth();
+    Hasher hasher;
+    std::size_t end = begin;
+    for (; end < entries.size() && entries[end]->path.depth() == depth; ++end) {
+      const LineageEntry& e = *entries[end];
+      hasher.add(e.path.high())
+          .add(e.path.low())
+          .add(e.born)
+          .add(e.bornStep)
+          .add(name(e.fate))
+          .add(stateText(e.state));
+      if (e.fate != Fate::alive) hasher.add(e.ended).add(e.endedStep);
+    }
+    to.items.push_back(
+        {"generation", std::to_string(depth), {std::to_string(end - begin), hasher.digest().text()}});
+    begin = end;
+  }
+}
+
+}  // namespace
+
+GoldenData makeGoldenData(const GoldenFacts& facts) {
+  Builder to;
+  addCounts(to, facts);
+
+  std::vector<const LineageEntry*> entries;
+  for (const LineageEntry& e : facts.lineage) entries.push_back(&e);
+  StateTexts stateText(facts.describe);
+  const bool large = entries.size() > goldenLineageLimit;
+  (large ? addGenerations : addLineage)(to, std::move(entries), stateText);
+
+  for (const GoldenTimeStep& t : facts.timeSteps)
+    to.items.push_back({"time_step", std::to_string(t.step), {writeReal(t.time), writeReal(t.timeStep)}});
+  to.items.push_back({"bits", "solver", {facts.stateHash.text()}});
+  for (const GoldenStepHash& h : facts.stepHashes)
+    to.items.push_back({"step_hash", std::to_string(h.step), {h.hash.text()}});
+
+  if (facts.mechanics) {
+    for (const WorldMeasures& sample : facts.samples)
+      if (sample.step < facts.end.step) to.organism(writeReal(sample.time), sample);
+    to.organism("final", facts.end);
+    if (facts.cells.size() <= goldenCellLimit)
+      for (const CellMeasures& c : facts.cells) to.cell("final", facts.end.step, c);
+  }
+  return {facts.scenario, facts.scenarioHash, facts.seed, std::move(to.items)};
+}
+
+}  // namespace morula

@@ -1,0 +1,168 @@
+// The text of a golden file, written and read.
+#include "golden/golden.h"
+
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "golden/number_text.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::string_view firstLine = "morula golden 1";
+
+/// Over everything that a run must reproduce. Reasons and tolerances are people's to edit, the rest is not.
+std::string digestOf(const GoldenData& data) {
+  Hasher hasher;
+  hasher.field("scenario")
+      .add(data.scenario)
+      .field("scenario_hash")
+      .add(data.scenarioHash)
+      .field("seed")
+      .add(data.seed);
+  for (const GoldenItem& item : data.items) hasher.add(write(item));
+  return hasher.digest().text();
+}
+
+/// "# cell path born born_step …", so that the file can be read without its description.
+std::string heading(const ItemForm& form) {
+  std::string line = "# " + std::string(form.kind) + ' ' + std::string(form.key);
+  for (const FieldForm& field : form.fields) line += ' ' + std::string(field.name);
+  return line + '\n';
+}
+
+/// The file line by line, with what can be wrong with any line.
+class Lines {
+ public:
+  Lines(const std::string& text, const std::string& file) : text_(text), file_(file) {}
+
+  /// The next line that says something; false at the end of the text.
+  bool next(std::string_view& line) {
+    while (begin_ < text_.size()) {
+      ++number_;
+      const std::size_t end = text_.find('\n', begin_);
+      line = std::string_view(text_).substr(begin_, end - begin_);
+      begin_ = end == std::string::npos ? text_.size() : end + 1;
+      for (const std::string_view marker : {"<<<<<<<", "|||||||", "=======", ">>>>>>>"})
+        if (line.starts_with(marker))
+          fail(
+              "a merge marker; take one side's file whole, run the scenario and accept its result if it is "
+              "right");
+      if (end == std::string::npos)
+        fail("the last line is cut short; the file is truncated, restore it from git");
+      if (line.ends_with('\r'))
+        fail("the line ends in a carriage return; store the file with plain line ends");
+      if (!line.empty() && line.front() != '#') return true;
+    }
+    return false;
+  }
+
+  std::string place() const { return file_ + ':' + std::to_string(number_); }
+  int number() const { return number_; }
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(place() + ": " + what); }
+
+ private:
+  const std::string& text_;
+  const std::string& file_;
+  std::size_t begin_ = 0;
+  int number_ = 0;
+};
+
+/// `keyword text`: the text of the next line.
+std::string header(Lines& lines, std::string_view keyword) {
+  std::string_view line;
+  if (!lines.next(line) || !line.starts_with(keyword) || line.size() < keyword.size() + 2 ||
+      line[keyword.size()] != ' ')
+    lines.fail(std::string(keyword) + " is expected here");
+  return std::string(line.substr(keyword.size() + 1));
+}
+
+void checkEnd(const Lines& lines, std::string_view line, const GoldenData& data) {
+  const std::size_t items = data.items.size();
+  const std::size_t space = line.find(' ', 4);
+  const std::optional<std::uint64_t> count = readNatural(line.substr(4, space - 4));
+  if (!count || space == std::string_view::npos) lines.fail("`end ITEMS DIGEST` is expected");
+  if (*count != items)
+    lines.fail("the file has " + std::to_string(items) + " items, but " + std::to_string(*count) +
+               " were accepted; restore it from git");
+  if (line.substr(space + 1) != digestOf(data))
+    lines.fail(
+        "the items above are not those that were accepted: somebody has edited them; restore the file from "
+        "git, "
+        "or accept the present result with `morula check --accept --why \"…\"`");
+}
+
+}  // namespace
+
+std::string writeGolden(const Golden& golden) {
+  const GoldenData& data = golden.data;
+  std::string text(firstLine);
+  text += "\nscenario " + data.scenario + "\nseed " + std::to_string(data.seed) + "\nscenario_hash " +
+          data.scenarioHash + "\naccepted_by " + golden.acceptedBy + "\nwhy " + golden.why + '\n';
+  if (!golden.rules.empty()) text += '\n';
+  for (const ToleranceRule& rule : golden.rules) text += rule.text() + '\n';
+  std::string_view kind;
+  for (const GoldenItem& item : data.items) {
+    if (item.kind != kind) text += '\n' + heading(*findForm(item.kind));
+    kind = item.kind;
+    text += write(item) + '\n';
+  }
+  return text + "\nend " + std::to_string(data.items.size()) + ' ' + digestOf(data) + '\n';
+}
+
+Golden readGolden(const std::string& text, const std::string& file) {
+  Golden golden;
+  golden.file = file;
+  GoldenData& data = golden.data;
+  Lines lines(text, golden.file);
+  std::string_view line;
+  if (!lines.next(line)) throw InputError(file + ":1: the file is empty; restore it from git");
+  if (line != firstLine)
+    lines.fail("the first line is not `" + std::string(firstLine) +
+               "`; this is no golden file of this version");
+  data.scenario = header(lines, "scenario");
+  const std::string seed = header(lines, "seed");
+  if (const auto value = readNatural(seed)) data.seed = *value;
+  else lines.fail("seed: '" + seed + "'; a whole number from 0 is expected");
+  data.scenarioHash = header(lines, "scenario_hash");
+  golden.acceptedBy = header(lines, "accepted_by");
+  golden.why = header(lines, "why");
+
+  std::map<std::string, int> seen;  // "kind key" → its line
+  while (lines.next(line)) {
+    if (line.starts_with("end ")) {
+      checkEnd(lines, line, data);
+      if (lines.next(line)) lines.fail("'" + std::string(line) + "' follows the end of the file; remove it");
+      return golden;
+    }
+    if (line.starts_with("tolerance ")) {
+      golden.rules.push_back(readRule(line, lines.place()));
+      golden.rules.back().line = lines.number();
+      continue;
+    }
+    GoldenItem item = readItem(line, lines.place());
+    item.line = lines.number();
+    const std::string name = item.kind + ' ' + item.key;
+    if (const auto [first, isNew] = seen.emplace(name, item.line); !isNew)
+      lines.fail(name + " stands twice, first in line " + std::to_string(first->second) +
+                 "; restore the file from git");
+    data.items.push_back(std::move(item));
+  }
+  lines.fail("the file ends without its last line `end …`: it is truncated; restore it from git");
+}
+
+Golden readGoldenFile(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(
+        file.string() +
+        ": there is no golden file; look at the result and, if it is right, accept it with `morula check "
+        "--accept --why \"…\"`");
+  return readGolden({std::istreambuf_iterator<char>(stream), {}}, file.string());
+}
+
+}  // namespace morula

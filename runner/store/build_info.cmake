@@ -1,0 +1,93 @@
+# Writes build_info.cpp. Included by runner/CMakeLists.txt, after the room `store`; run as a script by
+# that target at every build, where it rewrites the file only if something in it has changed. So a commit costs one small
+# file and the link, nothing else is rebuilt, and no edit can hide from the build's identity.
+
+if(NOT CMAKE_SCRIPT_MODE_FILE)
+  # What the build system knows, fixed when it is configured.
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  get_target_property(rules morula_flags INTERFACE_COMPILE_OPTIONS)
+  string(JOIN " " flags ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${rules})
+  pkg_check_modules(XXHASH QUIET libxxhash)
+  set(libraries "")
+  foreach(library IN ITEMS "CLI11=${CLI11_VERSION}" "Eigen=${Eigen3_VERSION}" "FreeType=${FREETYPE_VERSION}"
+          "OSMesa=${OSMESA_VERSION}" "SQLite=${SQLite3_VERSION}" "fmt=${fmt_VERSION}" "libpng=${PNG_VERSION_STRING}"
+          "nlohmann_json=${nlohmann_json_VERSION}" "oneTBB=${TBB_VERSION}" "xxHash=${XXHASH_VERSION}"
+          "yaml-cpp=${yaml-cpp_VERSION}")
+    string(REPLACE "=" "\", \"" pair "${library}")
+    string(REGEX REPLACE "\"$" "\"unknown" pair "${pair}")
+    string(APPEND libraries "    {\"${pair}\"},\n")
+  endforeach()
+  set(BUILD_INFO_CPP ${CMAKE_CURRENT_BINARY_DIR}/build_info.cpp)
+  set(facts ${CMAKE_CURRENT_BINARY_DIR}/build_facts.cmake)
+  file(CONFIGURE OUTPUT ${facts} @ONLY CONTENT [==[
+set(version [[@PROJECT_VERSION@]])
+set(compiler [[@CMAKE_CXX_COMPILER_ID@ @CMAKE_CXX_COMPILER_VERSION@]])
+set(flags [[@flags@]])
+set(target [[@CMAKE_SYSTEM_NAME@ @CMAKE_SYSTEM_PROCESSOR@]])
+set(libraries [[@libraries@]])
+]==])
+  add_custom_target(build_info
+    COMMAND ${CMAKE_COMMAND} -DSOURCE=${CMAKE_SOURCE_DIR} -DFACTS=${facts} -DOUTPUT=${BUILD_INFO_CPP}
+            -P ${CMAKE_CURRENT_LIST_FILE}
+    BYPRODUCTS ${BUILD_INFO_CPP} VERBATIM COMMENT "What this build is made from")
+  target_sources(runner_store PRIVATE ${BUILD_INFO_CPP})
+  add_dependencies(runner_store build_info)
+  return()
+endif()
+
+cmake_minimum_required(VERSION 3.22)
+include(${FACTS})
+
+# The sources' digest: of their names and contents, in order of name.
+file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/core/*.h ${SOURCE}/core/*.cpp ${SOURCE}/core/CMakeLists.txt
+     ${SOURCE}/runner/*.h ${SOURCE}/runner/*.cpp ${SOURCE}/runner/*.cmake ${SOURCE}/runner/CMakeLists.txt
+     ${SOURCE}/CMakeLists.txt)
+list(FILTER files INCLUDE REGEX "^(core/|runner/|CMakeLists.txt$)")
+list(SORT files)
+set(listing "")
+foreach(file IN LISTS files)
+  file(SHA256 ${SOURCE}/${file} digest)
+  string(APPEND listing "${digest} ${file}\n")
+endforeach()
+string(SHA256 sources "${listing}")
+string(SUBSTRING ${sources} 0 32 sources)
+
+# The commit: unknown without git, in a source archive, or inside somebody else's repository.
+function(git result)
+  execute_process(COMMAND git -C ${SOURCE} ${ARGN} OUTPUT_VARIABLE out RESULT_VARIABLE code ERROR_QUIET
+                  OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(code EQUAL 0)
+    set(${result} "${out}" PARENT_SCOPE)
+  else()
+    set(${result} "unknown" PARENT_SCOPE)
+  endif()
+endfunction()
+set(commit unknown)
+set(state unknown)
+git(top rev-parse --show-toplevel)
+file(REAL_PATH ${SOURCE} here)
+if(top STREQUAL here)
+  git(commit rev-parse HEAD)
+  git(edited status --porcelain --untracked-files=no)
+  git(added status --porcelain core runner CMakeLists.txt)  # a new source is an edit too
+  if("${edited}${added}" STREQUAL "")
+    set(state clean)
+  elseif(NOT commit STREQUAL "unknown")
+    set(state modified)
+  endif()
+endif()
+
+file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [==[// Written by runner/store/build_info.cmake at each build.
+#include "store/build_info.h"
+
+namespace morula {
+
+const BuildInfo& buildInfo() {
+  static const BuildInfo info{R"(@version@)", "@sources@", "@commit@", "@state@", R"(@compiler@)", R"(@flags@)",
+                              R"(@target@)", {
+@libraries@  }};
+  return info;
+}
+
+}  // namespace morula
+]==])

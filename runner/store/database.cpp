@@ -1,0 +1,157 @@
+#include "store/database.h"
+
+#include <sqlite3.h>
+
+#include "base/error.h"
+#include "store/store_error.h"
+
+namespace morula {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What would help, for the failures that people meet.
+std::string remedy(int code, const fs::path& file) {
+  std::error_code ignored;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  switch (code & 0xff) {
+    case SQLITE_NOTADB:
+      return "it is not an SQLite database; give another file";
+    case SQLITE_CORRUPT:
+      return "the file is damaged; give another file, or restore it from a copy";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another process is writing to it; wait until it has finished, or give another file";
+    case SQLITE_READONLY:
+      return "the file or its directory is not writable; change its permissions or give another file";
+    case SQLITE_FULL:
+      return "the disk is full; free some space or give a file on another disk";
+    case SQLITE_CANTOPEN:
+      if (!fs::exists(folder, ignored))
+        return "the directory " + folder.string() + " does not exist; make it or give another file";
+      if (fs::is_directory(file, ignored)) return "it is a directory; give a file";
+      if (!fs::exists(file, ignored))
+        return "the file is not there and cannot be made in " + folder.string() +
+               "; is the directory writable?";
+      return "it cannot be opened; are the file and its directory readable and writable?";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+void Database::Close::operator()(sqlite3* db) const { sqlite3_close(db); }
+void Statement::Finalize::operator()(sqlite3_stmt* s) const { sqlite3_finalize(s); }
+
+Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience) : file_(std::move(file)) {
+  std::error_code ignored;
+  if (mode == Mode::existing && !fs::exists(file_, ignored))
+    throw StoreError(file_.string() + ": no such file; a database of results is expected");
+  // Also for reading: whoever opens a file after a crash has to roll back what was left half done. SQLite
+  // opens a write-protected file for reading by itself.
+  const int flags = SQLITE_OPEN_READWRITE | (mode == Mode::create ? SQLITE_OPEN_CREATE : 0);
+  sqlite3* db = nullptr;
+  const int code = sqlite3_open_v2(file_.string().c_str(), &db, flags, nullptr);
+  db_.reset(db);
+  if (code != SQLITE_OK) fail(code, "open the database");
+  sqlite3_extended_result_codes(db, 1);
+  sqlite3_busy_timeout(db, static_cast<int>(patience.count()));
+  integer("SELECT count(*) FROM sqlite_schema");  // reads the file's first page: is it a database?
+}
+
+void Database::fail(int code, const std::string& doing) const {
+  std::string text = file_.string() + ": cannot " + doing + ": ";
+  text += db_ ? sqlite3_errmsg(db_.get()) : sqlite3_errstr(code);
+  if (const std::string help = remedy(code, file_); !help.empty()) text += "; " + help;
+  throw StoreError(text);
+}
+
+void Database::execute(const std::string& sql) {
+  if (const int code = sqlite3_exec(db_.get(), sql.c_str(), nullptr, nullptr, nullptr); code != SQLITE_OK)
+    fail(code, "write to the database");
+}
+
+std::int64_t Database::integer(const std::string& sql) {
+  Statement statement(*this, sql);
+  return statement.next() ? statement.integer(0) : 0;
+}
+
+bool Database::readOnly() const { return sqlite3_db_readonly(db_.get(), "main") == 1; }
+
+Statement::Statement(Database& db, std::string_view sql) : db_(&db) {
+  sqlite3_stmt* statement = nullptr;
+  const int code =
+      sqlite3_prepare_v2(db.db_.get(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
+  statement_.reset(statement);
+  if (code != SQLITE_OK) db.fail(code, "read the database");
+}
+
+bool Statement::next() {
+  const int code = sqlite3_step(statement_.get());
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) {
+    reset();
+    return false;
+  }
+  const bool writes = !sqlite3_stmt_readonly(statement_.get());
+  db_->fail(code, writes ? "write to the database" : "read the database");
+}
+
+void Statement::reset() { sqlite3_reset(statement_.get()); }  // its code repeats the last step's
+
+void Statement::expectParameters(int count) const {
+  CHECK(sqlite3_bind_parameter_count(statement_.get()) == count, sqlite3_sql(statement_.get()));
+}
+
+bool Statement::isNull(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
+
+double Statement::real(int column) const {
+  if (isNull(column)) return std::numeric_limits<double>::quiet_NaN();
+  return sqlite3_column_double(statement_.get(), column);
+}
+
+std::string Statement::text(int column) const {
+  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
+  const int size = sqlite3_column_bytes(statement_.get(), column);
+  return bytes ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
+}
+
+// Binding can fail only for a wrong place (CHECKed by expectParameters) or for want of memory.
+void Statement::bind(int place, double value) { sqlite3_bind_double(statement_.get(), place, value); }
+void Statement::bind(int place, std::int64_t value) { sqlite3_bind_int64(statement_.get(), place, value); }
+void Statement::bind(int place, std::uint64_t value) { bind(place, static_cast<std::int64_t>(value)); }
+void Statement::bindNull(int place) { sqlite3_bind_null(statement_.get(), place); }
+void Statement::bind(int place, std::string_view value) {
+  // A null pointer would bind NULL, not the empty text.
+  sqlite3_bind_text64(statement_.get(), place, value.data() ? value.data() : "", value.size(),
+                      copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC, SQLITE_UTF8);
+}
+void Statement::bind(int place, Blob value) {
+  sqlite3_bind_blob64(statement_.get(), place, value.bytes.data() ? value.bytes.data() : "",
+                      value.bytes.size(), copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC);
+}
+
+Transaction::Transaction(Database& db) : db_(db) { db_.execute("BEGIN IMMEDIATE"); }
+
+Transaction::~Transaction() {
+  if (!open_) return;
+  try {
+    db_.execute("ROLLBACK");
+  } catch (const StoreError&) {
+    // SQLite has rolled back by itself (disk full, for instance); the error that led here is the one to
+    // report.
+  }
+}
+
+void Transaction::commit() {
+  db_.execute("COMMIT");
+  open_ = false;
+}
+
+}  // namespace morula

@@ -1,0 +1,127 @@
+#include "store/rows.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace morula {
+
+namespace {
+
+std::string joined(const std::vector<std::pair<std::string, std::string>>& libraries) {
+  std::string text;
+  for (const auto& [library, version] : libraries)
+    text += (text.empty() ? "" : "; ") + library + ' ' + version;
+  return text;
+}
+
+void insertDocuments(Database& db, const std::string& id, const std::vector<Document>& documents) {
+  Statement content(db, "INSERT INTO document VALUES (?, ?) ON CONFLICT DO NOTHING");
+  Statement use(db, "INSERT INTO run_document VALUES (?, ?, ?, ?, ?)");
+  int number = 0;
+  for (const Document& d : documents) {
+    const std::string hash = Hasher().add(d.content).digest().text();
+    content.run(hash, Blob{d.content});
+    use.run(id, number++, d.role, d.path, hash);
+  }
+}
+
+const std::string& stateText(const RunResults& results, StateId state) {
+  const auto found = results.stateTexts.find(state);
+  CHECK(found != results.stateTexts.end(), "every state in the results has its text");
+  return found->second;
+}
+
+void insertCells(Database& db, const std::string& id, const RunResults& results) {
+  // In the order of the table's key, so that the table grows at its end: many times faster than by order of
+  // birth.
+  std::vector<const LineageEntry*> entries;
+  entries.reserve(results.lineage.size());
+  for (const LineageEntry& e : results.lineage) entries.push_back(&e);
+  std::sort(entries.begin(), entries.end(), [](auto* a, auto* b) { return a->path < b->path; });
+
+  Statement insert(db, "INSERT INTO cell VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const LineageEntry* e : entries) {
+    std::optional<double> ended;
+    std::optional<std::uint64_t> endedStep;
+    if (e->fate != Fate::alive) ended = e->ended, endedStep = e->endedStep;
+    const std::string path = e->path.text();
+    std::optional<std::string_view> parent;
+    if (!path.empty()) parent = std::string_view(path).substr(0, path.size() - 1);
+    std::optional<std::string_view> label;
+    if (const auto found = results.names.find(e->path); found != results.names.end()) label = found->second;
+    insert.run(id, path, parent, e->born, ended, name(e->fate), stateText(results, e->state), label,
+               e->bornStep, endedStep);
+  }
+}
+
+void insertSamples(Database& db, const std::string& id, const RunResults& results) {
+  Statement whole(db, "INSERT INTO sample VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement cell(db, "INSERT INTO cell_sample VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement contact(db, "INSERT INTO contact VALUES (?, ?, ?, ?, ?)");
+  for (const Sample& s : results.samples) {
+    const WorldMeasures& w = s.world;
+    // What the scene does not have was not measured: no bodies, no volume; no shell, nothing outermost.
+    const auto measured = [](double value, bool has) { return has ? std::optional(value) : std::nullopt; };
+    const bool bodies = w.volume != 0, shell = w.outermost != 0;
+    whole.run(id, w.time, w.cells, w.step, measured(w.volume, bodies), measured(w.kineticEnergy, bodies),
+              measured(w.meanPressure, bodies), measured(w.shellFill, shell), measured(w.outermost, shell));
+    for (const CellMeasures& c : s.cells)
+      cell.run(id, w.time, c.path.text(), c.volume, c.area, c.pressure, c.centroid.x, c.centroid.y,
+               c.centroid.z, c.sphericity, c.neighbours, stateText(results, c.state));
+    for (const ContactMeasures& c : s.contacts) contact.run(id, w.time, c.a.text(), c.b.text(), c.area);
+  }
+}
+
+}  // namespace
+
+void insertRun(Database& db, const std::string& id, const RunRecord& r, const std::string& started,
+               const RunEnd* end) {
+  std::optional<std::string> hash, ended, failure;
+  std::optional<std::uint64_t> steps, cells;
+  std::optional<double> time;
+  if (end) {
+    ended = utcNow(), steps = end->steps, cells = end->cells, time = end->time;
+    if (end->stateHash) hash = end->stateHash->text();
+    if (!end->failure.empty()) failure = end->failure;
+  }
+  Statement(
+      db,
+      "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .run(id, r.scenario, r.seed, name(end ? end->status : RunStatus::running), hash, started, ended, steps,
+           cells, time, failure, r.scenarioHash, buildId(r.build), r.build.version, r.build.sources,
+           r.build.gitCommit, r.build.gitState, r.build.compiler, r.build.flags, r.build.target,
+           joined(r.build.libraries), r.machine.cpu, r.machine.kernel, r.isa, r.threads, r.command);
+  insertDocuments(db, id, r.documents);
+}
+
+void insertResults(Database& db, const std::string& id, const RunResults& results) {
+  insertCells(db, id, results);
+  insertSamples(db, id, results);
+
+  Statement connection(db, "INSERT INTO connection VALUES (?, ?, ?, ?, ?, ?, ?)");
+  std::uint64_t number = 0;
+  for (const ConnectionRecord& c : results.connections)
+    connection.run(id, c.a.text(), c.b.text(), c.made,
+                   c.released < 0 ? std::nullopt : std::optional(c.released), c.cause, number++);
+
+  Statement timeStep(db, "INSERT INTO time_step VALUES (?, ?, ?, ?)");
+  for (const TimeStepRecord& t : results.timeSteps) timeStep.run(id, t.step, t.time, t.timeStep);
+
+  Statement stepHash(db, "INSERT INTO step_hash VALUES (?, ?, ?)");
+  for (const StepHash& h : results.stepHashes) stepHash.run(id, h.step, h.hash.text());
+
+  insertChecks(db, id, results.checks);
+}
+
+void insertChecks(Database& db, const std::string& id, const std::vector<CheckResult>& checks) {
+  Statement last(db, "SELECT coalesce(max(number), -1) FROM check_result WHERE run_id = ?");
+  last.start(id).next();
+  std::int64_t number = last.integer(0);
+  Statement insert(db, "INSERT INTO check_result VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const CheckResult& c : checks)
+    insert.run(id, ++number, c.check, c.kind, c.expected, c.actual, c.tolerance, c.passed, c.failureClass,
+               c.firstStep, c.cell, c.field, c.share, c.message);
+}
+
+}  // namespace morula

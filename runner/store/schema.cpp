@@ -1,0 +1,210 @@
+#include "store/schema.h"
+
+#include <array>
+
+#include "store/store_error.h"
+
+namespace morula {
+
+namespace {
+
+// Version 0 to 1: the first tables. A file of version v is brought up to date by the entries from v on; an
+// entry that has been released is never edited. SQLite keeps the comments, so `.schema` explains the tables.
+const char* const version1 = R"sql(
+CREATE TABLE run (
+  run_id        TEXT PRIMARY KEY,   -- from scenario_hash, seed and build_id: the same computation, the same id
+  scenario      TEXT NOT NULL,
+  seed          INTEGER NOT NULL,   -- two's complement from 2^63 on
+  status        TEXT NOT NULL CHECK (status IN ('running', 'done', 'failed', 'killed')),
+  state_hash    TEXT,               -- of the final state, all bits; NULL unless done
+  started       TEXT NOT NULL,      -- UTC
+  ended         TEXT,               -- NULL while running
+  steps         INTEGER,
+  cells         INTEGER,            -- alive at the end
+  time          REAL,               -- simulated
+  failure       TEXT,               -- why a failed run stopped
+  scenario_hash TEXT NOT NULL,      -- of the meaning: formatting and key order do not count
+  build_id      TEXT NOT NULL,      -- from sources, compiler, flags, target and libraries
+  version       TEXT NOT NULL,
+  sources       TEXT NOT NULL,      -- digest of the program's sources
+  git_commit    TEXT NOT NULL,
+  git_state     TEXT NOT NULL CHECK (git_state IN ('clean', 'modified', 'unknown')),
+  compiler      TEXT NOT NULL,
+  flags         TEXT NOT NULL,
+  target        TEXT NOT NULL,
+  libraries     TEXT NOT NULL,      -- 'Eigen 3.4.0; SQLite 3.40.1'
+  cpu           TEXT NOT NULL,
+  kernel        TEXT NOT NULL,
+  isa           TEXT NOT NULL,      -- changes no result
+  threads       INTEGER NOT NULL,   -- changes no result
+  command       TEXT NOT NULL
+) STRICT;
+
+-- Texts that decided runs, each stored once however many runs share it.
+CREATE TABLE document (
+  hash    TEXT PRIMARY KEY,
+  content BLOB NOT NULL
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE run_document (
+  run_id TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  number INTEGER NOT NULL,
+  role   TEXT NOT NULL,             -- scenario (as read), resolved (defaults and overrides filled in), dna, mesh
+  path   TEXT NOT NULL,
+  hash   TEXT NOT NULL REFERENCES document,
+  PRIMARY KEY (run_id, number)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE cell (
+  run_id     TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  path       TEXT NOT NULL,         -- '' the egg, then A and B
+  parent     TEXT,                  -- NULL for the egg
+  born       REAL NOT NULL,
+  ended      REAL,                  -- NULL while alive
+  fate       TEXT NOT NULL CHECK (fate IN ('divided', 'died', 'alive')),
+  state      TEXT NOT NULL,         -- its last substances, sorted, separated by spaces
+  name       TEXT,
+  born_step  INTEGER NOT NULL,
+  ended_step INTEGER,
+  PRIMARY KEY (run_id, path)
+) STRICT, WITHOUT ROWID;
+
+-- Measured numbers: NULL where there was nothing to measure, or where the number was not one.
+CREATE TABLE sample (
+  run_id         TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  time           REAL NOT NULL,
+  cells          INTEGER NOT NULL,
+  step           INTEGER NOT NULL,
+  volume         REAL,              -- of all cells
+  kinetic_energy REAL,
+  mean_pressure  REAL,
+  shell_fill     REAL,              -- volume / the shell's volume
+  outermost      REAL,              -- the farthest vertex, 1 on the shell
+  PRIMARY KEY (run_id, time)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE cell_sample (
+  run_id     TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  time       REAL NOT NULL,
+  path       TEXT NOT NULL,
+  volume     REAL,
+  area       REAL,
+  pressure   REAL,                  -- inside minus outside
+  x          REAL,
+  y          REAL,
+  z          REAL,
+  sphericity REAL,
+  neighbours INTEGER NOT NULL,
+  state      TEXT NOT NULL,
+  PRIMARY KEY (run_id, time, path)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE contact (
+  run_id TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  time   REAL NOT NULL,
+  a      TEXT NOT NULL,
+  b      TEXT NOT NULL,
+  area   REAL,
+  PRIMARY KEY (run_id, time, a, b)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE connection (
+  run_id   TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  a        TEXT NOT NULL,
+  b        TEXT NOT NULL,
+  made     REAL NOT NULL,
+  released REAL,                    -- NULL while it holds
+  cause    TEXT NOT NULL,           -- of the release: '', divided, died, distance, gene
+  number   INTEGER NOT NULL,        -- in the order of making
+  PRIMARY KEY (run_id, number)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE time_step (            -- the first row is the start, each further one a change
+  run_id    TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  step      INTEGER NOT NULL,
+  time      REAL NOT NULL,
+  time_step REAL NOT NULL,          -- in force from here on
+  PRIMARY KEY (run_id, step)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE step_hash (
+  run_id TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  step   INTEGER NOT NULL,
+  hash   TEXT NOT NULL,
+  PRIMARY KEY (run_id, step)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE check_result (
+  run_id             TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  number             INTEGER NOT NULL,
+  "check"            TEXT NOT NULL,
+  kind               TEXT NOT NULL CHECK (kind IN ('golden', 'bullet', 'invariant')),
+  expected           TEXT NOT NULL,
+  actual             TEXT NOT NULL,
+  tolerance          TEXT NOT NULL,
+  passed             INTEGER NOT NULL CHECK (passed IN (0, 1)),
+  class              TEXT NOT NULL, -- '' when passed
+  first_step         INTEGER,
+  cell               TEXT,
+  field              TEXT NOT NULL,
+  share_of_tolerance REAL,
+  message            TEXT NOT NULL,
+  PRIMARY KEY (run_id, number)
+) STRICT, WITHOUT ROWID;
+)sql";
+
+constexpr std::array migrations{&version1};
+
+/// Throws unless the file is empty or Morula's and not newer than this program. Returns its version, 0 when
+/// empty.
+int checkedVersion(Database& db) {
+  const std::string file = db.file().string();
+  const auto id = db.integer("PRAGMA application_id");
+  const auto version = static_cast<int>(db.integer("PRAGMA user_version"));
+  if (id == 0 && version == 0 && db.integer("SELECT count(*) FROM sqlite_schema") == 0) return 0;
+  if (id != applicationId)
+    throw StoreError(file + ": a database, but not one of Morula's (application_id " + std::to_string(id) +
+                     "); give another file");
+  if (version > schemaVersion())
+    throw StoreError(file + ": written by a newer Morula (database version " + std::to_string(version) +
+                     ", this program knows up to " + std::to_string(schemaVersion()) +
+                     "); use the newer program, or give another file");
+  return version;
+}
+
+}  // namespace
+
+int schemaVersion() { return static_cast<int>(migrations.size()); }
+
+void configure(Database& db) {
+  db.execute("PRAGMA foreign_keys = ON");
+  db.execute("PRAGMA synchronous = FULL");
+  db.execute("PRAGMA cache_size = -65536");  // 64 MiB: a large run's rows need not be written twice
+  // The rollback journal is SQLite's own default. Write-ahead logs lose data with several writers before
+  // SQLite 3.51.3 and do not work on network disks, so a file that somebody has switched is switched back.
+  if (!db.readOnly()) db.execute("PRAGMA journal_mode = DELETE");
+}
+
+void migrate(Database& db) {
+  if (checkedVersion(db) == schemaVersion()) return;
+  if (db.readOnly())
+    throw StoreError(db.file().string() +
+                     ": the file is not writable; change its permissions or give another file");
+  Transaction transaction(db);
+  const int version = checkedVersion(db);  // again: another process may have been faster
+  for (int v = version; v < schemaVersion(); ++v) db.execute(*migrations[static_cast<std::size_t>(v)]);
+  db.execute("PRAGMA application_id = " + std::to_string(applicationId));
+  db.execute("PRAGMA user_version = " + std::to_string(schemaVersion()));
+  transaction.commit();
+}
+
+void requireCurrentSchema(Database& db) {
+  const int version = checkedVersion(db);
+  if (version == 0)
+    throw StoreError(db.file().string() + ": the file is empty; a database of results is expected");
+  if (version < schemaVersion())
+    throw StoreError(db.file().string() + ": written by an older Morula (database version " +
+                     std::to_string(version) + "); run something into it, which brings it up to date");
+}
+
+}  // namespace morula

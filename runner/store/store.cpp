@@ -1,0 +1,103 @@
+// Opening a file, and the life of a run in it.
+#include "store/store.h"
+
+#include "base/error.h"
+#include "store/rows.h"
+#include "store/schema.h"
+#include "store/store_error.h"
+
+namespace morula {
+
+namespace {
+
+/// What the file says of a run that is already there.
+struct Earlier {
+  std::string status, stateHash, started, cpu, isa;
+  std::int64_t threads;
+};
+
+std::optional<Earlier> findEarlier(Database& db, const std::string& id) {
+  Statement s(db, "SELECT status, state_hash, started, cpu, isa, threads FROM run WHERE run_id = ?");
+  if (!s.start(id).next()) return std::nullopt;
+  return Earlier{s.text(0), s.text(1), s.text(2), s.text(3), s.text(4), s.integer(5)};
+}
+
+void deleteRun(Database& db, const std::string& id) {
+  Statement(db, "DELETE FROM run WHERE run_id = ?").run(id);  // and, by its foreign keys, all rows of the run
+  db.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");
+}
+
+[[noreturn]] void reportNondeterminism(const Database& db, const std::string& id, const Earlier& earlier,
+                                       const std::string& computed) {
+  throw NondeterminismError(
+      db.file().string() + ": run " + id +
+          ": NONDETERMINISM: the same scenario, seed and build gave another result; stored " +
+          earlier.stateHash + " (" + earlier.started + ", " + earlier.cpu + ", " + earlier.isa +
+          ", threads " + std::to_string(earlier.threads) + "), now " + computed +
+          "; the stored run is kept. This is a bug or broken hardware: `morula explain` finds where they "
+          "part",
+      id, earlier.stateHash, computed);
+}
+
+}  // namespace
+
+Store Store::openForWriting(const std::filesystem::path& file, Options options) {
+  Database db(file, Database::Mode::create, options.patience);
+  if (db.readOnly())
+    throw StoreError(file.string() +
+                     ": the file is not writable; change its permissions or give another file");
+  migrate(db);
+  configure(db);
+  return Store(std::move(db));
+}
+
+Store Store::openForReading(const std::filesystem::path& file, Options options) {
+  Database db(file, Database::Mode::existing, options.patience);
+  requireCurrentSchema(db);
+  return Store(std::move(db));
+}
+
+std::string Store::begin(const RunRecord& record) {
+  const std::string id = runId(record);
+  const Attempt& attempt = attempts_[id] = {record, utcNow()};
+  Transaction transaction(db_);
+  if (const auto earlier = findEarlier(db_, id)) {
+    if (earlier->status == name(RunStatus::done)) return id;
+    deleteRun(db_, id);
+  }
+  insertRun(db_, id, attempt.record, attempt.started, nullptr);
+  transaction.commit();
+  return id;
+}
+
+void Store::finish(const std::string& id, const RunEnd& end, const RunResults& results) {
+  const auto attempt = attempts_.find(id);
+  CHECK(attempt != attempts_.end(), "a run is begun before it is finished");
+  CHECK(end.status != RunStatus::running, "a finished run does not run");
+  CHECK(end.status != RunStatus::done || end.stateHash, "a run that is done has a state hash");
+  Transaction transaction(db_);
+  if (const auto earlier = findEarlier(db_, id)) {
+    if (earlier->status == name(RunStatus::done)) {
+      if (end.status == RunStatus::killed) return;  // half a run says nothing against a whole one
+      const std::string computed =
+          end.status == RunStatus::done ? end.stateHash->text() : "failed: " + end.failure;
+      if (earlier->stateHash != computed) reportNondeterminism(db_, id, *earlier, computed);
+    }
+    deleteRun(db_, id);
+  }
+  insertRun(db_, id, attempt->second.record, attempt->second.started, &end);
+  insertResults(db_, id, results);
+  transaction.commit();
+  attempts_.erase(attempt);
+}
+
+void Store::addChecks(const std::string& id, const std::vector<CheckResult>& checks) {
+  Transaction transaction(db_);
+  if (!findEarlier(db_, id)) throw StoreError(db_.file().string() + ": no run " + id + " to add checks to");
+  Statement forget(db_, "DELETE FROM check_result WHERE run_id = ? AND kind = ?");
+  for (const CheckResult& check : checks) forget.run(id, check.kind);
+  insertChecks(db_, id, checks);
+  transaction.commit();
+}
+
+}  // namespace morula

@@ -1,0 +1,232 @@
+// What a file holds, back as plain data.
+#include <mutex>
+#include <set>
+
+#include "base/error.h"
+#include "store/store.h"
+#include "store/store_error.h"
+
+namespace morula {
+
+namespace {
+
+/// Gives equal texts one number, in order of first appearance.
+class StateNumbers {
+ public:
+  explicit StateNumbers(std::map<StateId, std::string>& texts) : texts_(texts) {}
+  StateId operator()(std::string text) {
+    const auto [place, isNew] = numbers_.try_emplace(text, static_cast<StateId>(numbers_.size()));
+    if (isNew) texts_.emplace(place->second, std::move(text));
+    return place->second;
+  }
+
+ private:
+  std::map<std::string, StateId> numbers_;
+  std::map<StateId, std::string>& texts_;
+};
+
+/// A copy of the text that lives as long as the program: ConnectionRecord points to one of a handful of
+/// causes.
+const char* lasting(std::string text) {
+  static std::mutex mutex;
+  static std::set<std::string> texts;
+  const std::lock_guard lock(mutex);
+  return texts.insert(std::move(text)).first->c_str();
+}
+
+Fate fateNamed(const std::string& text) {
+  for (const Fate fate : {Fate::alive, Fate::divided, Fate::died})
+    if (text == name(fate)) return fate;
+  throw BugError("fate '" + text + "' in a table that does not allow it");
+}
+
+RunStatus statusNamed(const std::string& text) {
+  for (const RunStatus s : {RunStatus::running, RunStatus::done, RunStatus::failed, RunStatus::killed})
+    if (text == name(s)) return s;
+  throw BugError("status '" + text + "' in a table that does not allow it");
+}
+
+Hash hashFrom(const std::string& text) {
+  CHECK(text.size() == 32, "a hash has 32 digits");
+  return {std::stoull(text.substr(0, 16), nullptr, 16), std::stoull(text.substr(16), nullptr, 16)};
+}
+
+std::vector<std::pair<std::string, std::string>> librariesFrom(const std::string& text) {
+  std::vector<std::pair<std::string, std::string>> libraries;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find("; ", begin), text.size());
+    const std::size_t space = text.rfind(' ', end - 1);
+    libraries.emplace_back(text.substr(begin, space - begin), text.substr(space + 1, end - space - 1));
+    begin = end + 2;
+  }
+  return libraries;
+}
+
+const std::string runColumns =
+    "SELECT run_id, scenario, seed, status, state_hash, started, ended, steps, cells, time, failure, "
+    "scenario_hash, "
+    "version, sources, git_commit, git_state, compiler, flags, target, libraries, cpu, kernel, isa, threads, "
+    "command "
+    "FROM run ";
+
+StoredRun runFrom(const Statement& s) {
+  StoredRun run;
+  run.id = s.text(0);
+  run.record.scenario = s.text(1);
+  run.record.seed = s.natural(2);
+  run.status = statusNamed(s.text(3));
+  run.stateHash = s.text(4);
+  run.started = s.text(5);
+  run.ended = s.text(6);
+  run.steps = s.natural(7);
+  run.cells = s.natural(8);
+  run.time = s.isNull(9) ? 0 : s.real(9);
+  run.failure = s.text(10);
+  run.record.scenarioHash = s.text(11);
+  run.record.build = {s.text(12), s.text(13), s.text(14), s.text(15),
+                      s.text(16), s.text(17), s.text(18), librariesFrom(s.text(19))};
+  run.record.machine = {s.text(20), s.text(21)};
+  run.record.isa = s.text(22);
+  run.record.threads = static_cast<int>(s.integer(23));
+  run.record.command = s.text(24);
+  return run;
+}
+
+std::vector<StoredRun> allRuns(Statement&& s) {
+  std::vector<StoredRun> runs;
+  while (s.next()) runs.push_back(runFrom(s));
+  return runs;
+}
+
+void readLineage(Database& db, const std::string& id, RunResults& results, StateNumbers& numberOf) {
+  Statement s(db,
+              "SELECT path, born, ended, fate, state, name, born_step, ended_step FROM cell WHERE run_id = ? "
+              "ORDER BY born, path");
+  for (s.start(id); s.next();) {
+    LineageEntry e;
+    e.path = CellPath::parse(s.text(0));
+    e.born = s.real(1);
+    e.fate = fateNamed(s.text(3));
+    if (e.fate != Fate::alive) e.ended = s.real(2), e.endedStep = s.natural(7);
+    e.state = numberOf(s.text(4));
+    if (!s.isNull(5)) results.names.emplace(e.path, s.text(5));
+    e.bornStep = s.natural(6);
+    results.lineage.push_back(e);
+  }
+}
+
+void readSamples(Database& db, const std::string& id, RunResults& results, StateNumbers& numberOf) {
+  Statement whole(
+      db,
+      "SELECT time, step, cells, volume, kinetic_energy, mean_pressure, shell_fill, outermost FROM sample "
+      "WHERE run_id = ? ORDER BY time");
+  Statement cell(
+      db,
+      "SELECT path, state, volume, area, pressure, x, y, z, sphericity, neighbours FROM cell_sample "
+      "WHERE run_id = ? AND time = ? ORDER BY path");
+  Statement contact(db, "SELECT a, b, area FROM contact WHERE run_id = ? AND time = ? ORDER BY a, b");
+  for (whole.start(id); whole.next();) {
+    Sample& sample = results.samples.emplace_back();
+    WorldMeasures& w = sample.world;
+    w = {.time = whole.real(0), .step = whole.natural(1), .cells = whole.natural(2)};
+    if (!whole.isNull(3))
+      w.volume = whole.real(3), w.kineticEnergy = whole.real(4), w.meanPressure = whole.real(5);
+    if (!whole.isNull(7)) w.shellFill = whole.real(6), w.outermost = whole.real(7);
+    for (cell.start(id, w.time); cell.next();)
+      sample.cells.push_back({.path = CellPath::parse(cell.text(0)),
+                              .state = numberOf(cell.text(1)),
+                              .volume = cell.real(2),
+                              .area = cell.real(3),
+                              .pressure = cell.real(4),
+                              .centroid = {cell.real(5), cell.real(6), cell.real(7)},
+                              .sphericity = cell.real(8),
+                              .neighbours = static_cast<int>(cell.integer(9))});
+    for (contact.start(id, w.time); contact.next();)
+      sample.contacts.push_back(
+          {CellPath::parse(contact.text(0)), CellPath::parse(contact.text(1)), contact.real(2)});
+  }
+}
+
+}  // namespace
+
+std::vector<StoredRun> Store::runs() {
+  return allRuns(Statement(db_, runColumns + "ORDER BY started, run_id"));
+}
+
+StoredRun Store::find(const std::string& id) {
+  const std::string file = db_.file().string();
+  if (id.empty()) {
+    const std::vector<StoredRun> last =
+        allRuns(Statement(db_, runColumns + "ORDER BY started DESC, run_id LIMIT 1"));
+    if (last.empty()) throw StoreError(file + ": there are no runs in it");
+    return last.front();
+  }
+  Statement s(db_, runColumns + "WHERE substr(run_id, 1, ?) = ? ORDER BY run_id LIMIT 2");
+  const std::vector<StoredRun> found = allRuns(std::move(s.start(id.size(), id)));
+  if (found.empty()) throw StoreError(file + ": no run " + id + "; `morula export` without a run lists them");
+  if (found.size() > 1) throw StoreError(file + ": several runs begin with " + id + "; give more digits");
+  return found.front();
+}
+
+RunResults Store::lineage(const std::string& id) {
+  RunResults results;
+  StateNumbers numberOf(results.stateTexts);
+  readLineage(db_, id, results, numberOf);
+  return results;
+}
+
+RunResults Store::results(const std::string& id) {
+  RunResults results;
+  StateNumbers numberOf(results.stateTexts);
+  readLineage(db_, id, results, numberOf);
+  readSamples(db_, id, results, numberOf);
+
+  Statement connection(db_,
+                       "SELECT a, b, made, released, cause FROM connection WHERE run_id = ? ORDER BY number");
+  for (connection.start(id); connection.next();)
+    results.connections.push_back({CellPath::parse(connection.text(0)), CellPath::parse(connection.text(1)),
+                                   connection.real(2), connection.isNull(3) ? -1 : connection.real(3),
+                                   lasting(connection.text(4))});
+
+  Statement timeStep(db_, "SELECT time, step, time_step FROM time_step WHERE run_id = ? ORDER BY step");
+  for (timeStep.start(id); timeStep.next();)
+    results.timeSteps.push_back({timeStep.real(0), timeStep.natural(1), timeStep.real(2)});
+
+  Statement stepHash(db_, "SELECT step, hash FROM step_hash WHERE run_id = ? ORDER BY step");
+  for (stepHash.start(id); stepHash.next();)
+    results.stepHashes.push_back({stepHash.natural(0), hashFrom(stepHash.text(1))});
+
+  results.checks = checks(id);
+  return results;
+}
+
+std::vector<CheckResult> Store::checks(const std::string& id) {
+  Statement s(db_,
+              "SELECT \"check\", kind, expected, actual, tolerance, passed, class, first_step, cell, field, "
+              "share_of_tolerance, message FROM check_result WHERE run_id = ? ORDER BY number");
+  std::vector<CheckResult> checks;
+  for (s.start(id); s.next();) {
+    CheckResult& c = checks.emplace_back();
+    c.check = s.text(0), c.kind = s.text(1), c.expected = s.text(2), c.actual = s.text(3),
+    c.tolerance = s.text(4);
+    c.passed = s.integer(5) != 0;
+    c.failureClass = s.text(6);
+    if (!s.isNull(7)) c.firstStep = s.natural(7);
+    if (!s.isNull(8)) c.cell = s.text(8);
+    c.field = s.text(9);
+    if (!s.isNull(10)) c.share = s.real(10);
+    c.message = s.text(11);
+  }
+  return checks;
+}
+
+std::vector<Document> Store::documents(const std::string& id) {
+  Statement s(db_,
+              "SELECT role, path, content FROM run_document JOIN document USING (hash) WHERE run_id = ? "
+              "ORDER BY number");
+  std::vector<Document> documents;
+  for (s.start(id); s.next();) documents.push_back({s.text(0), s.text(1), s.text(2)});
+  return documents;
+}
+
+}  // namespace morula
