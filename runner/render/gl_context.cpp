@@ -1,0 +1,65 @@
+#include "render/gl_context.h"
+
+#include <GL/osmesa.h>
+
+#include <array>
+#include <cstdlib>
+#include <mutex>
+
+#include "base/error.h"
+
+namespace morula {
+
+struct OffscreenContext::Handle {
+  OSMesaContext context = nullptr;
+  std::array<unsigned char, 4 * 16 * 16>
+      pixels{};  // OSMesa insists on a default framebuffer; nothing is drawn there
+};
+
+namespace {
+
+/// llvmpipe compiles shaders for the CPU it finds. Held to 128 bits it uses neither AVX nor fused
+/// multiply-add, and so gives the same pixels on every x86-64. The disk cache would write into the user's
+/// home directory.
+void settleDriver() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  });
+}
+
+}  // namespace
+
+OffscreenContext::OffscreenContext() : handle_(new Handle) {
+  settleDriver();
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            0,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            3,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            3,
+                            0};
+  handle_->context = OSMesaCreateContextAttribs(attributes, nullptr);
+  if (!handle_->context) {
+    delete handle_;
+    throw BugError("OSMesa gives no OpenGL 3.3 context");
+  }
+  makeCurrent();
+}
+
+OffscreenContext::~OffscreenContext() {
+  OSMesaDestroyContext(handle_->context);
+  delete handle_;
+}
+
+void OffscreenContext::makeCurrent() {
+  if (!OSMesaMakeCurrent(handle_->context, handle_->pixels.data(), GL_UNSIGNED_BYTE, 16, 16))
+    throw BugError("OSMesa cannot make its context current");
+}
+
+}  // namespace morula

@@ -1,0 +1,28 @@
+#pragma once
+// The seam between the drawing and the library that provides OpenGL without a display. OSMesa has left Mesa
+// with 25.1: whoever needs another provider (a surfaceless EGL context, say) changes gl_context.cpp and the
+// link line, nothing else.
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+namespace morula {
+
+/// An OpenGL 3.3 core context without a window, current on the thread that made it. It draws into framebuffer
+/// objects only. Throws BugError if the library cannot give one.
+class OffscreenContext {
+ public:
+  OffscreenContext();
+  ~OffscreenContext();
+  OffscreenContext(const OffscreenContext&) = delete;
+  OffscreenContext& operator=(const OffscreenContext&) = delete;
+
+  /// Other code on this thread may have made another context current meanwhile.
+  void makeCurrent();
+
+ private:
+  struct Handle;
+  Handle* handle_;
+};
+
+}  // namespace morula

@@ -1,0 +1,329 @@
+#include "render/shaders.h"
+
+namespace morula {
+namespace {
+
+const char* const version = "#version 330 core\n";
+
+// Owners: 0 nothing, 1 and up a cell, lineOwner a line mark.
+const char* const common = R"(
+const uint lineOwner = 0x80000000u;
+uniform ivec2 size;          // of the sample grid
+uniform vec2 aperture;       // half of the picture at distance 1
+uniform float eyeDistance;
+
+// The point in eye space that a sample sees at depth z.
+vec3 eyePoint(vec2 sampleAt, float z) {
+  vec2 ray = (2.0 * (sampleAt + 0.5) / vec2(size) - 1.0) * aperture;
+  return vec3(ray * (eyeDistance - z), z);
+}
+)";
+
+// Dark lines where one cell ends and another thing begins, as a draughtsman would set them: 1 inside, less at
+// an edge.
+const char* const outlines = R"(
+uniform usampler2D owners;
+uniform int outlineReach;  // in samples
+float outlineShade(ivec2 at, uint own) {
+  if (own == lineOwner) return 1.0;
+  float edges = 0.0;
+  const ivec2 around[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+  for (int i = 0; i < 4; ++i) {
+    ivec2 there = clamp(at + outlineReach * around[i], ivec2(0), size - 1);
+    uint other = texelFetch(owners, there, 0).r;
+    if (other != own && other != lineOwner) edges = 1.0;
+  }
+  return 1.0 - 0.72 * edges;
+}
+)";
+
+}  // namespace
+
+std::string cellVertexShader() {
+  return std::string(version) + R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 direction;
+layout(location = 2) in vec3 corner;   // barycentric in the mesh's face
+layout(location = 3) in vec4 pigment;  // linear colour and opacity
+layout(location = 4) in uint cell;
+uniform mat4 projection;
+out vec3 eyeNormal, eyePosition, faceCorner;
+flat out vec4 cellPigment;
+flat out uint cellOwner;
+void main() {
+  eyePosition = position;
+  eyeNormal = direction;
+  faceCorner = corner;
+  cellPigment = pigment;
+  cellOwner = cell;
+  gl_Position = projection * vec4(position, 1.0);
+}
+)";
+}
+
+std::string cellFragmentShader(bool peel) {
+  return std::string(version) + (peel ? "#define PEEL\n" : "") + common + R"(
+in vec3 eyeNormal, eyePosition, faceCorner;
+flat in vec4 cellPigment;
+flat in uint cellOwner;
+layout(location = 0) out vec4 light;
+layout(location = 1) out vec4 shape;  // normal, depth
+layout(location = 2) out uint owner;
+uniform int wireframe;
+uniform float wireWidth;  // [sample]
+uniform vec3 paperLight;
+#ifdef PEEL
+uniform sampler2D opaqueDepth, lastDepth;
+#endif
+
+const vec3 keyLight = normalize(vec3(-0.55, 0.75, 0.70));
+const vec3 fillLight = normalize(vec3(0.85, -0.10, 0.55));
+
+// A large lamp: it reaches a little round the edge and fades out there without a visible border.
+float soft(float cosine, float reach) {
+  float share = max(0.0, (cosine + reach) / (1.0 + reach));
+  return share * share;
+}
+
+vec3 lit(vec3 pigment, vec3 n, vec3 v) {
+  float key = soft(dot(n, keyLight), 0.70), fill = soft(dot(n, fillLight), 0.50);
+  vec3 sky = mix(vec3(0.25, 0.24, 0.25), vec3(0.40, 0.42, 0.45), 0.5 + 0.5 * n.y);
+  vec3 light = sky + key * vec3(0.76, 0.74, 0.70) + fill * vec3(0.14, 0.15, 0.18);
+  float facing = max(0.0, dot(n, v));
+  float rim = (1.0 - facing) * (1.0 - facing) * (1.0 - facing);
+  float shine = max(0.0, dot(n, normalize(keyLight + v)));
+  shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;  // to the 32nd
+  return pigment * light + rim * 0.30 * (0.6 * pigment + 0.4 * vec3(0.8, 0.85, 0.95)) + 0.10 * shine;
+}
+
+// How much of the sample a mesh edge covers, with the lines thinned out where faces are only a few samples wide.
+float wire() {
+  vec3 perSample = vec3(length(vec2(dFdx(faceCorner.x), dFdy(faceCorner.x))),
+                        length(vec2(dFdx(faceCorner.y), dFdy(faceCorner.y))),
+                        length(vec2(dFdx(faceCorner.z), dFdy(faceCorner.z))));
+  vec3 away = faceCorner / max(perSample, vec3(1e-9));  // [sample] from each edge
+  float nearest = min(away.x, min(away.y, away.z));
+  float height = 1.0 / max(1e-9, max(perSample.x, max(perSample.y, perSample.z)));  // the face's smallest
+  return clamp(0.5 * wireWidth + 0.5 - nearest, 0.0, 1.0) * clamp(height / (4.0 * wireWidth), 0.25, 1.0);
+}
+
+void main() {
+#ifdef PEEL
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  float z = gl_FragCoord.z;
+  if (z >= texelFetch(opaqueDepth, at, 0).r || z <= texelFetch(lastDepth, at, 0).r) discard;
+#endif
+  vec3 n = normalize(eyeNormal);
+  vec3 v = normalize(vec3(0.0, 0.0, eyeDistance) - eyePosition);
+  vec3 pigment = cellPigment.rgb;
+  float opacity = cellPigment.a;
+  if (wireframe == 0) {
+    light = vec4(lit(pigment, n, v), opacity);
+  } else {
+    float facing = max(0.0, dot(n, v));
+    float lines = wire();
+    vec3 fill = mix(paperLight, pigment, 0.16) * (0.82 + 0.18 * facing);
+    vec3 ink = pigment * (0.40 + 0.35 * facing);
+    light = vec4(mix(fill, ink, lines), mix(opacity, 1.0, lines));
+  }
+  shape = vec4(n, eyePosition.z);
+  owner = cellOwner;
+}
+)";
+}
+
+std::string lineVertexShader() {
+  return std::string(version) + common + R"(
+layout(location = 0) in vec3 here;
+layout(location = 1) in vec3 there;  // the other end
+layout(location = 2) in float side;  // -1 or 1
+layout(location = 3) in vec3 pigment;
+uniform mat4 projection;
+uniform float width;  // [sample]
+flat out vec3 linePigment;
+out float eyeZ;
+void main() {
+  vec4 a = projection * vec4(here, 1.0), b = projection * vec4(there, 1.0);
+  vec2 along = (b.xy / b.w - a.xy / a.w) * vec2(size);
+  float reach = length(along);
+  vec2 across = reach > 1e-6 ? vec2(-along.y, along.x) / reach : vec2(1.0, 0.0);
+  linePigment = pigment;
+  eyeZ = here.z;
+  gl_Position = a + vec4(across * side * width / vec2(size) * a.w, 0.0, 0.0);
+}
+)";
+}
+
+std::string lineFragmentShader() {
+  return std::string(version) + common + R"(
+flat in vec3 linePigment;
+in float eyeZ;
+layout(location = 0) out vec4 light;
+layout(location = 1) out vec4 shape;
+layout(location = 2) out uint owner;
+void main() {
+  light = vec4(linePigment, 1.0);
+  shape = vec4(0.0, 0.0, 1.0, eyeZ);
+  owner = lineOwner;
+}
+)";
+}
+
+std::string screenVertexShader() {
+  return std::string(version) + R"(
+void main() {  // one triangle that covers the picture
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+}
+
+// Scalable ambient obscurance [McGuire, Mara, Luebke 2012]: points nearby that rise above the tangent plane
+// take light away, more the nearer they are; beyond `radius` none.
+std::string occlusionShader() {
+  return std::string(version) + common + R"(
+uniform sampler2D shapes;
+uniform usampler2D owners;
+uniform int samples;
+uniform float radius;
+layout(location = 0) out vec4 visible;
+const int taps = 20;
+const int spread[16] = int[16](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);  // [Bayer 1973]
+void main() {
+  visible = vec4(1.0);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 at = pixel * samples + samples / 2;
+  uint own = texelFetch(owners, at, 0).r;
+  if (own == 0u || own == lineOwner) return;
+  vec4 surface = texelFetch(shapes, at, 0);
+  vec3 p = eyePoint(vec2(at), surface.w);
+  float reach = 0.5 * float(size.y) * radius / ((eyeDistance - surface.w) * aperture.y);  // [sample]
+  // Each pixel of a 4 x 4 block looks in other directions and at other distances; the blur takes the pattern out again.
+  float turn = (float(spread[(pixel.y & 3) * 4 + (pixel.x & 3)]) + 0.5) / 16.0;
+  float sum = 0.0;
+  for (int i = 0; i < taps; ++i) {
+    float share = (float(i) + turn) / float(taps);
+    float angle = 6.283185 * turn + 2.399963 * float(i);
+    ivec2 there = at + ivec2(round(reach * share * vec2(cos(angle), sin(angle))));
+    there = clamp(there, ivec2(0), size - 1);
+    vec3 to = eyePoint(vec2(there), texelFetch(shapes, there, 0).w) - p;
+    float gap = max(0.0, 1.0 - dot(to, to) / (radius * radius));
+    sum += gap * gap * gap * max(0.0, dot(to, surface.xyz) - 0.02 * radius) / (dot(to, to) + 0.0004 * radius * radius);
+  }
+  visible = vec4(max(0.0, 1.0 - 2.2 * radius * sum / float(taps)));
+}
+)";
+}
+
+std::string occlusionBlurShader() {
+  return std::string(version) + common + R"(
+uniform sampler2D raw;
+uniform usampler2D owners;
+uniform int samples;
+layout(location = 0) out vec4 visible;
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy), last = size / samples - 1;
+  uint own = texelFetch(owners, pixel * samples + samples / 2, 0).r;
+  float sum = 0.0, weight = 0.0;
+  for (int dy = -2; dy < 2; ++dy)
+    for (int dx = -2; dx < 2; ++dx) {
+      ivec2 there = clamp(pixel + ivec2(dx, dy), ivec2(0), last);
+      if (texelFetch(owners, there * samples + samples / 2, 0).r != own) continue;
+      sum += texelFetch(raw, there, 0).r;
+      weight += 1.0;
+    }
+  visible = vec4(sum / weight);
+}
+)";
+}
+
+std::string layerShader() {
+  return std::string(version) + common + outlines + R"(
+uniform sampler2D lights;
+layout(location = 0) out vec4 veil;
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  uint own = texelFetch(owners, at, 0).r;
+  veil = vec4(0.0);
+  if (own == 0u) return;
+  vec4 light = texelFetch(lights, at, 0);
+  float shade = outlineShade(at, own);
+  float cover = mix(1.0, light.a, shade);  // outlines stay visible on faint cells
+  veil = vec4(light.rgb * shade * cover, cover);
+}
+)";
+}
+
+std::string resolveShader() {
+  return std::string(version) + common + outlines + R"(
+uniform sampler2D lights, shapes, visibles, veils;
+uniform int samples, veiled, shelled;
+uniform vec3 paperLight;
+uniform mat4 toShell;     // eye space to the space in which the shell is the unit sphere
+uniform mat4 fromNormal;  // a normal of that sphere to eye space
+layout(location = 0) out vec4 pixel;
+
+float occlusionAt(ivec2 at, uint own) {
+  ivec2 home = at / samples, last = size / samples - 1;
+  if (texelFetch(owners, home * samples + samples / 2, 0).r == own) return texelFetch(visibles, home, 0).r;
+  float sum = 0.0, weight = 0.0;  // at an edge: from the neighbours on this side of it
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) {
+      ivec2 there = clamp(home + ivec2(dx, dy), ivec2(0), last);
+      if (texelFetch(owners, there * samples + samples / 2, 0).r != own) continue;
+      sum += texelFetch(visibles, there, 0).r;
+      weight += 1.0;
+    }
+  return weight > 0.0 ? sum / weight : 0.7;
+}
+
+// A thin glass shell: nearly nothing where one looks straight through it, more towards its rim. Once per pixel; its
+// edge is softened by how fast the discriminant changes from pixel to pixel.
+vec3 withShell(vec3 behind, vec2 at) {
+  vec3 eye = (toShell * vec4(0.0, 0.0, eyeDistance, 1.0)).xyz;
+  vec3 toPoint = eyePoint(at, 0.0) - vec3(0.0, 0.0, eyeDistance);
+  vec3 ray = (toShell * vec4(toPoint, 0.0)).xyz;
+  float a = dot(ray, ray), b = dot(eye, ray), c = dot(eye, eye) - 1.0;
+  float d = b * b - a * c;
+  float edge = clamp(0.5 + d / max(1e-12, length(vec2(dFdx(d), dFdy(d)))), 0.0, 1.0);
+  float t = (-b - sqrt(max(d, 0.0))) / a;
+  vec4 cell = texelFetch(shapes, ivec2(at), 0);
+  vec3 seen = (toShell * vec4(eyePoint(at, cell.w), 1.0)).xyz;
+  bool outside = dot(seen, seen) > 1.02 && cell.w > eyeDistance * (1.0 - t);  // a cell that has broken out
+  if (edge == 0.0 || t <= 0.0 || outside) return behind;
+  vec3 n = normalize((fromNormal * vec4(eye + t * ray, 0.0)).xyz);
+  vec3 v = -normalize(toPoint);
+  float slant = 1.0 - max(0.0, dot(n, v));
+  float s2 = slant * slant;
+  float cover = 0.02 + 0.12 * s2 + 0.46 * s2 * s2 * s2;
+  vec3 glass = mix(vec3(0.66, 0.74, 0.82), vec3(0.30, 0.38, 0.47), s2);
+  float shine = max(0.0, dot(n, normalize(normalize(vec3(-0.55, 0.75, 0.70)) + v)));
+  shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+  return mix(behind, mix(behind, glass, cover) + 0.14 * shine, edge);
+}
+
+void main() {
+  ivec2 corner = ivec2(gl_FragCoord.xy) * samples;
+  vec3 sum = vec3(0.0);
+  for (int y = 0; y < samples; ++y)
+    for (int x = 0; x < samples; ++x) {
+      ivec2 at = corner + ivec2(x, y);
+      uint own = texelFetch(owners, at, 0).r;
+      vec3 light = paperLight;
+      if (own == lineOwner) light = texelFetch(lights, at, 0).rgb;
+      else if (own != 0u) light = texelFetch(lights, at, 0).rgb * occlusionAt(at, own) * outlineShade(at, own);
+      if (veiled != 0) {
+        vec4 veil = texelFetch(veils, at, 0);
+        light = veil.rgb + (1.0 - veil.a) * light;
+      }
+      sum += min(light, vec3(1.0));
+    }
+  vec3 mean = sum / float(samples * samples);
+  if (shelled != 0) mean = min(withShell(mean, vec2(corner) + 0.5 * float(samples - 1)), vec3(1.0));
+  vec3 encoded = mix(12.92 * mean, 1.055 * pow(mean, vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), mean));
+  pixel = vec4(encoded, 1.0);
+}
+)";
+}
+
+}  // namespace morula

@@ -1,0 +1,112 @@
+#include "render/surface.h"
+
+#include <algorithm>
+#include <array>
+
+namespace morula {
+namespace {
+
+using Weights = std::array<double, 3>;
+
+/// The corners of the n² triangles that a face is split into, three after three, wound like the face.
+std::vector<Weights> splitFace(int n) {
+  const auto at = [n](int i, int j) { return Weights{double(n - i - j) / n, double(i) / n, double(j) / n}; };
+  std::vector<Weights> corners;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; i + j < n; ++j) {
+      for (const Weights& w : {at(i, j), at(i + 1, j), at(i, j + 1)}) corners.push_back(w);
+      if (i + j + 1 < n)
+        for (const Weights& w : {at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}) corners.push_back(w);
+    }
+  return corners;
+}
+
+int splitsFor(std::size_t faces) {
+  constexpr std::size_t budget = 250'000;  // triangles: what is drawn in a fraction of a second
+  int n = 4;
+  while (n > 1 && faces * std::size_t(n * n) > budget) --n;
+  return n;
+}
+
+struct FaceInEye {
+  std::array<Vector, 3> position, normal;
+
+  Vector flat(const Weights& w) const { return position[0] * w[0] + position[1] * w[1] + position[2] * w[2]; }
+
+  /// The flat point moved halfway to the mean of its projections onto the corners' tangent planes: on a
+  /// sphere of radius R that lies within O(edge⁴/R³) of it, because each plane stands off twice as far as the
+  /// sphere.
+  Vector curved(const Weights& w) const {
+    constexpr double share = 0.5;
+    const Vector p = flat(w);
+    Vector result = p;
+    for (int i = 0; i < 3; ++i) result -= normal[i] * (share * w[i] * dot(p - position[i], normal[i]));
+    return result;
+  }
+};
+
+std::uint16_t asUint16(double value) { return std::uint16_t(std::clamp(value, 0.0, 1.0) * 65535 + 0.5); }
+
+void addCell(std::vector<SurfaceVertex>& to, const OrganismPicture& picture, std::size_t number,
+             const EyeAxes& axes, const Point& centre, const std::vector<Weights>& split) {
+  const CellShape& cell = picture.cells[number];
+  std::vector<Vector> normals = vertexNormals(cell.vertices, picture.faces);
+  std::vector<Vector> positions;
+  positions.reserve(cell.vertices.size());
+  for (const Point& vertex : cell.vertices) positions.push_back(axes.of(vertex - centre));
+  for (Vector& normal : normals) normal = axes.of(normal);
+  SurfaceVertex vertex{};
+  vertex.owner = std::uint32_t(number + 1);
+  const double light[4] = {linearLight(cell.colour.r), linearLight(cell.colour.g), linearLight(cell.colour.b),
+                           cell.opacity};
+  std::transform(light, light + 4, vertex.light, asUint16);
+  for (const Face& face : picture.faces) {
+    FaceInEye corners;
+    for (int i = 0; i < 3; ++i)
+      corners.position[i] = positions[face[i]], corners.normal[i] = normals[face[i]];
+    for (const Weights& w : split) {
+      const Vector p = corners.curved(w);
+      const Vector n = corners.normal[0] * w[0] + corners.normal[1] * w[1] + corners.normal[2] * w[2];
+      const double values[9] = {p.x, p.y, p.z, n.x, n.y, n.z, w[0], w[1], w[2]};
+      for (int i = 0; i < 3; ++i) {
+        vertex.position[i] = float(values[i]);
+        vertex.normal[i] = float(values[3 + i]);
+        vertex.corner[i] = float(values[6 + i]);
+      }
+      to.push_back(vertex);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std::vector<Face>& faces) {
+  std::vector<Vector> normals(vertices.size());
+  for (const Face& f : faces) {
+    // Twice the area along the normal: large faces weigh more, and the length falls out below.
+    const Vector area = cross(vertices[f[1]] - vertices[f[0]], vertices[f[2]] - vertices[f[0]]);
+    for (const auto corner : f) normals[corner] += area;
+  }
+  for (Vector& normal : normals) {
+    const double length = norm(normal);
+    normal = length > 0 ? normal / length : Vector{0, 0, 1};
+  }
+  return normals;
+}
+
+Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing) {
+  const std::vector<Weights> split = splitFace(splitsFor(picture.cells.size() * picture.faces.size()));
+  Surface surface;
+  surface.vertices.reserve(picture.cells.size() * picture.faces.size() * split.size());
+  for (const bool solid : {true, false}) {
+    for (std::size_t i = 0; i < picture.cells.size(); ++i) {
+      const double opacity = picture.cells[i].opacity;
+      if (opacity > 0 && (opacity >= 1) == solid)
+        addCell(surface.vertices, picture, i, axes, framing.centre, split);
+    }
+    if (solid) surface.solid = surface.vertices.size();
+  }
+  return surface;
+}
+
+}  // namespace morula
