@@ -1,0 +1,157 @@
+#!/bin/sh
+# The start script ./morula, in a small tree of its own with stand-ins for apt, cmake and ctest that write down what they
+# are asked to do: when does it install, configure, build, and when does it leave all that alone?
+set -eu
+source=$(cd "$(dirname "$0")/../.." && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+tree="$scratch/a tree" # a space, for people have them
+calls=$scratch/calls
+failures=0
+
+check() { # WHAT EXPECTED ACTUAL
+  if [ "$2" != "$3" ]; then
+    printf 'FAILED: %s\n  expected: %s\n  actual:   %s\n' "$1" "$2" "$3"
+    failures=$((failures + 1))
+  fi
+}
+
+# Runs ./morula and leaves stdout, stderr, exit code and calls behind.
+start() {
+  : >"$calls"
+  code=0
+  PATH="$scratch/bin:$PATH" "$tree/morula" "$@" >"$scratch/out" 2>"$scratch/err" || code=$?
+  out=$(cat "$scratch/out")
+  called=$(tr '\n' ';' <"$calls")
+}
+
+later() { # COMMAND: runs it when the file system's clock has ticked
+  sleep 0.02
+  "$@"
+}
+
+stand_in() { # NAME, its text on stdin
+  { printf '#!/bin/sh\n' && cat; } >"$scratch/bin/$1"
+  chmod +x "$scratch/bin/$1"
+}
+
+mkdir -p "$scratch/bin" "$tree/core/base" "$tree/runner" "$tree/.git/logs"
+cp "$source/morula" "$source/.packages" "$tree"
+touch "$tree/CMakeLists.txt" "$tree/CMakePresets.json" "$tree/core/base/a.h" "$tree/core/base/b.h" "$tree/.git/logs/HEAD"
+export MORULA_TEST_SCRATCH="$scratch" # where the stand-ins write
+unset MORULA_PRESET
+installed=$scratch/installed
+sed -n '/^\[build\]/,/^\[test\]/s/^\([a-z0-9+.-]*\).*/\1/p' "$source/.packages" | sed '/^$/d' >"$installed"
+
+stand_in dpkg-query <<'END'
+shift 3
+for package; do grep -qxF -e "$package" "$MORULA_TEST_SCRATCH/installed" && printf '%s:installed ' "$package"; done
+exit 1 # as it does when it does not know one
+END
+stand_in apt-get <<'END'
+[ "$1 $2" = "-y -o" ] && shift 3
+echo "apt-get $*" >>"$MORULA_TEST_SCRATCH/calls"
+[ "$1" = update ] && touch "$MORULA_TEST_SCRATCH/updated"
+[ "$1" = install ] && [ ! -e "$MORULA_TEST_SCRATCH/updated" ] && exit 100
+[ "$1" = install ] && shift 2 && printf '%s\n' "$@" >>"$MORULA_TEST_SCRATCH/installed"
+exit 0
+END
+stand_in id <<'END'
+echo "${MORULA_TEST_ID:-0}"
+END
+stand_in cmake <<'END'
+case $1 in
+  --preset)
+    echo "configure $2" >>"$MORULA_TEST_SCRATCH/calls"
+    mkdir -p "build/$2"
+    touch "build/$2/build.ninja"
+    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"build/$2/CMakeCache.txt"
+    ;;
+  --build)
+    echo "build $4" >>"$MORULA_TEST_SCRATCH/calls"
+    mkdir "$MORULA_TEST_SCRATCH/busy" || echo "TWO AT ONCE" >>"$MORULA_TEST_SCRATCH/calls"
+    sleep "${MORULA_TEST_BUILD_TIME:-0}"
+    rmdir "$MORULA_TEST_SCRATCH/busy"
+    [ -e "$MORULA_TEST_SCRATCH/broken" ] && printf 'quiet part\nFAILED: a.o\nno semicolon\n' && exit 1
+    printf '#!/bin/sh\necho "program $*"\nexit 3\n' >"$2/morula"
+    chmod +x "$2/morula"
+    ;;
+esac
+END
+stand_in ctest <<'END'
+echo "ctest $*"
+exit 8
+END
+
+start run "a b"
+check "the first call configures and builds" "configure release;build morula;" "$called"
+check "stdout belongs to the program, which gets the arguments" "program run a b" "$out"
+check "the program's exit code passes through" 3 "$code"
+
+start run
+check "the second call does nothing but start the program" "" "$called"
+check "and says nothing" "" "$(cat "$scratch/err")"
+
+later touch "$tree/core/base/a.h" && start && check "after an edit it builds" "build morula;" "$called"
+later rm "$tree/core/base/b.h" && start && check "after a deletion it builds" "build morula;" "$called"
+later touch -d 2001-01-01 "$tree/runner/old.cpp" && start && check "after an old file came it builds" "build morula;" "$called"
+later touch "$tree/.git/logs/HEAD" && start && check "after a commit it builds" "build morula;" "$called"
+later touch "$tree/CMakeLists.txt" && start && check "after a change of the build it builds" "build morula;" "$called"
+later touch "$tree/CMakePresets.json" && start && check "after a change of presets it configures" "configure release;build morula;" "$called"
+later rm "$tree/build/release/morula" && start && check "without the program it builds" "build morula;" "$called"
+start && check "and then it rests" "" "$called"
+
+later mv "$tree" "$scratch/moved" && tree="$scratch/moved" && start
+check "in another place it configures anew" "configure release;build morula;" "$called"
+
+ln -s "$tree/morula" "$scratch/link"
+(cd / && PATH="$scratch/bin:$PATH" exec "$scratch/link" x >"$scratch/out") || :
+check "it may be called through a link, from elsewhere" "program x" "$(cat "$scratch/out")"
+
+MORULA_PRESET=dev start && check "another preset" "configure dev;build morula;" "$called"
+MORULA_PRESET=../dev start && check "a preset that is a path is refused" 2 "$code"
+
+later touch "$scratch/broken" "$tree/core/base/a.h" && start run
+check "a build that fails" 70 "$code"
+check "does not start the old program" "" "$out"
+check "shows what failed, and not the rest" "FAILED: a.o no semicolon" "$(grep -v '^morula:' "$scratch/err" | tr '\n' ' ' | sed 's/ $//')"
+start && check "is tried again" "build morula;" "$called"
+rm "$scratch/broken" && start && check "until it succeeds" 3 "$code"
+
+grep -vxF g++ "$installed" >"$scratch/rest" && mv "$scratch/rest" "$installed"
+start && check "packages are not looked at when nothing is to be built" "" "$called"
+later touch "$tree/core/base/a.h"
+stand_in sudo <<'END'
+echo "sudo" >>"$MORULA_TEST_SCRATCH/calls"
+exec "$@"
+END
+start
+check "a missing package is installed, and the lists fetched only because that failed" \
+  "apt-get install --no-install-recommends g++;apt-get update;apt-get install --no-install-recommends g++;build morula;" "$called"
+check "it says so" "morula: installing with apt-get: g++ " "$(head -n 1 "$scratch/err")"
+
+MORULA_TEST_ID=1000 start test -R unit
+check "test: everything is built; sudo if not root; the test packages too" \
+  "sudo;apt-get install --no-install-recommends clang valgrind;build all;" "$called"
+check "test: ctest gets the arguments" \
+  "ctest --test-dir $tree/build/release --no-tests=error --output-on-failure --parallel 2 -R unit" "$out"
+check "test: ctest's exit code passes through" 8 "$code"
+start && check "test: the program is built with everything" "" "$called"
+
+: >"$installed" && later touch "$tree/core/base/a.h" && rm "$scratch/bin/sudo"
+if [ ! -e /usr/bin/sudo ]; then
+  MORULA_TEST_ID=1000 start
+  check "neither root nor sudo: exit code" 6 "$code"
+  check "neither root nor sudo: nothing is tried" "" "$called"
+  check "neither root nor sudo: says what to ask for" 1 "$(grep -c 'apt-get install --no-install-recommends g++ cmake' "$scratch/err")"
+fi
+start && later touch "$tree/core/base/a.h"
+
+: >"$calls"
+export MORULA_TEST_BUILD_TIME=0.3
+for n in 1 2 3; do (PATH="$scratch/bin:$PATH" "$tree/morula" $n >"$scratch/out$n" 2>&1 || :) & done
+wait
+check "of several at once, one builds" "build morula;" "$(tr '\n' ';' <"$calls")"
+for n in 1 2 3; do check "of several at once, each runs" "program $n" "$(grep '^program' "$scratch/out$n")"; done
+
+[ "$failures" = 0 ] && echo "the start script behaves"
