@@ -1,0 +1,70 @@
+#include "base/maths.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/random.h"
+#include "catch.h"
+
+using namespace morula;
+
+namespace {
+
+// Distance from the true root in units of the last place of the result.
+double errorOfCubeRoot(double a) {
+  const double root = cubeRoot(a);
+  const long double truth = std::cbrt(static_cast<long double>(a));
+  const double place = std::nextafter(root, std::numeric_limits<double>::infinity()) - root;
+  return static_cast<double>(std::abs(root - truth) / place);
+}
+
+}  // namespace
+
+TEST_CASE("The cube root is right to one unit in the last place, over all normal numbers") {
+  double worst = 0;
+  for (int exponent = -1022; exponent <= 1023; ++exponent)
+    for (int i = 0; i < 50; ++i) {
+      const double mantissa =
+          1 + randomUnit({1, {}, static_cast<std::uint32_t>(exponent + 2000), Purpose::test}, i);
+      const double a = std::ldexp(mantissa, exponent);
+      CAPTURE(a);
+      const double error = errorOfCubeRoot(a);
+      if (!(error <= 1)) FAIL("cubeRoot(" << a << ") is off by " << error);
+      worst = std::max(worst, error);
+    }
+  CHECK(worst > 0);
+}
+
+TEST_CASE("The cube root at the ends of the range and beside powers of two") {
+  const double max = std::numeric_limits<double>::max(), min = std::numeric_limits<double>::min();
+  for (double a :
+       {max, min, 1e-300, 1e300, 1e-100, 1e100, std::nextafter(min, 1.0), std::nextafter(max, 1.0)})
+    CHECK(errorOfCubeRoot(a) <= 1);
+  for (int exponent = -1021; exponent <= 1023; ++exponent) {
+    const double a = std::ldexp(1.0, exponent);
+    REQUIRE(errorOfCubeRoot(a) <= 1);
+    REQUIRE(errorOfCubeRoot(std::nextafter(a, 0.0)) <= 1);
+    REQUIRE(errorOfCubeRoot(std::nextafter(a, max)) <= 1);
+  }
+}
+
+TEST_CASE("The cube root of a small cube is exact") {
+  for (int n = 1; n <= 1000; ++n) REQUIRE(cubeRoot(static_cast<double>(n) * n * n) == n);
+  for (int exponent = -340; exponent <= 341; ++exponent)
+    REQUIRE(cubeRoot(std::ldexp(1.0, 3 * exponent)) == std::ldexp(1.0, exponent));
+}
+
+TEST_CASE("The power of two below a number") {
+  CHECK(powerOfTwoBelow(1) == 1);
+  CHECK(powerOfTwoBelow(std::nextafter(1.0, 0.0)) == 0.5);
+  CHECK(powerOfTwoBelow(std::nextafter(2.0, 0.0)) == 1);
+  CHECK(powerOfTwoBelow(0.1) == 0.0625);
+  CHECK(powerOfTwoBelow(1000) == 512);
+  CHECK(powerOfTwoBelow(std::numeric_limits<double>::min()) == std::numeric_limits<double>::min());
+  CHECK(powerOfTwoBelow(std::numeric_limits<double>::max()) == 0x1p1023);
+  for (int exponent = -1022; exponent <= 1023; ++exponent) {
+    const double power = std::ldexp(1.0, exponent);
+    REQUIRE(powerOfTwoBelow(power) == power);
+    REQUIRE(powerOfTwoBelow(power * 1.75) == power);
+  }
+}

@@ -1,0 +1,149 @@
+#include "mesh/measures.h"
+
+#include <numbers>
+
+#include "catch.h"
+#include "zoo.h"
+
+using namespace morula;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Another way to the volume: each face's shadow on the ground times its mean height, in long double.
+long double volumeByPrisms(const Mesh& m) {
+  long double sum = 0;
+  for (const auto& [i, j, k] : m.faces) {
+    const Point &a = m.vertices[i], &b = m.vertices[j], &c = m.vertices[k];
+    const long double shadow = (static_cast<long double>(b.x) - a.x) * (static_cast<long double>(c.y) - a.y) -
+                               (static_cast<long double>(b.y) - a.y) * (static_cast<long double>(c.x) - a.x);
+    sum += shadow / 2 * (static_cast<long double>(a.z) + b.z + c.z) / 3;
+  }
+  return sum;
+}
+
+double volumeOf(const Mesh& m) { return measureVolume(m.vertices, m.faces); }
+double areaOf(const Mesh& m) { return measureArea(m.vertices, m.faces); }
+
+}  // namespace
+
+TEST_CASE("Volume and area of bodies with closed forms") {
+  CHECK(volumeOf(zoo::tetrahedron()) == Approx(8.0 / 3).epsilon(1e-15));
+  CHECK(areaOf(zoo::tetrahedron()) == Approx(8 * std::sqrt(3.0)).epsilon(1e-15));
+  const Mesh box = zoo::box({1, 2, 3}, {2, 4, 7});  // 1 × 2 × 4
+  CHECK(volumeOf(box) == 8);
+  CHECK(areaOf(box) == 28);
+  CHECK(volumeOf(zoo::inverted(box)) == -8);
+  CHECK(volumeOf({}) == 0);
+  CHECK(areaOf({}) == 0);
+}
+
+TEST_CASE("The divergence theorem and the sum of prisms agree on every closed mesh") {
+  for (const auto& [name, mesh, handles] : zoo::all()) {
+    CAPTURE(name);
+    CHECK(volumeOf(mesh) == Approx(static_cast<double>(volumeByPrisms(mesh))).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("Where a cell lies does not change its volume") {
+  const Mesh egg = zoo::crumpled(makeIcosphere(2), 0.2, 3);
+  const double here = volumeOf(egg);
+  // At 1e6 radii positions have lost six digits, and the volume with them, but not more.
+  CHECK(std::abs(volumeOf(zoo::moved(egg, {1e6, -1e6, 1e6})) / here - 1) < 1e-10);
+}
+
+TEST_CASE("Icospheres converge to the sphere with the square of the edge length") {
+  double volumeBefore = 0, areaBefore = 0;
+  for (int level = 0; level <= 4; ++level) {
+    const Mesh m = makeIcosphere(level);
+    const double volumeError = 4 * pi / 3 - volumeOf(m), areaError = 4 * pi - areaOf(m);
+    if (level > 2) {  // before, the icosahedron's angles show
+      CHECK(volumeBefore / volumeError == Approx(4).epsilon(0.03));
+      CHECK(areaBefore / areaError == Approx(4).epsilon(0.03));
+    }
+    volumeBefore = volumeError, areaBefore = areaError;
+  }
+  CHECK(volumeBefore / (4 * pi / 3) < 0.003);
+}
+
+TEST_CASE("An ellipsoid has the sphere's volume times its three axes") {
+  for (int level = 0; level <= 4; ++level) {
+    const Mesh m = makeIcosphere(level);
+    CHECK(volumeOf(zoo::scaled(m, {27, 15, 11})) == Approx(27 * 15 * 11 * volumeOf(m)).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("Centroid and box are those of the vertices") {
+  const Mesh m = zoo::moved(zoo::scaled(makeIcosphere(2), {3, 2, 1}), {10, 20, 30});
+  CHECK(norm(measureCentroid(m.vertices) - Point{10, 20, 30}) < 1e-14 * 40);
+  const Mesh box = zoo::box({1, 2, 3}, {2, 4, 7});
+  CHECK(measureCentroid(box.vertices) == Point{1.5, 3, 5});
+  CHECK(measureBox(box.vertices).low == Point{1, 2, 3});
+  CHECK(measureBox(box.vertices).high == Point{2, 4, 7});
+  CHECK_THROWS_AS(measureCentroid({}), BugError);
+  CHECK_THROWS_AS(measureBox({}), BugError);
+}
+
+TEST_CASE("Sphericity compares with the sphere of the same volume") {
+  CHECK(sphericity(4 * pi / 3, 4 * pi) == Approx(1).epsilon(1e-15));
+  CHECK(sphericity(1, 6) == Approx(std::cbrt(pi / 6)).epsilon(1e-15));  // a cube
+  CHECK(sphericity(1e-60, 6e-40) == Approx(std::cbrt(pi / 6)).epsilon(1e-15));
+  CHECK(sphericity(0, 1) == 0);
+  CHECK(sphericity(-1, 1) == 0);
+  CHECK(sphericity(1, 0) == 0);
+  // No closed body is rounder than a sphere.
+  for (const auto& [name, mesh, handles] : zoo::all()) {
+    CAPTURE(name);
+    CHECK(sphericity(volumeOf(mesh), areaOf(mesh)) < 1);
+    CHECK(sphericity(volumeOf(mesh), areaOf(mesh)) > 0.3);
+  }
+}
+
+TEST_CASE("Quality is that of the worst corner and the extreme edges") {
+  const Mesh ico = makeIcosphere(0);
+  const Quality even = measureQuality(ico.vertices, ico.faces);
+  CHECK(even.sharpestCosine == Approx(0.5).epsilon(1e-14));
+  CHECK(even.bluntestCosine == Approx(0.5).epsilon(1e-14));
+  CHECK(even.longestEdge == Approx(even.shortestEdge).epsilon(1e-14));
+
+  const Mesh box = zoo::box({0, 0, 0}, {1, 1, 1});
+  const Quality half = measureQuality(box.vertices, box.faces);  // half squares: 45° and 90°
+  CHECK(half.sharpestCosine == Approx(std::sqrt(0.5)).epsilon(1e-15));
+  CHECK(std::abs(half.bluntestCosine) < 1e-15);
+  CHECK(half.shortestEdge == 1);
+  CHECK(half.longestEdge == std::sqrt(2.0));
+
+  // One flat triangle with 120° at the top, and one needle.
+  const std::vector<Point> points = {
+      {-std::sqrt(3.0), 0, 0}, {std::sqrt(3.0), 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}};
+  const std::vector<Face> cap = {{0, 1, 2}}, needle = {{3, 4, 2}};
+  CHECK(measureQuality(points, cap).bluntestCosine == Approx(-0.5).epsilon(1e-14));
+  CHECK(measureQuality(points, cap).sharpestCosine == Approx(std::sqrt(0.75)).epsilon(1e-14));
+  CHECK(measureQuality(points, needle).sharpestCosine == 1);
+  CHECK(measureQuality(points, needle).shortestEdge == 0);
+
+  // The icospheres' triangles stay near equilateral: the springs may take them as equal.
+  for (int level = 1; level <= 4; ++level) {
+    const Mesh m = makeIcosphere(level);
+    const Quality q = measureQuality(m.vertices, m.faces);
+    CHECK(q.sharpestCosine < 0.6);  // 53°
+    CHECK(q.bluntestCosine > 0.3);  // 72.5°
+    CHECK(q.longestEdge / q.shortestEdge < 1.26);
+  }
+}
+
+TEST_CASE("Faces turned inward are counted") {
+  Mesh m = makeIcosphere(2);
+  CHECK(countFacesTurnedInward(m.vertices, m.faces, {0, 0, 0}) == 0);
+  CHECK(countFacesTurnedInward(m.vertices, m.faces, {2, 0, 0}) > 0);
+  for (int f : {3, 77, 200}) std::swap(m.faces[f][0], m.faces[f][1]);
+  CHECK(countFacesTurnedInward(m.vertices, m.faces, {0, 0, 0}) == 3);
+  // A point before a face of a cube sees its outer side; in the plane of a face it sees neither.
+  const Mesh cube = zoo::box({-1, -1, -1}, {1, 1, 1});
+  CHECK(countFacesTurnedInward(cube.vertices, cube.faces, {0.99, 0, 0}) == 0);
+  CHECK(countFacesTurnedInward(cube.vertices, cube.faces, {1, 0, 0}) == 2);
+  CHECK(countFacesTurnedInward(cube.vertices, cube.faces, {2, 0, 0}) == 2);
+  CHECK(countFacesTurnedInward(cube.vertices, cube.faces, {2, -2, 0}) == 4);
+  CHECK(countFacesTurnedInward(cube.vertices, cube.faces, {2, -2, 2}) == 6);
+}
