@@ -23,8 +23,9 @@ MORULA_INLINE Vec pairForce(const Rows& i, const Rows& j, const ContactConstants
   // One division for 1/|n_j − n_i| and 1/R². Where it is not finite nothing acts: select below.
   const Lanes both = 1.0 / (facingLength * radiusSquared);
   const Vec n = (both * radiusSquared) * facing;
-  const Lanes gap = dot(apart, n);
-  const Lanes alongSquared = distanceSquared - gap * gap;
+  const Lanes height = dot(apart, n);
+  const Lanes gap = larger(height, larger(dot(apart, j.n), -dot(apart, i.n)));
+  const Lanes alongSquared = distanceSquared - height * height;
   const Lanes fade = 1.0 - alongSquared * (both * facingLength);
   const Lanes push = Lanes(-c.stiffness) * gap - Lanes(c.damping) * dot(relative, n);
   const Lanes size = (fade * fade) * (0.25 * facingSquared) * push;

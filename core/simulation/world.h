@@ -9,7 +9,9 @@
 #include "biology/lineage.h"
 #include "connections/connections.h"
 #include "contacts/contacts.h"
+#include "division/policy.h"
 #include "physics/bodies.h"
+#include "physics/stages.h"
 #include "simulation/scene.h"
 
 namespace morula {
@@ -24,19 +26,21 @@ struct Execution {
 struct Cells {
   std::vector<CellPath> path;
   std::vector<StateId> state;
-  std::vector<double> lastCycle;          // [time]
-  std::vector<std::uint32_t> entry;       // its place in lineage.entries
+  std::vector<double> lastCycle;      // [time] when its last cell cycle was due, or its mother's at its birth
+  std::vector<double> growth;         // wantsToGrow, as it was at the last cell cycle
+  std::vector<std::uint32_t> entry;   // its place in lineage.entries
 };
 
 struct Clock {
   double time = 0;         // [time] = epochTime + (step − epochStep)·timeStep, so no error piles up
-  std::uint64_t step = 0;
-  double timeStep = 0;     // 0 in a lineage-only world: it goes from cycle to cycle
+  std::uint64_t step = 0;  // physical steps; in a lineage-only world, times at which cell cycles ran
+  double timeStep = 0;     // [time] 0 in a lineage-only world: it goes from cycle to cycle
   double epochTime = 0;    // where the present time step came into force
   std::uint64_t epochStep = 0;
+  double nextCycle = 0;    // [time] when the next cell cycle of any cell is due
 };
 
-/// One entry for the start and one for each change of the step; changes happen at divisions and deaths only.
+/// One entry for the start and one for each change; changes happen at divisions and deaths only.
 struct TimeStepChange {
   double time = 0;
   std::uint64_t step = 0;
@@ -44,9 +48,14 @@ struct TimeStepChange {
 };
 
 struct World {
-  Scene model;  // constant
+  // Constant
+  Scene model;
   Execution execution;
   std::unique_ptr<BiologicalUnit> biology;
+  std::unique_ptr<DivisionPolicy> divisionPolicy;  // null without physics
+  PhysicsStages stages{};
+
+  // State
   Clock clock;
   Cells cells;
   std::optional<Bodies> bodies;            // absent: a lineage-only scene
@@ -59,6 +68,9 @@ struct World {
 /// Builds the world at time 0: one egg. Throws InputError if the scene cannot run, for example when its fixed time
 /// step lies above the stability limit, which the text names.
 World makeWorld(const Scene& scene, const Execution& execution = {});
+
+/// As above, with cells controlled by another biology than the scene's DNA.
+World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution);
 
 /// Goes on by one time step, or in a lineage-only world to the next cell cycle, and does the divisions, deaths and
 /// connections that are due. Throws NumericalError when the physics cannot go on; the world then holds the failed state.

@@ -1,0 +1,113 @@
+#include "simulation/measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/measures.h"
+#include "mesh/overlap.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+namespace {
+
+std::vector<Point> verticesOf(const Bodies& b, int slot) {
+  std::vector<Point> points(b.vertexCount());
+  for (int v = 0; v < b.vertexCount(); ++v) points[v] = b.vertex(slot, v);
+  return points;
+}
+
+double kineticEnergy(const Bodies& b, int slot) {
+  double sum = 0;
+  for (int v = 0; v < b.vertexCount(); ++v) {
+    const Vector u = b.read(b.velocity, slot, v);
+    sum += dot(u, u);
+  }
+  return 0.5 * b.vertexMass[slot] * sum;
+}
+
+/// (x/a)² + (y/b)² + (z/c)² of the vertex where it is largest.
+double outermostSquare(const Bodies& b, const double* semiAxes) {
+  double outermost = 0;
+  for (int slot = 0; slot < b.count; ++slot)
+    for (int v = 0; v < b.vertexCount(); ++v) {
+      const Point p = b.vertex(slot, v);
+      const Vector q{p.x / semiAxes[0], p.y / semiAxes[1], p.z / semiAxes[2]};
+      outermost = std::max(outermost, dot(q, q));
+    }
+  return outermost;
+}
+
+}  // namespace
+
+WorldMeasures measureWorld(const World& world) {
+  WorldMeasures m;
+  m.time = world.clock.time;
+  m.step = world.clock.step;
+  m.cells = world.cells.path.size();
+  if (!world.bodies) return m;
+  const Bodies& b = *world.bodies;
+  for (int slot = 0; slot < b.count; ++slot) {
+    m.volume += b.volume[slot];
+    m.meanPressure += b.pressure[slot];
+    m.kineticEnergy += kineticEnergy(b, slot);
+  }
+  if (b.count > 0) m.meanPressure /= b.count;
+  if (b.parameters.shell) {
+    const double* a = b.parameters.shell->semiAxes;
+    m.shellFill = m.volume / (12.566370614359172 / 3 * a[0] * a[1] * a[2]);
+    m.outermost = std::sqrt(outermostSquare(b, a));
+  }
+  return m;
+}
+
+std::vector<CellMeasures> measureCells(const World& world) {
+  std::vector<CellMeasures> all;
+  if (!world.bodies) return all;
+  const Bodies& b = *world.bodies;
+  for (int slot = 0; slot < b.count; ++slot) {
+    const std::vector<Point> vertices = verticesOf(b, slot);
+    CellMeasures m;
+    m.path = world.cells.path[slot];
+    m.state = world.cells.state[slot];
+    m.volume = measureVolume(vertices, b.mesh.mesh.faces);
+    m.area = measureArea(vertices, b.mesh.mesh.faces);
+    m.pressure = b.pressureConstant[slot] / m.volume - b.parameters.pressure.outside;
+    m.centroid = measureCentroid(vertices);
+    m.sphericity = sphericity(m.volume, m.area);
+    all.push_back(m);
+  }
+  if (world.contacts)
+    for (const ContactArea& touch : measureContactAreas(*world.contacts, b)) {
+      ++all[touch.a].neighbours;
+      ++all[touch.b].neighbours;
+    }
+  return all;
+}
+
+std::vector<ContactMeasures> measureContacts(const World& world) {
+  std::vector<ContactMeasures> all;
+  if (!world.contacts) return all;
+  for (const ContactArea& touch : measureContactAreas(*world.contacts, *world.bodies))
+    all.push_back({world.cells.path[touch.a], world.cells.path[touch.b], touch.area});
+  return all;
+}
+
+double measureMeanOverlap(const World& world, int columns) {
+  if (!world.bodies || world.bodies->count == 0) return 0;
+  std::vector<std::vector<Point>> vertices;
+  for (int slot = 0; slot < world.bodies->count; ++slot) vertices.push_back(verticesOf(*world.bodies, slot));
+  std::vector<MeshView> meshes;
+  for (const auto& v : vertices) meshes.push_back({v, world.bodies->mesh.mesh.faces});
+  return measureOverlap(meshes, columns).meanShare();
+}
+
+std::vector<Point> cellVertices(const World& world, const CellPath& path) {
+  if (!world.bodies) return {};
+  const auto& paths = world.cells.path;
+  const auto at = std::lower_bound(paths.begin(), paths.end(), path);
+  if (at == paths.end() || *at != path) return {};
+  return verticesOf(*world.bodies, static_cast<int>(at - paths.begin()));
+}
+
+}  // namespace morula

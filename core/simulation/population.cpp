@@ -1,0 +1,127 @@
+#include "simulation/population.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "division/cut.h"
+#include "simulation/stages.h"
+
+namespace morula {
+
+namespace {
+
+Daughters divide(const World& world, std::size_t i) {
+  const Body mother = takeBody(*world.bodies, static_cast<int>(i));
+  const Vector normal = world.divisionPolicy->planeNormal(world.cells.path[i], mother);
+  CutResult cut = cutBody(mother, world.bodies->mesh.mesh.faces, normal, world.bodies->parameters.membrane.production);
+  if (!cut.failure.empty())
+    throw NumericalError(world.cells.path[i].text(), world.clock.step, "it cannot divide: " + cut.failure,
+                         "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
+  return std::move(cut.daughters);
+}
+
+/// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3]. `centreOf` knows the
+/// cells of this moment.
+template <class CentreOf>
+void inheritConnections(Connections& c, const CellPath& mother, double time, const CentreOf& centreOf) {
+  const CellPath a = mother.daughter(false), b = mother.daughter(true);
+  for (const CellPath& other : partners(c, mother)) {
+    release(c, mother, other, time, "divided");
+    // The plane lies between the daughters: the nearer one is the one on the other cell's side.
+    const Vector toA = centreOf(a) - centreOf(other), toB = centreOf(b) - centreOf(other);
+    const bool aIsNearer = dot(toA, toA) <= dot(toB, toB);
+    const bool both = c.parameters.onDivision == ConnectionsOnDivision::both;
+    if (both || aIsNearer) connect(c, a, other, time);
+    if (both || !aIsNearer) connect(c, b, other, time);
+  }
+  if (c.parameters.make != MakeConnections::byGene) connect(c, a, b, time);
+}
+
+Point centreOfBody(const Body& body) { return measureCentroid(body.position); }
+
+struct Population {
+  Cells cells;
+  std::vector<Body> bodies;
+};
+
+void add(Population& p, const CellPath& path, StateId state, double lastCycle, double growth, std::uint32_t entry) {
+  p.cells.path.push_back(path);
+  p.cells.state.push_back(state);
+  p.cells.lastCycle.push_back(lastCycle);
+  p.cells.growth.push_back(growth);
+  p.cells.entry.push_back(entry);
+}
+
+void end(World& world, std::size_t i, Fate fate) {
+  LineageEntry& entry = world.lineage.entries[world.cells.entry[i]];
+  entry.fate = fate;
+  entry.ended = world.clock.time;
+  entry.endedStep = world.clock.step;
+}
+
+/// Records a daughter's birth and adds her to the population.
+void bear(World& world, Population& next, std::size_t mother, bool b) {
+  const Cells& cells = world.cells;
+  const StateId state = world.biology->daughterState(cells.state[mother], b);
+  const CellPath path = cells.path[mother].daughter(b);
+  add(next, path, state, cells.lastCycle[mother], cells.growth[mother],
+      static_cast<std::uint32_t>(world.lineage.entries.size()));
+  world.lineage.entries.push_back({path, world.clock.time, 0, world.clock.step, 0, Fate::alive, state});
+}
+
+void inheritAllConnections(World& world, const std::vector<CellChange>& changes, const Population& next) {
+  if (!world.connections) return;
+  const double time = world.clock.time;
+  // A cell that still stands in the list under its mother's name is looked up by its mother's old body.
+  const auto centreOf = [&](const CellPath& path) {
+    const auto now = std::lower_bound(next.cells.path.begin(), next.cells.path.end(), path);
+    if (now != next.cells.path.end() && *now == path) return centreOfBody(next.bodies[now - next.cells.path.begin()]);
+    const auto old = std::lower_bound(world.cells.path.begin(), world.cells.path.end(), path);
+    return centreOfBody(takeBody(*world.bodies, static_cast<int>(old - world.cells.path.begin())));
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    if (changes[i] == CellChange::dies) releaseAll(*world.connections, world.cells.path[i], time, "died");
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    if (changes[i] == CellChange::divides) inheritConnections(*world.connections, world.cells.path[i], time, centreOf);
+}
+
+}  // namespace
+
+void changePopulation(World& world, const std::vector<CellChange>& changes) {
+  const auto changesHere = [](CellChange c) { return c == CellChange::divides || c == CellChange::dies; };
+  if (std::none_of(changes.begin(), changes.end(), changesHere)) return;
+
+  // All cuts first: an error leaves the world as it is.
+  std::vector<Daughters> daughters;
+  if (world.bodies)
+    for (std::size_t i = 0; i < changes.size(); ++i)
+      if (changes[i] == CellChange::divides) daughters.push_back(divide(world, i));
+
+  Population next;
+  std::size_t division = 0;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (changes[i] == CellChange::dies) {
+      end(world, i, Fate::died);  // it leaves the physics and stays in the lineage
+    } else if (changes[i] == CellChange::divides) {
+      end(world, i, Fate::divided);
+      bear(world, next, i, false);
+      bear(world, next, i, true);
+      if (world.bodies) {
+        next.bodies.push_back(std::move(daughters[division].a));
+        next.bodies.push_back(std::move(daughters[division].b));
+        ++division;
+      }
+    } else {
+      const Cells& c = world.cells;
+      add(next, c.path[i], c.state[i], c.lastCycle[i], c.growth[i], c.entry[i]);
+      if (world.bodies) next.bodies.push_back(takeBody(*world.bodies, static_cast<int>(i)));
+    }
+  }
+  inheritAllConnections(world, changes, next);
+  world.cells = std::move(next.cells);
+  if (!world.bodies) return;
+  setBodies(*world.bodies, next.bodies);
+  beginWithBodies(world);
+}
+
+}  // namespace morula

@@ -1,0 +1,28 @@
+#pragma once
+// The stages of a step that concern the whole world; step.cpp calls them in order.
+#include <cstdint>
+
+#include "simulation/world.h"
+
+namespace morula {
+
+/// Moves all cells on by `timeStep` and evaluates every force at the new positions; 0 only evaluates.
+void movePhysics(World& world, double timeStep);
+
+/// Throws NumericalError if a cell's volume is not a positive number below the largest sensible one.
+void checkBodies(const World& world);
+
+/// Cells that grow or shrink. Returns at once where the scene has no growth.
+void growCells(World& world, double timeStep);
+
+/// Runs the cell cycles that are due, then the deaths, divisions and connections that follow from them.
+void runCellCycles(World& world);
+
+/// Ends connections whose cells are too far apart. Returns at once where there are none.
+void releaseConnections(World& world);
+
+/// Sets the time step for the cells as they are now: the scene's own, or the largest dyadic one that is stable.
+/// Throws NumericalError if the scene's own lies above 0.8 of a stability limit, which the text names.
+void chooseTimeStep(World& world);
+
+}  // namespace morula

@@ -1,0 +1,56 @@
+// The step, as the thesis' figures 4.2 and 4.4 draw it.
+#include "base/parallel.h"
+#include "physics/growth.h"
+#include "simulation/stages.h"
+
+namespace morula {
+
+void step(World& world) {
+  Clock& clock = world.clock;
+  ++clock.step;
+  if (world.bodies) {
+    clock.time = clock.epochTime + static_cast<double>(clock.step - clock.epochStep) * clock.timeStep;
+    growCells(world, clock.timeStep);
+    movePhysics(world, clock.timeStep);
+    checkBodies(world);
+    releaseConnections(world);
+  } else {
+    clock.time = clock.nextCycle;
+  }
+  if (clock.time >= clock.nextCycle) runCellCycles(world);
+}
+
+void movePhysics(World& world, double timeStep) {
+  Bodies& bodies = *world.bodies;
+  if (bodies.count == 0) return;
+  const PhysicsStages& stages = world.stages;
+  const int blocks = bodies.blockCount(), threads = world.execution.threads;
+  const auto kick = [&](const BlockView& block) {
+    stages.kick(bodies.mesh.view(), block, bodies.kernelParameters, timeStep);
+  };
+  const bool alone = !world.contacts && !world.connections;  // no cell needs another: one pass while a block is hot
+
+  parallelFor(blocks, threads, [&](int i) {
+    const BlockView block = bodies.block(i, threadNumber());
+    advance(stages, bodies, block, timeStep);
+    if (world.contacts) takeSnapshot(*world.contacts, bodies, block, i);
+    if (alone) kick(block);
+  });
+  if (alone) return;
+
+  if (world.connections) addConnectionForces(*world.connections, world.cells.path, bodies);
+  if (world.contacts) refreshList(*world.contacts, bodies, threads);
+  parallelFor(blocks, threads, [&](int i) {
+    if (world.contacts) addContactForces(*world.contacts, bodies, i, world.clock.timeStep);
+    kick(bodies.block(i, threadNumber()));
+  });
+}
+
+void growCells(World& world, double timeStep) {
+  const auto& growth = world.model.mechanics->physics.growth;
+  if (!growth) return;
+  for (int slot = 0; slot < world.bodies->count; ++slot)
+    if (world.cells.growth[slot] != 0) grow(*world.bodies, slot, growth->rate * world.cells.growth[slot], timeStep);
+}
+
+}  // namespace morula

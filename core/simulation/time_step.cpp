@@ -1,0 +1,70 @@
+// Cells that halve lower the stability limit: springs and gas stay as strong while masses halve.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "base/maths.h"
+#include "physics/stability.h"
+#include "simulation/stages.h"
+
+namespace morula {
+
+namespace {
+
+struct Limit {
+  double spring, pressure, contact;  // [time]; contact is infinite without pair contact
+  int slot;
+};
+
+/// The limits of the cell with the smallest combined one.
+Limit tightestLimit(const World& world, double& combined) {
+  Limit tightest{};
+  combined = INFINITY;
+  for (int slot = 0; slot < world.bodies->count; ++slot) {
+    const StabilityLimits own = measureLimits(*world.bodies, slot);
+    Limit l{own.spring, own.pressure, INFINITY, slot};
+    if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
+      l.contact = contactLimit(world.contacts->parameters.stiffness, world.contacts->parameters.damping,
+                               world.bodies->vertexMass[slot]);
+    // Stiffnesses add up, and a limit goes with 1/√stiffness.
+    const double all =
+        1 / std::sqrt(1 / (l.spring * l.spring) + 1 / (l.pressure * l.pressure) + 1 / (l.contact * l.contact));
+    if (all < combined) combined = all, tightest = l;
+  }
+  return tightest;
+}
+
+void refuseAbove(double limit, const char* mode, const World& world, int slot, double timeStep) {
+  if (timeStep <= 0.8 * limit) return;
+  throw NumericalError(world.cells.path[slot].text(), world.clock.step,
+                       "physics.time_step " + std::to_string(timeStep) + " is above 0.8 of the stability limit " +
+                           std::to_string(limit) + " of its " + mode,
+                       "use physics.time_step: auto, or at most " + std::to_string(powerOfTwoBelow(0.8 * limit)));
+}
+
+}  // namespace
+
+void chooseTimeStep(World& world) {
+  if (world.bodies->count == 0) return;
+  const PhysicsParameters& p = world.bodies->parameters;
+  double combined;
+  const Limit limit = tightestLimit(world, combined);
+  double timeStep;
+  if (p.timeStep) {
+    timeStep = *p.timeStep;
+    refuseAbove(limit.spring, "springs", world, limit.slot, timeStep);
+    refuseAbove(limit.pressure, "pressure", world, limit.slot, timeStep);
+    refuseAbove(limit.contact, "contacts", world, limit.slot, timeStep);
+  } else {
+    timeStep = powerOfTwoBelow(0.8 * combined);
+  }
+  Clock& clock = world.clock;
+  if (timeStep == clock.timeStep) return;
+  clock.timeStep = timeStep;
+  clock.epochTime = clock.time;
+  clock.epochStep = clock.step;
+  world.timeSteps.push_back({clock.time, clock.step, timeStep});
+}
+
+}  // namespace morula

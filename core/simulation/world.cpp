@@ -1,0 +1,80 @@
+#include "simulation/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "biology/logical_dna.h"
+#include "simulation/population.h"
+#include "simulation/stages.h"
+
+namespace morula {
+
+namespace {
+
+// Sums of cycle lengths may miss their product by rounding; a stop at cycle k must still see cycle k.
+constexpr double slack = 1e-9;
+
+}  // namespace
+
+World makeWorld(const Scene& scene, const Execution& execution) {
+  return makeWorld(scene, makeLogicalDna(scene.dna, scene.cycle), execution);
+}
+
+World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution) {
+  World world;
+  world.model = scene;
+  world.execution = execution;
+  world.biology = std::move(biology);
+  const StateId start = world.biology->startState();
+  world.cells = {{CellPath{}}, {start}, {0}, {0}, {0}};
+  world.lineage.entries.push_back({CellPath{}, 0, 0, 0, 0, Fate::alive, start});
+  world.clock.nextCycle = world.biology->cycleLength(start);
+  if (!scene.mechanics) return world;
+
+  const MechanicsScene& m = *scene.mechanics;
+  world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed);
+  world.stages = chooseStages(m.physics, execution.isa);
+  world.bodies = makeBodies(m.physics, m.mesh, execution.threads);
+  if (m.contact) world.contacts = makeContacts(*m.contact, execution.isa);
+  if (m.connections) world.connections = Connections{*m.connections, {}, {}};
+  setBodies(*world.bodies, {makeEgg(*world.bodies)});
+  try {
+    beginWithBodies(world);
+  } catch (const NumericalError& e) {
+    throw InputError(e.quantity + "; " + e.remedy);  // nothing has run yet: the scene is at fault
+  }
+  return world;
+}
+
+void beginWithBodies(World& world) {
+  if (world.contacts) resetContacts(*world.contacts, *world.bodies);
+  if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
+  movePhysics(world, 0);
+  checkBodies(world);
+  const double before = world.clock.timeStep;
+  chooseTimeStep(world);
+  // The thesis' contact law depends on the time step, so its forces are those of the new one.
+  if (world.clock.timeStep != before) movePhysics(world, 0);
+}
+
+std::optional<double> plannedEnd(const Scene& scene) {
+  std::optional<double> end = scene.stop.time;
+  if (scene.stop.cycles) {
+    const double cycles = static_cast<double>(*scene.stop.cycles) * scene.cycle.length;
+    end = end ? std::min(*end, cycles) : cycles;
+  }
+  return end;
+}
+
+bool finished(const World& world) {
+  const Scene& scene = world.model;
+  if (world.cells.path.empty()) return true;  // everybody died
+  if (scene.stop.cells && world.cells.path.size() >= *scene.stop.cells) return true;
+  const std::optional<double> end = plannedEnd(scene);
+  if (!end) return false;
+  const double last = *end + slack * scene.cycle.length;
+  return world.bodies ? world.clock.time >= *end * (1 - slack) : world.clock.nextCycle > last;
+}
+
+}  // namespace morula
