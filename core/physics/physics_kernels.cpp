@@ -17,6 +17,7 @@ const PhysicsKernels physics = {
     kickThesisVerlet,
     keepInShell<true>,
     keepInShell<false>,
+    slideOnShell,
     findSpringCoefficients<false>,
     findSpringCoefficients<true>,
     gatherRings,

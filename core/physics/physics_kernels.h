@@ -10,7 +10,7 @@ struct PhysicsKernels {
   using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&, double timeStep);
   TimedStage driftVelocityVerlet, kickVelocityVerlet;
   TimedStage driftThesisVerlet, kickThesisVerlet;
-  Stage keepInSphere, keepInEllipsoid;
+  Stage keepInSphere, keepInEllipsoid, slideOnShell;
   Stage findSpringCoefficients, findDampedSpringCoefficients;
   Stage gatherRings;
   Stage addPressureForces, addPressureAndDragForces;

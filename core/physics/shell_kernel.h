@@ -1,5 +1,6 @@
 #pragma once
 // The egg shell: a vertex outside is moved to it and loses its outward velocity, so it slides [Nilsson 2008, §4.2].
+// After the kick a vertex on the shell loses its outward acceleration too: the shell bears that force.
 //
 // Ellipsoid: q(x) = Σ (x_i/a_i)² ≤ 1, gradient g = 2 (x_i/a_i²). Two Newton steps x −= (q − 1)/|g|² g go along the
 // gradient, to almost the nearest point; the last scaling by 1/√q puts the vertex on the shell to rounding.
@@ -8,14 +9,27 @@
 
 namespace morula::MORULA_ISA {
 
+struct ShellSlope {
+  explicit ShellSlope(const KernelParameters& p)
+      : inverseSquare{1 / (p.semiAxes[0] * p.semiAxes[0]), 1 / (p.semiAxes[1] * p.semiAxes[1]),
+                      1 / (p.semiAxes[2] * p.semiAxes[2])} {}
+  /// Half the gradient of q; x·slope(x) = q.
+  MORULA_INLINE Vec operator()(const Vec& x) const {
+    return {x.x * inverseSquare[0], x.y * inverseSquare[1], x.z * inverseSquare[2]};
+  }
+  double inverseSquare[3];
+};
+
+/// Removes the outward part of a vector that belongs to vertex v, in the lanes of `where`.
+MORULA_INLINE void removeOutward(double* array, int v, int lane, const Vec& slope, Mask where) {
+  const Vec u = loadVec(array, v, lane);
+  const Vec kept = u - (larger(dot(u, slope), Lanes(0.0)) / dot(slope, slope)) * slope;
+  storeVec(array, v, lane, {select(where, kept.x, u.x), select(where, kept.y, u.y), select(where, kept.z, u.z)});
+}
+
 template <bool sphere>
 inline void keepInShell(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
-  const Vec inverseSquare{Lanes(1 / (p.semiAxes[0] * p.semiAxes[0])), Lanes(1 / (p.semiAxes[1] * p.semiAxes[1])),
-                          Lanes(1 / (p.semiAxes[2] * p.semiAxes[2]))};
-  // Half the gradient of q.
-  const auto slope = [&](const Vec& x) {
-    return Vec{x.x * inverseSquare.x, x.y * inverseSquare.y, x.z * inverseSquare.z};
-  };
+  const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       Vec x = loadVec(b.position, v, lane);
@@ -31,18 +45,24 @@ inline void keepInShell(const TemplateView& mesh, const BlockView& b, const Kern
       const Lanes scale = 1.0 / squareRoot(dot(x, s));
       x = scale * x;
       s = slope(x);
-      const Lanes steepness = dot(s, s);
-      const auto slide = [&](double* velocity) {
-        const Vec u = loadVec(velocity, v, lane);
-        const Vec kept = u - (larger(dot(u, s), Lanes(0.0)) / steepness) * s;
-        storeVec(velocity, v, lane,
-                 {select(outside, kept.x, u.x), select(outside, kept.y, u.y), select(outside, kept.z, u.z)});
-      };
       const Vec before = loadVec(b.position, v, lane);
       storeVec(b.position, v, lane,
                {select(outside, x.x, before.x), select(outside, x.y, before.y), select(outside, x.z, before.z)});
-      slide(b.velocity);
-      slide(b.predicted);
+      removeOutward(b.velocity, v, lane, s, outside);
+      removeOutward(b.predicted, v, lane, s, outside);
+    }
+}
+
+/// After the kick.
+inline void slideOnShell(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
+  const ShellSlope slope(p);
+  for (int v = 0; v < mesh.vertexCount; ++v)
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      const Vec x = loadVec(b.position, v, lane), s = slope(x);
+      const Mask onShell = dot(x, s) > Lanes(1.0 - 1e-12);  // keepInShell leaves it at 1 to rounding
+      if (!any(onShell)) continue;
+      removeOutward(b.velocity, v, lane, s, onShell);
+      removeOutward(b.acceleration, v, lane, s, onShell);
     }
 }
 

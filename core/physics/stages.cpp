@@ -12,6 +12,7 @@ PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa) {
           !a       ? nullptr
           : sphere ? k.keepInSphere
                    : k.keepInEllipsoid,
+          a ? k.slideOnShell : nullptr,
           p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,
           k.gatherRings,
           p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces};
@@ -25,6 +26,11 @@ void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView&
   stages.findSpringCoefficients(mesh, block, p);
   stages.gatherRings(mesh, block, p);
   stages.addPressureForces(mesh, block, p);
+}
+
+void kick(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
+  stages.kick(bodies.mesh.view(), block, bodies.kernelParameters, timeStep);
+  if (stages.slideOnShell) stages.slideOnShell(bodies.mesh.view(), block, bodies.kernelParameters);
 }
 
 }  // namespace morula

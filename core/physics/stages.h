@@ -8,14 +8,16 @@ namespace morula {
 /// The kernels that a scene's parameters call for, chosen once. A mechanism that is absent is null and never called.
 struct PhysicsStages {
   PhysicsKernels::TimedStage drift, kick;
-  PhysicsKernels::Stage keepInShell;  // null without a shell
+  PhysicsKernels::Stage keepInShell, slideOnShell;  // null without a shell
   PhysicsKernels::Stage findSpringCoefficients, gatherRings, addPressureForces;
 };
 
 PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa);
 
-/// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`; `kick` turns them
-/// into accelerations once the outer ones are added. A time step of 0 only evaluates.
+/// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`. 0 only evaluates.
 void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);
+
+/// Once the outer forces are added: turns forces into accelerations and ends the time step.
+void kick(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);
 
 }  // namespace morula

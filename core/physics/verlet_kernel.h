@@ -27,14 +27,22 @@ inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, co
     }
 }
 
+struct InverseMass {
+  explicit InverseMass(const BlockView& b) {
+    for (int lane = 0; lane < blockLanes; lane += width) store(value + lane, 1.0 / load(b.vertexMass + lane));
+  }
+  double value[blockLanes];
+};
+
 /// Force → acceleration, velocity ← v'.
 inline void kickVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double dt) {
   const Lanes halfStep = 0.5 * dt;
+  const InverseMass inverseMass(b);
   const int lines = 3 * mesh.vertexCount;
   for (int i = 0; i < lines; ++i)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const int at = i * blockLanes + lane;
-      const Lanes a = load(b.acceleration + at) / load(b.vertexMass + lane);
+      const Lanes a = load(b.acceleration + at) * load(inverseMass.value + lane);
       store(b.acceleration + at, a);
       store(b.velocity + at, load(b.velocity + at) + halfStep * a);
     }
@@ -56,11 +64,12 @@ inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, cons
 
 /// Force → acceleration.
 inline void kickThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double) {
+  const InverseMass inverseMass(b);
   const int lines = 3 * mesh.vertexCount;
   for (int i = 0; i < lines; ++i)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const int at = i * blockLanes + lane;
-      store(b.acceleration + at, load(b.acceleration + at) / load(b.vertexMass + lane));
+      store(b.acceleration + at, load(b.acceleration + at) * load(inverseMass.value + lane));
     }
 }
 

@@ -25,16 +25,13 @@ void movePhysics(World& world, double timeStep) {
   if (bodies.count == 0) return;
   const PhysicsStages& stages = world.stages;
   const int blocks = bodies.blockCount(), threads = world.execution.threads;
-  const auto kick = [&](const BlockView& block) {
-    stages.kick(bodies.mesh.view(), block, bodies.kernelParameters, timeStep);
-  };
   const bool alone = !world.contacts && !world.connections;  // no cell needs another: one pass while a block is hot
 
   parallelFor(blocks, threads, [&](int i) {
     const BlockView block = bodies.block(i, threadNumber());
     advance(stages, bodies, block, timeStep);
     if (world.contacts) takeSnapshot(*world.contacts, bodies, block, i);
-    if (alone) kick(block);
+    if (alone) kick(stages, bodies, block, timeStep);
   });
   if (alone) return;
 
@@ -42,7 +39,7 @@ void movePhysics(World& world, double timeStep) {
   if (world.contacts) refreshList(*world.contacts, bodies, threads);
   parallelFor(blocks, threads, [&](int i) {
     if (world.contacts) addContactForces(*world.contacts, bodies, i, world.clock.timeStep);
-    kick(bodies.block(i, threadNumber()));
+    kick(stages, bodies, bodies.block(i, threadNumber()), timeStep);
   });
 }
 
