@@ -26,13 +26,14 @@ void writeAtomically(const fs::path& file, const std::string& text) {
   std::ofstream stream(draft, std::ios::binary);
   stream << text << std::flush;
   stream.close();
-  if (!stream) {
-    const std::error_code why(errno, std::generic_category());
-    std::error_code ignored;
-    fs::remove(draft, ignored);
-    throw fs::filesystem_error("cannot write the golden", file, why);
-  }
-  fs::rename(draft, file);
+  std::error_code error;
+  if (stream) fs::rename(draft, file, error);
+  else error = std::make_error_code(std::errc::io_error);
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(draft, ignored);
+  throw FileError(file.string() + ": cannot write the golden (" + error.message() +
+                  "); is the folder there and writable?");
 }
 
 /// The part of the path after its last folder of this name; empty if there is none.
@@ -63,7 +64,8 @@ void acceptGolden(const fs::path& file, const GoldenData& observed, std::vector<
   // What is written must be readable and must hold for the very run it was taken from.
   const CheckReport report = compareGolden(readGolden(text, file.string()), observed);
   if (!report.passed()) throw InputError("the golden cannot be accepted as it is:\n" + describe(report));
-  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  std::error_code ignored;  // a folder that cannot be made shows when the file is written
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
   writeAtomically(file, text);
 }
 

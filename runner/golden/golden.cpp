@@ -156,12 +156,12 @@ Golden readGolden(const std::string& text, const std::string& file) {
 }
 
 Golden readGoldenFile(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file))
+    throw InputError(file.string() +
+                     ": there is no golden file; look at the result and, if it is right, accept it with "
+                     "`morula check --accept --why \"…\"`");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(
-        file.string() +
-        ": there is no golden file; look at the result and, if it is right, accept it with `morula check "
-        "--accept --why \"…\"`");
+  if (!stream) throw FileError(file.string() + ": cannot be read; are its permissions right?");
   return readGolden({std::istreambuf_iterator<char>(stream), {}}, file.string());
 }
 

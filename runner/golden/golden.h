@@ -35,7 +35,7 @@ std::string writeGolden(const Golden& golden);
 /// truncated file, merge markers, items twice, edited items (the last line holds their digest), a tolerance
 /// without a reason.
 Golden readGolden(const std::string& text, const std::string& file);
-/// The same from a file; InputError also if it cannot be read.
+/// The same from a file; InputError also if there is none, FileError if it cannot be read.
 Golden readGoldenFile(const std::filesystem::path& file);
 
 /// Holds what was observed against the golden. One result per check: scenario, completeness, tolerances,

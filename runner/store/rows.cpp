@@ -102,8 +102,8 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
   Statement connection(db, "INSERT INTO connection VALUES (?, ?, ?, ?, ?, ?, ?)");
   std::uint64_t number = 0;
   for (const ConnectionRecord& c : results.connections)
-    connection.run(id, c.a.text(), c.b.text(), c.made,
-                   c.released < 0 ? std::nullopt : std::optional(c.released), c.cause, number++);
+    connection.run(id, number++, c.a.text(), c.b.text(), c.made,
+                   c.released < 0 ? std::nullopt : std::optional(c.released), c.cause);
 
   Statement timeStep(db, "INSERT INTO time_step VALUES (?, ?, ?, ?)");
   for (const TimeStepRecord& t : results.timeSteps) timeStep.run(id, t.step, t.time, t.timeStep);

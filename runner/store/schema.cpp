@@ -110,12 +110,12 @@ CREATE TABLE contact (
 
 CREATE TABLE connection (
   run_id   TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  number   INTEGER NOT NULL,        -- in the order of making
   a        TEXT NOT NULL,
   b        TEXT NOT NULL,
   made     REAL NOT NULL,
   released REAL,                    -- NULL while it holds
   cause    TEXT NOT NULL,           -- of the release: '', divided, died, distance, gene
-  number   INTEGER NOT NULL,        -- in the order of making
   PRIMARY KEY (run_id, number)
 ) STRICT, WITHOUT ROWID;
 

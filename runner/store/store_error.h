@@ -1,17 +1,18 @@
 #pragma once
 // What can go wrong with a file of results. The runner turns these into exit codes.
-#include <stdexcept>
 #include <string>
+
+#include "base/error.h"
 
 namespace morula {
 
 /// The file or the database cannot be used: the text names the file, the reason and what would help. Exit 6.
-struct StoreError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct StoreError : FileError {
+  using FileError::FileError;
 };
 
 /// One scenario, seed and build gave two different results. The earlier result stays in the database. A check
-/// that differs, so exit 1; whoever catches StoreError alone reports it as exit 6.
+/// that differs, so exit 1; whoever catches FileErrors alone reports it as exit 6.
 struct NondeterminismError : StoreError {
   NondeterminismError(const std::string& text, std::string runId, std::string stored, std::string computed)
       : StoreError(text), runId(std::move(runId)), stored(std::move(stored)), computed(std::move(computed)) {}

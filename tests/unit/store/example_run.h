@@ -1,0 +1,98 @@
+#pragma once
+// A run with something in every table, made by hand, and numbers that are easily lost on the way.
+#include <limits>
+
+#include "store/records.h"
+
+namespace morula {
+
+inline LineageEntry cell(const char* path, double born, std::uint64_t bornStep, Fate fate, StateId state,
+                         double ended = 0, std::uint64_t endedStep = 0) {
+  LineageEntry e;
+  e.path = CellPath::parse(path);
+  e.born = born;
+  e.bornStep = bornStep;
+  e.fate = fate;
+  e.state = state;
+  e.ended = ended;
+  e.endedStep = endedStep;
+  return e;
+}
+
+inline RunRecord exampleRecord() {
+  RunRecord r;
+  r.scenario = "unique-four";
+  r.scenarioHash = "0123456789abcdef0123456789abcdef";
+  r.seed = 20080617;
+  r.documents = {
+      {"scenario", "scenarios/thesis/unique-four.yaml", std::string("morula: 1\n\0 bytes \xff", 19)},
+      {"resolved", "", "morula: 1\nseed: 20080617\n"}};
+  r.command = "morula run scenarios/thesis/unique-four.yaml";
+  r.isa = "avx2";
+  r.threads = 2;
+  return r;
+}
+
+inline RunResults exampleResults() {
+  RunResults r;
+  r.stateTexts = {{3, "START a0"}, {7, "a4"}, {9, ""}};
+  r.lineage = {cell("", 0, 0, Fate::divided, 3, 1.0 / 3, 683), cell("A", 1.0 / 3, 683, Fate::alive, 7),
+               cell("B", 1.0 / 3, 683, Fate::died, 9, 0.1 + 0.2, 700)};
+  r.names = {{CellPath::parse("A"), "AB"}};
+  Sample start, later;
+  start.world = {.time = 0, .step = 0, .cells = 1, .volume = 4.1887902047863905};
+  start.cells.resize(1);
+  start.cells[0].state = 3;
+  start.cells[0].volume = start.world.volume;
+  later.world = {.time = 0.1 + 0.2,
+                 .step = 700,
+                 .cells = 1,
+                 .volume = std::numeric_limits<double>::denorm_min(),
+                 .kineticEnergy = 1e308,
+                 .meanPressure = -std::numeric_limits<double>::infinity(),
+                 .shellFill = 0.85,
+                 .outermost = 0.9999999999999999};
+  later.cells = {{.path = CellPath::parse("A"),
+                  .state = 7,
+                  .volume = 1.0 / 3,
+                  .area = std::numeric_limits<double>::max(),
+                  .pressure = -1e-320,
+                  .centroid = {0.1, -0.2, 1e-17},
+                  .sphericity = 1,
+                  .neighbours = 1}};
+  later.contacts = {{CellPath::parse("A"), CellPath::parse("B"), 0.7}};
+  r.samples = {start, later};
+  r.connections = {{CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, 0.1 + 0.2, "died"},
+                   {CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, -1, ""}};
+  r.timeSteps = {{0, 0, 0.00048828125}, {1.0 / 3, 683, 0.000244140625}};
+  r.stepHashes = {{0, {1, 2}}, {512, {0xffffffffffffffffu, 0}}};
+  CheckResult check;
+  check.check = "values final/*/volume";
+  check.kind = "golden";
+  check.expected = "0.5";
+  check.actual = "0.6";
+  check.tolerance = "rel 1e-9";
+  check.passed = false;
+  check.failureClass = "COMPUTATION";
+  check.firstStep = 700;
+  check.cell = "";
+  check.field = "volume";
+  check.share = 2e8;
+  check.message = "two\nlines";
+  CheckResult passed;
+  passed.check = "energy";
+  passed.kind = "invariant";
+  r.checks = {check, passed};
+  return r;
+}
+
+inline RunEnd exampleEnd() {
+  return {.status = RunStatus::done,
+          .stateHash = Hash{0xabc, 0xdef},
+          .steps = 700,
+          .cells = 1,
+          .time = 0.1 + 0.2,
+          .failure = {}};
+}
+
+}  // namespace morula

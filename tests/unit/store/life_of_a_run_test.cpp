@@ -1,0 +1,217 @@
+// running → done, failed or killed; and what happens when the same run comes again.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "catch.h"
+#include "example_run.h"
+#include "store/store.h"
+#include "store/store_error.h"
+#include "temporary_folder.h"
+
+using namespace morula;
+
+namespace {
+
+std::int64_t count(const std::filesystem::path& file, const std::string& from) {
+  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+  return db.integer("SELECT count(*) FROM " + from);
+}
+
+RunEnd endWith(std::uint64_t hash) {
+  RunEnd end = exampleEnd();
+  end.stateHash = Hash{hash, 0};
+  return end;
+}
+
+}  // namespace
+
+TEST_CASE("a run's id is made of its scenario, seed and build") {
+  const RunRecord record = exampleRecord();
+  const std::string id = runId(record);
+  RunRecord other = record;
+  SECTION("and of nothing else") {
+    other.command = "another command";
+    other.threads = 7;
+    other.isa = "scalar";
+    other.machine.cpu = "another processor";
+    other.build.gitCommit = "another commit of the same sources";
+    other.documents.clear();
+    REQUIRE(runId(other) == id);
+    return;
+  }
+  SECTION("scenario") { other.scenarioHash[0] = 'f'; }
+  SECTION("seed") { other.seed += 1; }
+  SECTION("sources") { other.build.sources += '0'; }
+  SECTION("compiler") { other.build.compiler += '0'; }
+  SECTION("flags") { other.build.flags += " -O0"; }
+  SECTION("a library") { other.build.libraries[0].second += '0'; }
+  REQUIRE(runId(other) != id);
+}
+
+TEST_CASE("a run is in the file before its first step") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+  const std::string id = store.begin(exampleRecord());
+  REQUIRE(count(file, "run WHERE status = 'running' AND ended IS NULL AND state_hash IS NULL") == 1);
+  REQUIRE(store.find(id).status == RunStatus::running);
+
+  SECTION("done") {
+    store.finish(id, exampleEnd(), exampleResults());
+    REQUIRE(count(file, "run WHERE status = 'done' AND ended IS NOT NULL") == 1);
+  }
+  SECTION("failed: what there is is kept, with the reason") {
+    store.finish(id,
+                 {.status = RunStatus::failed,
+                  .stateHash = {},
+                  .steps = 3,
+                  .cells = 2,
+                  .time = 0.5,
+                  .failure = "step 3, cell 'A': volume −1"},
+                 exampleResults());
+    REQUIRE(store.find(id).status == RunStatus::failed);
+    REQUIRE(store.find(id).failure == "step 3, cell 'A': volume −1");
+    REQUIRE(store.find(id).stateHash.empty());
+    REQUIRE(store.results(id).lineage.size() == 3);
+  }
+  SECTION("killed") {
+    store.finish(id, {.status = RunStatus::killed, .stateHash = {}, .failure = {}}, exampleResults());
+    REQUIRE(store.find(id).status == RunStatus::killed);
+  }
+}
+
+TEST_CASE("a process that dies leaves a run that shows as running, and a whole file") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  const bool midTransaction = GENERATE(false, true);
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    Store store = Store::openForWriting(file);
+    const std::string id = store.begin(exampleRecord());
+    Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+    std::optional<Transaction> transaction;
+    if (midTransaction) {
+      db.execute("PRAGMA cache_size = 1");  // so that half of the transaction reaches the file
+      transaction.emplace(db);
+      Statement insert(db, "INSERT INTO time_step VALUES (?, ?, 0.0, 1.0)");
+      for (int i = 0; i < 100'000; ++i) insert.run(id, i);
+    }
+    kill(getpid(), SIGKILL);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  REQUIRE(WIFSIGNALED(status));
+  REQUIRE(std::filesystem::exists(file.string() + "-journal") == midTransaction);
+
+  Store store = Store::openForReading(file);
+  REQUIRE(store.runs().size() == 1);
+  REQUIRE(store.runs()[0].status == RunStatus::running);
+  REQUIRE(count(file, "time_step") == 0);
+  REQUIRE(count(file, "pragma_integrity_check WHERE integrity_check = 'ok'") == 1);
+
+  // And the run can be done again.
+  Store again = Store::openForWriting(file);
+  const std::string id = again.begin(exampleRecord());
+  again.finish(id, exampleEnd(), exampleResults());
+  REQUIRE(again.runs().size() == 1);
+  REQUIRE(again.runs()[0].status == RunStatus::done);
+}
+
+TEST_CASE("the same run twice is one run, verified") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+  const std::string id = store.begin(exampleRecord());
+  store.finish(id, exampleEnd(), exampleResults());
+  RunRecord again = exampleRecord();
+  again.threads = 5;
+  REQUIRE(store.begin(again) == id);
+  REQUIRE(store.find(id).status == RunStatus::done);  // the first result stands until the second is there
+  REQUIRE(store.results(id).lineage.size() == 3);
+  RunResults fewer = exampleResults();
+  fewer.samples.clear();
+  store.finish(id, exampleEnd(), fewer);
+  REQUIRE(store.runs().size() == 1);
+  REQUIRE(store.find(id).record.threads == 5);
+  REQUIRE(store.results(id).samples.empty());
+  REQUIRE(count(file, "document") == 2);
+}
+
+TEST_CASE("the same run with another state hash is reported, and the first one kept") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+  const std::string id = store.begin(exampleRecord());
+  store.finish(id, endWith(1), exampleResults());
+  const std::string before = readText(file);
+
+  Store other = Store::openForWriting(file);
+  other.begin(exampleRecord());
+  SECTION("another hash") {
+    try {
+      other.finish(id, endWith(2), {});
+      FAIL("nothing was reported");
+    } catch (const NondeterminismError& e) {
+      REQUIRE_THAT(e.what(), ContainsSubstring("NONDETERMINISM") && ContainsSubstring(id) &&
+                                 ContainsSubstring(Hash{1, 0}.text()) &&
+                                 ContainsSubstring(Hash{2, 0}.text()));
+      REQUIRE(e.runId == id);
+      REQUIRE(e.stored == Hash{1, 0}.text());
+      REQUIRE(e.computed == Hash{2, 0}.text());
+    }
+  }
+  SECTION("a failure where there was a result") {
+    REQUIRE_THROWS_AS(
+        other.finish(id, {.status = RunStatus::failed, .stateHash = {}, .failure = "volume"}, {}),
+        NondeterminismError);
+  }
+  SECTION("half a run says nothing") {
+    other.finish(id, {.status = RunStatus::killed, .stateHash = {}, .failure = {}}, {});
+  }
+  REQUIRE(readText(file) == before);
+}
+
+TEST_CASE("an attempt that did not finish is replaced, and says nothing against the next") {
+  TemporaryFolder folder;
+  Store store = Store::openForWriting(folder / "runs.db");
+  const std::string id = store.begin(exampleRecord());
+  store.finish(id, {.status = RunStatus::failed, .stateHash = {}, .failure = "volume"}, exampleResults());
+  store.begin(exampleRecord());
+  REQUIRE(store.find(id).status == RunStatus::running);
+  REQUIRE(store.results(id).lineage.empty());
+  store.finish(id, endWith(2), exampleResults());
+  REQUIRE(store.find(id).status == RunStatus::done);
+}
+
+TEST_CASE("runs with different seeds live side by side and share their documents") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+  for (std::uint64_t seed : {1u, 2u, 3u}) {
+    RunRecord record = exampleRecord();
+    record.seed = seed;
+    const std::string id = store.begin(record);
+    store.finish(id, endWith(seed), exampleResults());
+  }
+  REQUIRE(store.runs().size() == 3);
+  REQUIRE(count(file, "document") == 2);
+  REQUIRE(count(file, "cell") == 9);
+}
+
+TEST_CASE("checks replace earlier checks of their kind") {
+  TemporaryFolder folder;
+  Store store = Store::openForWriting(folder / "runs.db");
+  const std::string id = store.begin(exampleRecord());
+  store.finish(id, exampleEnd(), exampleResults());  // one golden, one invariant
+  CheckResult better;
+  better.check = "bits";
+  better.kind = "golden";
+  store.addChecks(id, {better});
+  const std::vector<CheckResult> checks = store.checks(id);
+  REQUIRE(checks.size() == 2);
+  REQUIRE(checks[0].kind == "invariant");
+  REQUIRE(checks[1] == better);
+  REQUIRE_THROWS_AS(store.addChecks("nobody", {better}), StoreError);
+}
