@@ -43,7 +43,7 @@ class Texture {
   GLuint texture_;
 };
 
-/// Draws into textures: any number of colours and perhaps a depth.
+/// Draws into textures: some colours, up to the first that is null, and perhaps a depth.
 class Framebuffer {
  public:
   Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth);

@@ -75,7 +75,8 @@ Framing fitFraming(const OrganismPicture& picture);
 /// One framing in which all of these pictures are whole. Throws InputError for none.
 Framing fitFraming(const std::vector<OrganismPicture>& sequence);
 
-/// The unit normals at a cell's vertices: the area-weighted mean over their faces.
+/// The unit normals at a cell's vertices: means over their faces with the weights that are exact on a sphere,
+/// sin(angle) / (product of the lengths of the two edges) [Max 1999].
 std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std::vector<Face>& faces);
 
 /// Adds a line along the normal of every vertex, as the thesis draws them. [length]

@@ -64,21 +64,23 @@ struct OrganismRenderer::Programs {
 
 /// Everything that is as large as the picture or its sample grid.
 struct OrganismRenderer::Targets {
-  struct Layer {  // what the cells' shader writes
-    Texture lights, shapes, owners, depth;
+  struct Layer {  // what the cells' shader writes; a veil needs no shapes, as it gets no ambient occlusion
+    Texture lights, owners, depth;
+    std::unique_ptr<Texture> shapes;
     Framebuffer framebuffer;
-    Layer(int w, int h)
+    Layer(int w, int h, bool shaped)
         : lights(w, h, GL_RGBA16F),
-          shapes(w, h, GL_RGBA32F),
           owners(w, h, GL_R32UI),
           depth(w, h, GL_DEPTH_COMPONENT32F),
-          framebuffer({&lights, &shapes, &owners}, &depth) {}
+          shapes(shaped ? std::make_unique<Texture>(w, h, GL_RGBA32F) : nullptr),
+          framebuffer({&lights, &owners, shapes.get()}, &depth) {}
   };
   struct Veils {  // only with translucent cells
     Layer first, second;
     Texture sum;
     Framebuffer framebuffer;
-    Veils(int w, int h) : first(w, h), second(w, h), sum(w, h, GL_RGBA16F), framebuffer({&sum}, nullptr) {}
+    Veils(int w, int h)
+        : first(w, h, false), second(w, h, false), sum(w, h, GL_RGBA16F), framebuffer({&sum}, nullptr) {}
   };
 
   int width, height, samples;
@@ -91,7 +93,7 @@ struct OrganismRenderer::Targets {
       : width(w),
         height(h),
         samples(s),
-        solid(w * s, h * s),
+        solid(w * s, h * s, true),
         rawVisible(w, h, GL_R16F),
         visible(w, h, GL_R16F),
         result(w, h, GL_RGBA8),
@@ -191,8 +193,8 @@ void clearLayer(float eyeDistance) {
   const float none[4] = {0, 0, 0, 0}, faraway[4] = {0, 0, 0, -20 * eyeDistance}, one = 1;
   const GLuint nobody[4] = {0, 0, 0, 0};
   glClearBufferfv(GL_COLOR, 0, none);
-  glClearBufferfv(GL_COLOR, 1, faraway);
-  glClearBufferuiv(GL_COLOR, 2, nobody);
+  glClearBufferuiv(GL_COLOR, 1, nobody);
+  glClearBufferfv(GL_COLOR, 2, faraway);
   glClearBufferfv(GL_DEPTH, 0, &one);
 }
 
@@ -244,7 +246,7 @@ void OrganismRenderer::findOcclusion(const Frame& frame) {
   programs_->occlusion.set("radius", float(0.8 * meanCellSize(frame.picture)));
   programs_->occlusion.set("shapes", 0);
   programs_->occlusion.set("owners", 1);
-  targets_->solid.shapes.bind(0);
+  targets_->solid.shapes->bind(0);
   targets_->solid.owners.bind(1);
   glDisable(GL_CULL_FACE);
   frame.fillScreen(targets_->rawVisibleBuffer, frame.width, frame.height);
@@ -319,7 +321,7 @@ Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
   program.set("veiled", veiled ? 1 : 0);
   program.set("shelled", frame.picture.shell ? 1 : 0);
   targets_->solid.lights.bind(0);
-  targets_->solid.shapes.bind(1);
+  targets_->solid.shapes->bind(1);
   targets_->solid.owners.bind(2);
   targets_->visible.bind(3);
   if (veiled) targets_->veils->sum.bind(4);

@@ -67,8 +67,8 @@ in vec3 eyeNormal, eyePosition, faceCorner;
 flat in vec4 cellPigment;
 flat in uint cellOwner;
 layout(location = 0) out vec4 light;
-layout(location = 1) out vec4 shape;  // normal, depth
-layout(location = 2) out uint owner;
+layout(location = 1) out uint owner;
+layout(location = 2) out vec4 shape;  // normal, depth
 uniform int wireframe;
 uniform float wireWidth;  // [sample]
 uniform vec3 paperLight;
@@ -159,8 +159,8 @@ std::string lineFragmentShader() {
 flat in vec3 linePigment;
 in float eyeZ;
 layout(location = 0) out vec4 light;
-layout(location = 1) out vec4 shape;
-layout(location = 2) out uint owner;
+layout(location = 1) out uint owner;
+layout(location = 2) out vec4 shape;
 void main() {
   light = vec4(linePigment, 1.0);
   shape = vec4(0.0, 0.0, 1.0, eyeZ);

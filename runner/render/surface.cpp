@@ -83,9 +83,12 @@ void addCell(std::vector<SurfaceVertex>& to, const OrganismPicture& picture, std
 std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std::vector<Face>& faces) {
   std::vector<Vector> normals(vertices.size());
   for (const Face& f : faces) {
-    // Twice the area along the normal: large faces weigh more, and the length falls out below.
-    const Vector area = cross(vertices[f[1]] - vertices[f[0]], vertices[f[2]] - vertices[f[0]]);
-    for (const auto corner : f) normals[corner] += area;
+    for (int i = 0; i < 3; ++i) {
+      const Vector one = vertices[f[(i + 1) % 3]] - vertices[f[i]],
+                   other = vertices[f[(i + 2) % 3]] - vertices[f[i]];
+      const double weight = dot(one, one) * dot(other, other);
+      if (weight > 0) normals[f[i]] += cross(one, other) / weight;
+    }
   }
   for (Vector& normal : normals) {
     const double length = norm(normal);
