@@ -136,6 +136,23 @@ TEST_CASE("Numbers of one draw are uniform and not correlated with their success
   CHECK(std::abs(products / many) < 5 * std::sqrt(1.0 / 144 / many));
 }
 
+TEST_CASE("A random direction is made of the first pair of numbers inside the unit disc [Marsaglia 1972]") {
+  int rejected = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Draw draw = drawOfCell(i);
+    std::uint32_t pair = 0;
+    double u = 0, v = 0;
+    for (;; ++pair) {
+      u = 2 * randomUnit(draw, 2 * pair) - 1, v = 2 * randomUnit(draw, 2 * pair + 1) - 1;
+      if (u * u + v * v < 1) break;
+    }
+    rejected += pair > 0;
+    const double s = u * u + v * v, root = 2 * std::sqrt(1 - s);
+    REQUIRE(randomDirection(draw) == Vector{u * root, v * root, 1 - 2 * s});
+  }
+  CHECK(rejected > 100);  // 1 − π/4 of them
+}
+
 TEST_CASE("Random directions are uniform on the sphere") {
   // Of a uniform direction: E x = 0, E x² = 1/3, E xy = 0, with the variances 1/3, 1/5 − 1/9 = 4/45 and 1/15
   // per draw. Archimedes: each coordinate is uniform in [−1, 1].

@@ -124,8 +124,6 @@ TEST_CASE("Inverted and flat meshes have no inside") {
 }
 
 TEST_CASE("A face without area is named") {
-  // A vertex on the middle of an edge of the tetrahedron, in both its faces: one triangle collapses if it
-  // slides there.
   Mesh m = zoo::tetrahedron();
   m.faces.push_back({0, 0, 1});
   CHECK(complaintAbout(m) ==
