@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "catch.h"
 #include "pictures.h"
+#include "render/annotations.h"
 
 namespace morula {
 
@@ -116,6 +117,32 @@ TEST_CASE("what lies behind a translucent cell shines through", "[organism]") {
   REQUIRE(drawOrganism(picture({back})) == drawOrganism(picture({veil, back})));
 }
 
+TEST_CASE("translucent cells before each other and before a solid one are composed in linear light",
+          "[organism]") {
+  CellShape front = ball("A", {0, 0, 2}, 0.5, blue), middle = ball("B", {0, 0, 0.6}, 0.5, {40, 200, 40});
+  const CellShape back = ball("C", {0, 0, -1}, 0.5, red);
+  std::vector<Colour> alone;
+  for (const CellShape& cell : {front, middle, back}) alone.push_back(centre(drawOrganism(picture({cell}))));
+  front.opacity = 0.3;
+  middle.opacity = 0.6;
+  const Colour together = centre(drawOrganism(picture({back, front, middle})));
+  const auto expected = [&](std::uint8_t Colour::*channel) {
+    const double f = linearLight(alone[0].*channel), m = linearLight(alone[1].*channel),
+                 b = linearLight(alone[2].*channel);
+    return int(channelOf(0.3 * f + 0.7 * (0.6 * m + 0.4 * b)));
+  };
+  REQUIRE(std::abs(together.r - expected(&Colour::r)) <= 2);
+  REQUIRE(std::abs(together.g - expected(&Colour::g)) <= 2);
+  REQUIRE(std::abs(together.b - expected(&Colour::b)) <= 2);
+}
+
+TEST_CASE("a solid cell hides the translucent ones behind it", "[organism]") {
+  const CellShape front = ball("A", {0, 0, 0.5}, 1, red);
+  CellShape hidden = ball("B", {0, 0, -1.6}, 1, blue);
+  hidden.opacity = 0.5;
+  REQUIRE(drawOrganism(picture({front, hidden})) == drawOrganism(picture({front})));
+}
+
 TEST_CASE("the order of translucent cells does not matter, even where they cut through each other",
           "[organism]") {
   std::vector<CellShape> cells{ball("A", {-0.3, 0, 0.1}, 0.8, red), ball("B", {0.3, 0, 0}, 0.8, blue),
@@ -214,7 +241,9 @@ TEST_CASE("words stay out of the scene", "[organism]") {
   p.caption = "with another caption";
   p.legend = {{red, "x4"}, {blue, "y5"}};
   const Image others = drawOrganism(p);
-  for (int y = 75; y < 250; ++y)
+  const Bands bands = bandsFor({p.title, p.caption, p.legend}, 300, 300);
+  REQUIRE(bands.top + bands.bottom < 150);
+  for (int y = bands.top; y < 300 - bands.bottom; ++y)
     for (int x = 0; x < 300; ++x) REQUIRE(words.at(x, y) == others.at(x, y));
   REQUIRE(isReddish(words.at(150, 155)));
 }
