@@ -1,0 +1,371 @@
+// Mutations of a run: each fault must be found, in the right check, with the right class, step, cell and
+// field.
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "catch.h"
+#include "example_facts.h"
+
+using namespace morula;
+
+namespace {
+
+const CheckResult& find(const CheckReport& report, const std::string& check) {
+  for (const CheckResult& r : report.results)
+    if (r.check == check) return r;
+  FAIL("no check " << check);
+  return report.results.front();
+}
+
+std::vector<std::string> failedChecks(const CheckReport& report) {
+  std::vector<std::string> names;
+  for (const CheckResult& r : report.results)
+    if (!r.passed) names.push_back(r.check);
+  return names;
+}
+
+using Checks = std::vector<std::string>;
+
+CheckReport compareWith(const Golden& golden, const std::function<void(GoldenFacts&)>& fault) {
+  GoldenFacts facts = exampleFacts();
+  fault(facts);
+  return compareGolden(golden, makeGoldenData(facts));
+}
+
+double up(double x) { return std::nextafter(x, 1e300); }
+
+}  // namespace
+
+TEST_CASE("the same run passes every check") {
+  const CheckReport report = compareGolden(reread(exampleGolden()), exampleData());
+  CHECK(report.passed());
+  CHECK(report.scenario == "thesis/example");
+  for (const CheckResult& r : report.results) {
+    INFO(r.check);
+    CHECK(r.passed);
+    CHECK(r.failureClass.empty());
+    CHECK(r.message.empty());
+    CHECK(r.kind == "golden");
+    CHECK(r.expected == r.actual);
+  }
+  CHECK(find(report, "bits").actual == Hash{0xabc, 0xdef}.text());
+  CHECK_THAT(describe(report), ContainsSubstring("thesis/example: all 8 checks pass\n"));
+}
+
+struct Fault {
+  const char* what;
+  std::function<void(GoldenFacts&)> inject;
+  Checks checks;             // that must fail, all of them
+  const char* failureClass;  // of the check named first
+  std::optional<std::uint64_t> step;
+  std::optional<std::string> cell;
+  const char* field;
+};
+
+TEST_CASE("each injected fault is found and named") {
+  static const std::vector<Fault> faults{
+      {"another scenario text",
+       [](auto& f) { f.scenarioHash[0] = 'f'; },
+       {"scenario"},
+       "INPUT_CHANGED",
+       {},
+       {},
+       "scenario_hash"},
+      {"another seed", [](auto& f) { f.seed = 8; }, {"scenario"}, "INPUT_CHANGED", {}, {}, "seed"},
+      {"another scenario",
+       [](auto& f) { f.scenario = "thesis/other"; },
+       {"scenario"},
+       "INPUT_CHANGED",
+       {},
+       {},
+       "scenario"},
+      {"one bit of the state",
+       [](auto& f) { f.stateHash.low ^= 1; },
+       {"bits"},
+       "COMPUTATION",
+       {},
+       {},
+       "hash"},
+      {"one ulp in a cell's pressure",
+       [](auto& f) { f.cells[0].pressure = up(f.cells[0].pressure); },
+       {"values"},
+       "COMPUTATION",
+       1024,
+       "A",
+       "pressure"},
+      {"one ulp on the way",
+       [](auto& f) { f.samples[0].volume = up(2); },
+       {"values"},
+       "COMPUTATION",
+       128,
+       {},
+       "volume"},
+      {"the sign of a zero",
+       [](auto& f) { f.cells[0].centroid.x = 0.0; },
+       {"values"},
+       "COMPUTATION",
+       1024,
+       "A",
+       "x"},
+      {"a value that is no number",
+       [](auto& f) { f.cells[0].area = std::nan(""); },
+       {"values"},
+       "COMPUTATION",
+       1024,
+       "A",
+       "area"},
+      {"an infinite value",
+       [](auto& f) { f.end.kineticEnergy = std::numeric_limits<double>::infinity(); },
+       {"values"},
+       "COMPUTATION",
+       1024,
+       {},
+       "kinetic_energy"},
+      {"a neighbour too many",
+       [](auto& f) { f.cells[0].neighbours = 2; },
+       {"values"},
+       "COMPUTATION",
+       1024,
+       "A",
+       "neighbours"},
+      {"two ulps, the earlier one first",
+       [](auto& f) { f.cells[0].area = up(f.cells[0].area), f.samples[0].outermost = up(0.9); },
+       {"values"},
+       "COMPUTATION",
+       128,
+       {},
+       "outermost"},
+      {"daughters swapped",
+       [](auto& f) { std::swap(f.lineage[1].state, f.lineage[2].state); },
+       {"lineage"},
+       "LINEAGE",
+       768,
+       "B",
+       "state"},
+      {"a division one step late",
+       [](auto& f) { f.lineage[0].endedStep = 257; },
+       {"lineage"},
+       "LINEAGE",
+       256,
+       "",
+       "ended_step"},
+      {"a division one ulp late",
+       [](auto& f) { f.lineage[0].ended = up(1); },
+       {"lineage"},
+       "LINEAGE",
+       256,
+       "",
+       "ended"},
+      {"a birth one step early",
+       [](auto& f) { f.lineage[1].bornStep = 255; },
+       {"lineage"},
+       "LINEAGE",
+       255,
+       "A",
+       "born_step"},
+      {"a cell that does not die",
+       [](auto& f) { f.lineage[2].fate = Fate::alive; },
+       {"lineage", "counts"},
+       "LINEAGE",
+       768,
+       "B",
+       "ended"},
+      {"another substance",
+       [](auto& f) { f.lineage[1].state = 0; },
+       {"lineage"},
+       "LINEAGE",
+       {},
+       "A",
+       "state"},
+      {"a cell lost", [](auto& f) { f.lineage.pop_back(); }, {"lineage", "counts"}, "LINEAGE", 256, "B", ""},
+      {"a cell too many",
+       [](auto& f) { f.lineage.push_back(cell("AB", 3, 800, Fate::alive, 1)); },
+       {"lineage", "counts"},
+       "LINEAGE",
+       800,
+       "AB",
+       ""},
+      {"more steps", [](auto& f) { f.steps = 1025; }, {"counts"}, "COMPUTATION", {}, {}, "count"},
+      {"a change of the time step too late",
+       [](auto& f) { f.timeSteps[1].time = up(1); },
+       {"time_steps"},
+       "COMPUTATION",
+       256,
+       {},
+       "time"},
+      {"another time step",
+       [](auto& f) { f.timeSteps[1].timeStep *= 2; },
+       {"time_steps"},
+       "COMPUTATION",
+       256,
+       {},
+       "time_step"},
+      {"a change of the time step lost",
+       [](auto& f) { f.timeSteps.pop_back(); },
+       {"time_steps"},
+       "COMPUTATION",
+       256,
+       {},
+       ""},
+      {"a time step too many",
+       [](auto& f) {
+         f.timeSteps.push_back({512, 2, 1});
+       },
+       {"time_steps"},
+       "COMPUTATION",
+       512,
+       {},
+       ""},
+      {"the chain parts on the way",
+       [](auto& f) { f.stepHashes[1].hash.low = 9, f.stepHashes[2].hash.low = 9; },
+       {"step_hashes"},
+       "COMPUTATION",
+       256,
+       {},
+       "hash"},
+      {"the chain parts before the first step",
+       [](auto& f) { f.stepHashes[0].hash.low = 9; },
+       {"step_hashes"},
+       "SETUP",
+       0,
+       {},
+       "hash"},
+      {"a sample lost", [](auto& f) { f.samples.clear(); }, {"completeness"}, "INPUT_CHANGED", 128, {}, ""},
+      {"a sample at another step",
+       [](auto& f) { f.samples[0].step = 127; },
+       {"completeness"},
+       "INPUT_CHANGED",
+       128,
+       {},
+       "step"},
+      {"a cell measured too many",
+       [](auto& f) { f.cells.push_back(measures("B", 1)); },
+       {"completeness"},
+       "INPUT_CHANGED",
+       1024,
+       "B",
+       ""},
+      {"bodies lost", [](auto& f) { f.mechanics = false; }, {"completeness"}, "INPUT_CHANGED", 128, {}, ""},
+  };
+  const Golden golden = reread(exampleGolden());
+  for (const Fault& fault : faults) {
+    INFO(fault.what);
+    const CheckReport report = compareWith(golden, fault.inject);
+    CHECK_FALSE(report.passed());
+    Checks failed = failedChecks(report), expected = fault.checks;
+    std::sort(failed.begin(), failed.end());
+    std::sort(expected.begin(), expected.end());
+    CHECK(failed == expected);
+    const CheckResult& r = find(report, fault.checks.front());
+    CHECK(r.failureClass == fault.failureClass);
+    CHECK(r.firstStep == fault.step);
+    CHECK(r.cell == fault.cell);
+    CHECK(r.field == fault.field);
+    CHECK(r.expected != r.actual);
+    CHECK_THAT(r.message, ContainsSubstring("example.golden"));
+  }
+}
+
+TEST_CASE("a changed lineage explains changed bits; a changed scenario explains all") {
+  const Golden golden = reread(exampleGolden());
+  const auto bothFaults = [](GoldenFacts& f) { f.lineage[1].state = 0, f.stateHash.low = 1; };
+  CHECK(find(compareWith(golden, bothFaults), "bits").failureClass == "LINEAGE");
+  const CheckReport report =
+      compareWith(golden, [&](GoldenFacts& f) { bothFaults(f), f.scenarioHash[0] = 'f'; });
+  CHECK(find(report, "bits").failureClass == "INPUT_CHANGED");
+  CHECK(find(report, "lineage").failureClass == "INPUT_CHANGED");
+}
+
+TEST_CASE("the text names the line, the cell, both numbers, their bits and their distance") {
+  const CheckReport report = compareWith(reread(exampleGolden()), [](GoldenFacts& f) {
+    f.cells[0].pressure = up(f.cells[0].pressure);
+    f.lineage[0].endedStep = 300;
+  });
+  CHECK(find(report, "values").message ==
+        "example.golden:47: final/A/pressure at step 1024: expected 0.40625 (0x3fda000000000000), actual "
+        "0.40625000000000006 (0x3fda000000000001), 1 ulp apart, difference 5.551115123125783e-17; tolerance "
+        "exact");
+  CHECK(find(report, "lineage").message ==
+        "example.golden:16: the egg: ended_step: expected '256', actual '300'");
+  const std::string text = describe(report);
+  CHECK_THAT(text, ContainsSubstring("2 of 8 checks differ"));
+  CHECK_THAT(text, ContainsSubstring("  FAIL  lineage: LINEAGE\n        example.golden:16"));
+}
+
+TEST_CASE("of many differences nine are shown") {
+  const CheckReport report =
+      compareWith(reread(exampleGolden()), [](GoldenFacts& f) { f.cells.clear(), f.samples.clear(); });
+  const std::string& text = find(report, "completeness").message;
+  CHECK(std::count(text.begin(), text.end(), '\n') == 9);
+  CHECK_THAT(text, ContainsSubstring("and 5 more"));
+}
+
+TEST_CASE("tolerances: the share that is used is told, the last matching rule holds") {
+  const Golden golden = reread(
+      exampleGolden({rule("final/* abs 8 why \"wide\""), rule("final/*/volume abs 0.5 why \"narrow\"")}));
+  SECTION("inside") {
+    const CheckReport report =
+        compareWith(golden, [](GoldenFacts& f) { f.cells[0].volume = 2.25, f.cells[0].area += 2; });
+    CHECK(report.passed());
+    CHECK(*find(report, "values final/*").share == Approx(0.25));
+    CHECK(find(report, "values final/*").field == "area");
+    CHECK(*find(report, "values final/*/volume").share == 0.5);
+    CHECK(find(report, "values final/*/volume").cell == "A");
+    CHECK(find(report, "values final/*/volume").tolerance == "abs 0.5");
+    CHECK_FALSE(find(report, "values").share);
+    CHECK_THAT(
+        describe(report),
+        ContainsSubstring(
+            "values final/*/volume: abs 0.5 (2 items), 50 % of the tolerance used by volume of cell A\n"));
+  }
+  SECTION("outside the narrow one, though inside the wide one") {
+    const CheckReport report = compareWith(golden, [](GoldenFacts& f) { f.cells[0].volume = 3; });
+    CHECK(failedChecks(report) == Checks{"values final/*/volume"});
+    CHECK(*find(report, "values final/*/volume").share == 2);
+    CHECK_THAT(find(report, "values final/*/volume").message,
+               ContainsSubstring("tolerance abs 0.5, used 2 times (example.golden:9)"));
+  }
+  SECTION("what no rule matches must be exact") {
+    CHECK(failedChecks(compareWith(golden, [](GoldenFacts& f) { f.samples[0].volume = up(2); })) ==
+          Checks{"values"});
+  }
+  SECTION("tolerances are for values only") {
+    CHECK(failedChecks(compareWith(golden, [](GoldenFacts& f) { f.stateHash.low = 1; })) == Checks{"bits"});
+  }
+}
+
+TEST_CASE("the order of the rules decides") {
+  const Golden golden =
+      reread(exampleGolden({rule("final/*/volume abs 0.5 why \"narrow\""), rule("final/* exact")}));
+  CHECK_FALSE(compareWith(golden, [](GoldenFacts& f) { f.cells[0].volume = up(2); }).passed());
+}
+
+TEST_CASE("beyond its last step a rule does not hold") {
+  const auto fault = [](GoldenFacts& f) { f.samples[0].volume = 2.1, f.end.volume = 2.1; };
+  const CheckReport report =
+      compareWith(reread(exampleGolden({rule("*/organism/volume abs 0.5 until_step 512 why \"w\"")})), fault);
+  CHECK(failedChecks(report) == Checks{"values"});
+  CHECK(find(report, "values").firstStep == 1024u);
+  CHECK(find(report, "values */organism/volume").passed);
+  CHECK(find(report, "values */organism/volume").tolerance == "abs 0.5 until_step 512");
+}
+
+TEST_CASE("a rule that matches nothing is a failure, with its line") {
+  const Golden golden = reread(exampleGolden({rule("final/*/volumes abs 0.5 why \"w\"")}));
+  const CheckReport report = compareGolden(golden, exampleData());
+  CHECK(failedChecks(report) == Checks{"tolerances"});
+  CHECK(find(report, "tolerances").failureClass == "INPUT_CHANGED");
+  CHECK_THAT(find(report, "tolerances").message,
+             ContainsSubstring("example.golden:8: the tolerance rule 'final/*/volumes' matches no value"));
+}
+
+TEST_CASE("a lineage-only golden has no values, and rules have nothing to match") {
+  GoldenFacts facts = exampleFacts();
+  facts.mechanics = false;
+  Golden golden = exampleGolden();
+  golden.data = makeGoldenData(facts);
+  CHECK(compareGolden(reread(golden), makeGoldenData(facts)).passed());
+  golden.rules = {rule("* abs 1 why \"w\"")};
+  CHECK(failedChecks(compareGolden(reread(golden), makeGoldenData(facts))) == Checks{"tolerances"});
+}

@@ -1,0 +1,72 @@
+#pragma once
+// A small run made by hand: the egg divides, A lives, B dies.
+#include "golden/facts.h"
+
+namespace morula {
+
+inline LineageEntry cell(const char* path, double born, std::uint64_t bornStep, Fate fate, StateId state,
+                         double ended = 0, std::uint64_t endedStep = 0) {
+  LineageEntry e;
+  e.path = CellPath::parse(path);
+  e.born = born;
+  e.bornStep = bornStep;
+  e.fate = fate;
+  e.state = state;
+  e.ended = ended;
+  e.endedStep = endedStep;
+  return e;
+}
+
+inline CellMeasures measures(const char* path, double volume) {
+  CellMeasures m;
+  m.path = CellPath::parse(path);
+  m.volume = volume;
+  m.area = 0.1 + 0.2;
+  m.pressure = 0.40625;
+  m.centroid = {-0.0, 1e-17, -0.25};
+  m.sphericity = 0.97;
+  m.neighbours = 1;
+  return m;
+}
+
+inline GoldenFacts exampleFacts() {
+  GoldenFacts f;
+  f.scenario = "thesis/example";
+  f.scenarioHash = "0123456789abcdef0123456789abcdef";
+  f.seed = 7;
+  f.steps = 1024;
+  f.lineage = {cell("", 0, 0, Fate::divided, 0, 1, 256), cell("A", 1, 256, Fate::alive, 1),
+               cell("B", 1, 256, Fate::died, 2, 3, 768)};
+  f.describe = [](StateId s) { return std::vector<std::string>{"START a0", "a4", ""}.at(s); };
+  f.timeSteps = {{0, 0, 0.00390625}, {256, 1, 0.001953125}};
+  f.stateHash = {0xabc, 0xdef};
+  f.stepHashes = {{0, {1, 1}}, {256, {2, 2}}, {512, {3, 3}}};
+  f.mechanics = true;
+  f.end = {.time = 4,
+           .step = 1024,
+           .cells = 1,
+           .volume = 2,
+           .kineticEnergy = 1e-9,
+           .meanPressure = 0.5,
+           .shellFill = 0.5,
+           .outermost = 0.9};
+  f.cells = {measures("A", 2)};
+  WorldMeasures early = f.end;
+  early.time = 0.5;
+  early.step = 128;
+  f.samples = {early, f.end};
+  return f;
+}
+
+inline GoldenData exampleData() { return makeGoldenData(exampleFacts()); }
+
+inline Golden exampleGolden(std::vector<ToleranceRule> rules = {}) {
+  return {exampleData(), "A. Tester", "first result", std::move(rules), "example.golden"};
+}
+
+/// The golden as it is after its way through the file.
+inline Golden reread(const Golden& golden) { return readGolden(writeGolden(golden), golden.file); }
+
+inline ToleranceRule rule(const std::string& text) { return readRule("tolerance " + text, "rule"); }
+
+}  // namespace morula

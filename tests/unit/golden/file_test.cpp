@@ -1,0 +1,240 @@
+// The golden's text: the same bytes each time, everything comes back, and a file that was damaged says so and
+// where.
+#include "catch.h"
+#include "example_facts.h"
+
+using namespace morula;
+
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// Reads the text and expects an error at this line (0: any).
+void complains(const std::string& text, int line, const std::string& about) {
+  const std::string place = line ? "x.golden:" + std::to_string(line) + ": " : "x.golden:";
+  CHECK_THROWS_WITH(readGolden(text, "x.golden"),
+                    Catch::Matchers::StartsWith(place) && ContainsSubstring(about));
+}
+
+/// The text with one line, found by how it begins, replaced; and that line's number.
+std::pair<std::string, int> edited(const std::string& beginning, const std::string& replacement) {
+  std::string text;
+  int number = 0, found = 0;
+  for (const std::string& line : linesOf(writeGolden(exampleGolden()))) {
+    ++number;
+    if (!found && line.starts_with(beginning)) {
+      found = number;
+      if (!replacement.empty()) text += replacement + '\n';
+    } else {
+      text += line + '\n';
+    }
+  }
+  REQUIRE(found);
+  return {text, found};
+}
+
+void complains(const std::string& beginning, const std::string& replacement, const std::string& about) {
+  INFO(beginning << " -> " << replacement);
+  const auto [text, line] = edited(beginning, replacement);
+  complains(text, line, about);
+}
+
+int lastLine() { return static_cast<int>(linesOf(writeGolden(exampleGolden())).size()); }
+
+}  // namespace
+
+TEST_CASE("the file is one value per line in a fixed order") {
+  const std::string expected = R"(morula golden 1
+scenario thesis/example
+seed 7
+scenario_hash 0123456789abcdef0123456789abcdef
+accepted_by A. Tester
+why first result
+
+tolerance final/* rel 1e-12 why "test"
+
+# count name count
+count cells 1
+count cells_ever 3
+count divisions 1
+count deaths 1
+count steps 1024
+
+# cell path born born_step ended ended_step fate state
+cell egg 0 0 1 256 divided START a0
+cell A 1 256 - - alive a4
+cell B 1 256 3 768 died
+
+# time_step step time time_step
+time_step 0 0 0.00390625
+time_step 256 1 0.001953125
+
+# bits domain hash
+bits solver 0000000000000abc0000000000000def
+
+# step_hash step hash
+step_hash 0 00000000000000010000000000000001
+step_hash 256 00000000000000020000000000000002
+step_hash 512 00000000000000030000000000000003
+
+# value name step value
+value 0.5/organism/cells 128 1
+value 0.5/organism/volume 128 2
+value 0.5/organism/kinetic_energy 128 1e-09
+value 0.5/organism/mean_pressure 128 0.5
+value 0.5/organism/shell_fill 128 0.5
+value 0.5/organism/outermost 128 0.9
+value final/organism/cells 1024 1
+value final/organism/volume 1024 2
+value final/organism/kinetic_energy 1024 1e-09
+value final/organism/mean_pressure 1024 0.5
+value final/organism/shell_fill 1024 0.5
+value final/organism/outermost 1024 0.9
+value final/A/volume 1024 2
+value final/A/area 1024 0.30000000000000004
+value final/A/pressure 1024 0.40625
+value final/A/x 1024 -0
+value final/A/y 1024 1e-17
+value final/A/z 1024 -0.25
+value final/A/sphericity 1024 0.97
+value final/A/neighbours 1024 1
+
+end 34 )";
+  const std::string text = writeGolden(exampleGolden({rule("final/* rel 1e-12 why \"test\"")}));
+  CHECK(text.substr(0, expected.size()) == expected);
+  CHECK(text.size() == expected.size() + 33);
+}
+
+TEST_CASE("what is read is what was written, byte for byte") {
+  const std::string text =
+      writeGolden(exampleGolden({rule("final/* rel 1e-12 why \"test\""), rule("* ulp 2 why \"w\"")}));
+  const Golden golden = readGolden(text, "x.golden");
+  CHECK(writeGolden(golden) == text);
+  CHECK(golden.acceptedBy == "A. Tester");
+  CHECK(golden.why == "first result");
+  CHECK(golden.data.seed == 7);
+  CHECK(golden.rules.size() == 2);
+  CHECK(golden.rules[1].line == 9);
+}
+
+TEST_CASE("the order of birth does not matter, the order of the file is by path") {
+  GoldenFacts facts = exampleFacts();
+  std::swap(facts.lineage[0], facts.lineage[2]);
+  Golden golden = exampleGolden();
+  golden.data = makeGoldenData(facts);
+  CHECK(writeGolden(golden) == writeGolden(exampleGolden()));
+}
+
+TEST_CASE("reasons, tolerances and comments are people's to edit") {
+  const auto [text, line] =
+      edited("why ", "why a better reason\n# a remark\n\ntolerance final/* abs 1e-9 why \"w\"");
+  CHECK(readGolden(text, "x.golden").rules.size() == 1);
+}
+
+TEST_CASE("every truncated golden is refused, wherever it ends") {
+  const std::string text = writeGolden(exampleGolden());
+  for (std::size_t size = 0; size < text.size(); ++size) {
+    INFO("the first " << size << " bytes");
+    CHECK_THROWS_AS(readGolden(text.substr(0, size), "x.golden"), InputError);
+  }
+  complains("", 1, "the file is empty");
+  complains(text.substr(0, text.find("\nend") + 1), lastLine() - 1, "truncated");
+  complains(text.substr(0, text.size() - 5), lastLine(), "truncated");
+}
+
+TEST_CASE("every edited digit of a golden is seen") {
+  const std::string text = writeGolden(exampleGolden());
+  const std::size_t begin = text.find("\n# count"), why = text.find("\nwhy"), by = text.find("\naccepted_by");
+  bool comment = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') comment = text[i + 1] == '#';
+    if (comment || text[i] == '\n' || (i > by && i < begin && i != why)) continue;
+    std::string other = text;
+    other[i] = other[i] == '1' ? '2' : '1';
+    INFO("character " << i << " of '" << text.substr(text.rfind('\n', i) + 1, 40));
+    CHECK_THROWS_AS(readGolden(other, "x.golden"), InputError);
+  }
+}
+
+TEST_CASE("every lost line of a golden is seen") {
+  for (const std::string& line : linesOf(writeGolden(exampleGolden()))) {
+    if (line.empty() || line[0] == '#') continue;
+    INFO(line);
+    CHECK_THROWS_AS(readGolden(edited(line, "").first, "x.golden"), InputError);
+  }
+}
+
+TEST_CASE("merge markers") {
+  for (const char* marker : {"<<<<<<< HEAD", "|||||||", "=======", ">>>>>>> theirs"})
+    complains("count cells 1", marker, "merge marker");
+}
+
+TEST_CASE("line ends of another system") { complains("count cells 1", "count cells 1\r", "carriage return"); }
+
+TEST_CASE("lines that cannot be understood are named") {
+  complains("morula golden 1", "morula golden 2", "no golden file of this version");
+  complains("scenario ", "scenery x", "scenario is expected here");
+  complains("seed ", "seed -1", "seed: '-1'; a whole number from 0 is expected");
+  complains("why ", "why ", "why is expected here");
+  complains("count cells 1", "counts cells 1", "'counts' begins no line of a golden file");
+  complains("count cells 1", "count", "its name is expected");
+  complains("count cells 1", "count cells", "count is expected");
+  complains("count cells 1", "count cells 01x", "'01x'; a whole number from 0 is expected");
+  complains("count cells 1", "count cells -1", "a whole number from 0 is expected");
+  complains("count cells 1", "count cells 1 2", "'2' follows the end of the line");
+  complains("count cells_ever", "count cells 3", "count cells stands twice, first in line 9");
+  complains("cell A", "cell C 1 256 - - alive a4", "path: ");
+  complains("cell A", "cell A 1 256 -", "ended_step is expected");
+  complains("cell A", "cell A - 256 - - alive a4", "born: '-'; a finite number");
+  complains("cell A", "cell A 1.0 256 - - alive a4",
+            "'1.0'; a finite number, written as shortly as it can be");
+  complains("value final/A/y", "value final/A/y 1024 nan", "'nan'; a finite number");
+  complains("value final/A/y", "value final/A/y 1024 0.10000000000000001", "written as shortly");
+  complains("bits", "bits solver 123", "'123'; a hash of 32 hexadecimal digits");
+  complains("time_step 0", "time_step x 0 1", "step: 'x'; a whole number");
+  complains("end", "end many", "`end ITEMS DIGEST` is expected");
+  complains("end", "end 33 00000000000000000000000000000000", "has 34 items, but 33 were accepted");
+  complains("end", "end 34 00000000000000000000000000000000", "somebody has edited them");
+  complains(writeGolden(exampleGolden()) + "count x 1\n", lastLine() + 1,
+            "'count x 1' follows the end of the file");
+}
+
+TEST_CASE("a large lineage is counts and one digest per generation") {
+  GoldenFacts facts = exampleFacts();
+  facts.mechanics = false;
+  facts.lineage.clear();
+  std::vector<CellPath> generation{CellPath{}};
+  for (int depth = 0; depth <= 12; ++depth) {
+    std::vector<CellPath> next;
+    for (const CellPath& p : generation) {
+      LineageEntry e = cell("", depth, 0, depth < 12 ? Fate::divided : Fate::alive, 1, depth + 1);
+      e.path = p;
+      facts.lineage.push_back(e);
+      next.push_back(p.daughter(false));
+      next.push_back(p.daughter(true));
+    }
+    generation = std::move(next);
+  }
+  const GoldenData data = makeGoldenData(facts);
+  const auto generations =
+      std::count_if(data.items.begin(), data.items.end(), [](auto& i) { return i.kind == "generation"; });
+  CHECK(generations == 13);
+  CHECK(data.items.size() < 40);
+
+  Golden golden = exampleGolden();
+  golden.data = data;
+  golden = reread(golden);
+  CHECK(compareGolden(golden, data).passed());
+  facts.lineage[5000].state = 2;
+  const CheckReport report = compareGolden(golden, makeGoldenData(facts));
+  CHECK_FALSE(report.passed());
+  CHECK_THAT(describe(report), ContainsSubstring("generation 12: hash: expected"));
+}

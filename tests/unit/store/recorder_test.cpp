@@ -1,0 +1,126 @@
+// What is taken from a run: what was asked for, at its times, and no more.
+#include "store/recorder.h"
+
+#include "biology/full_tree.h"
+#include "catch.h"
+#include "simulation/world.h"
+#include "store/store.h"
+#include "temporary_folder.h"
+
+using namespace morula;
+
+namespace {
+
+Scene fourCells(bool mechanics) {
+  Scene scene;
+  scene.name = "four-cells";
+  scene.dna = parseDna(makeFullTreeDna(2), "test.dna");
+  scene.cycle.length = 0.125;
+  scene.stop.cycles = 3;
+  if (mechanics) {
+    scene.mechanics.emplace();
+    scene.mechanics->mesh = makeIcosphere(1);
+    scene.mechanics->physics.membrane.damping = 0.5;
+    scene.mechanics->physics.pressure.outside = 1;
+    scene.mechanics->physics.drag = 5;
+    scene.mechanics->contact.emplace();
+    scene.mechanics->connections.emplace();
+  }
+  return scene;
+}
+
+struct Run {
+  World world;
+  Recorder recorder;
+  int sampled = 0;
+  Run(const Scene& scene, RecordOptions options) : world(makeWorld(scene)), recorder(options) {
+    for (observe(); !finished(world); observe()) step(world);
+  }
+  void observe() {
+    recorder.observe(world);
+    sampled += recorder.sampled();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("nothing is measured that was not asked for") {
+  Run run(fourCells(true), {});
+  const RunResults results = run.recorder.take(run.world);
+  CHECK(results.samples.empty());
+  CHECK(results.stepHashes.empty());
+  CHECK(results.lineage.size() == 7);
+  CHECK(results.timeSteps.size() == run.world.timeSteps.size());
+  CHECK_FALSE(results.connections.empty());
+  CHECK(results.checks.empty());
+}
+
+TEST_CASE("samples are taken at the multiples and at the end") {
+  Run run(fourCells(true), {.every = 0.1, .hashEvery = {}});  // 0.1 is no multiple of the time step
+  const double timeStep = run.world.timeSteps.front().timeStep;
+  const RunResults results = run.recorder.take(run.world);
+  REQUIRE(results.samples.size() == 5);  // 0, 0.1, 0.2, 0.3 and the end, 0.375
+  CHECK(run.sampled == 4);
+  for (int i = 0; i < 4; ++i) {
+    const double time = results.samples[static_cast<std::size_t>(i)].world.time;
+    CHECK(time >= i * 0.1);
+    CHECK(time < i * 0.1 + timeStep);
+  }
+  CHECK(results.samples.back().world.step == run.world.clock.step);
+  for (const Sample& s : results.samples) {
+    CHECK(s.cells.size() == s.world.cells);
+    for (const CellMeasures& c : s.cells) CHECK(results.stateTexts.contains(c.state));
+  }
+}
+
+TEST_CASE("a sample that falls on the end is taken once") {
+  Run run(fourCells(true), {.every = 0.125, .hashEvery = {}});
+  CHECK(run.recorder.take(run.world).samples.size() == 4);
+}
+
+TEST_CASE("a long step skips samples rather than repeating them") {
+  Run run(fourCells(false),
+          {.every = 0.03125, .hashEvery = {}});  // lineage only: from cycle to cycle, 0.125 each
+  const RunResults results = run.recorder.take(run.world);
+  CHECK(results.samples.size() == run.world.clock.step + 1);
+  CHECK(results.samples.back().cells.empty());
+}
+
+TEST_CASE("state hashes at the steps that were asked for") {
+  Run run(fourCells(true), {.every = {}, .hashEvery = 10});
+  const RunResults results = run.recorder.take(run.world);
+  CHECK(results.stepHashes.size() == run.world.clock.step / 10 + 1);
+  CHECK(results.stepHashes[0].hash == stateHash(makeWorld(fourCells(true))));
+  CHECK(results.stepHashes[3].step == 30);
+}
+
+TEST_CASE("a broken state is not measured, but what came before it is kept") {
+  Run run(fourCells(true), {.every = 0.2, .hashEvery = {}});
+  const RunResults results = run.recorder.take(run.world, true);
+  CHECK(results.samples.size() == 2);
+  CHECK(results.lineage.size() == 7);
+  const RunEnd end = endOf(run.world, RunStatus::failed, "why");
+  CHECK_FALSE(end.stateHash);
+  CHECK(end.failure == "why");
+}
+
+TEST_CASE("a recorded run can be stored") {
+  const bool mechanics = GENERATE(false, true);
+  Run run(fourCells(mechanics), {.every = 0.125, .hashEvery = 1});
+  TemporaryFolder folder;
+  Store store = Store::openForWriting(folder / "runs.db");
+  RunRecord record;
+  record.scenario = "four-cells";
+  const std::string id = store.begin(record);
+  const RunResults results = run.recorder.take(run.world);
+  store.finish(id, endOf(run.world, RunStatus::done), results);
+  CHECK(store.find(id).stateHash == stateHash(run.world).text());
+  CHECK(store.find(id).cells == 4);
+  const RunResults back = store.results(id);
+  CHECK(back.lineage.size() == 7);
+  CHECK(back.samples.size() == results.samples.size());
+  CHECK(back.connections.size() == results.connections.size());
+  CHECK(back.stepHashes == results.stepHashes);
+  CHECK(back.timeSteps == results.timeSteps);
+  for (const LineageEntry& e : back.lineage) CHECK_FALSE(back.stateTexts.at(e.state).empty());
+}
