@@ -1,0 +1,47 @@
+// The volume that the ring pass gathers is that of the mesh.
+#include <numbers>
+
+#include "catch.h"
+#include "lab.h"
+
+using namespace morula;
+
+TEST_CASE("The rings give the volume that the faces give, for every mesh") {
+  for (const auto& [name, mesh, handles] : zoo::all()) {
+    INFO(name);
+    Lab lab({}, mesh);
+    lab.evaluate();
+    const double expected = measureVolume(mesh.vertices, mesh.faces);
+    CHECK(lab.bodies.volume[0] == Approx(expected).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("The rings give closed forms of volumes") {
+  const auto volumeOf = [](const Mesh& m) {
+    Lab lab({}, m);
+    lab.evaluate();
+    return lab.bodies.volume[0];
+  };
+  CHECK(volumeOf(zoo::box({1, 2, 3}, {2, 4, 7})) == Approx(8).epsilon(1e-14));
+  CHECK(volumeOf(zoo::tetrahedron()) == Approx(8.0 / 3).epsilon(1e-14));
+  CHECK(volumeOf(zoo::inverted(zoo::tetrahedron())) == Approx(-8.0 / 3).epsilon(1e-14));
+  // The icosahedron in the unit sphere: 2/3 √(10 + 2√5).
+  CHECK(volumeOf(makeIcosphere(0)) == Approx(2.0 / 3 * std::sqrt(10 + 2 * std::sqrt(5.0))).epsilon(1e-14));
+  // Towards the sphere with the square of the edge: four times closer at each level.
+  const double ball = 4 * std::numbers::pi / 3;
+  double missing = ball - volumeOf(makeIcosphere(2));
+  for (int level = 3; level <= 4; ++level) {
+    const double next = ball - volumeOf(makeIcosphere(level));
+    CHECK(missing / next == Approx(4).margin(0.1));
+    missing = next;
+  }
+}
+
+TEST_CASE("Where a cell lies and how it moves does not change its volume") {
+  const Mesh mesh = zoo::crumpled(makeIcosphere(2), 0.2, 3);
+  Lab here({}, mesh, {shakenBody(mesh, 0, 0)}),
+      there({}, mesh, {shakenBody(zoo::moved(mesh, {512, -1024, 256}), 0, 7)});
+  here.evaluate();
+  there.evaluate();
+  CHECK(there.bodies.volume[0] == Approx(here.bodies.volume[0]).epsilon(1e-11));
+}
