@@ -45,7 +45,7 @@ std::optional<std::string> readNamedFile(const std::filesystem::path& file, cons
 void readDna(Scenario& scenario, const DnaSource& dna, Problems& problems,
              const std::filesystem::path& folder) {
   if (dna.file) {
-    const auto file = folder / *dna.file;
+    const auto file = (folder / *dna.file).lexically_normal();
     const auto text = readNamedFile(file, dna.place, "dna.file", problems);
     if (text) guarded(problems, dna.place, [&] { scenario.scene.dna = parseDna(*text, file.string()); });
   } else if (dna.text) {
@@ -69,7 +69,7 @@ void readMesh(Scenario& scenario, const Node& root, Problems& problems, const st
     mechanics.mesh = makeIcosphere(static_cast<int>(*scenario.mesh.icosphere));
   } else if (scenario.mesh.file) {
     const auto& place = root.find("physics")->value.find("mesh")->value.find("file")->value.place;
-    const auto file = folder / *scenario.mesh.file;
+    const auto file = (folder / *scenario.mesh.file).lexically_normal();
     const auto text = readNamedFile(file, place, "physics.mesh.file", problems);
     if (text) guarded(problems, place, [&] { mechanics.mesh = readObj(*text, file.string()); });
   }

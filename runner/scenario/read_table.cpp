@@ -47,7 +47,7 @@ class TableReader {
       const bool whole = section.path.empty();
       reading_.problems.add(
           node.place, section.path,
-          node.kind == Node::Kind::null ? (whole ? "the file is empty" : "is empty") : "is " + describe(node),
+          (whole ? "the file is " : "is ") + (node.kind == Node::Kind::null ? "empty" : describe(node)),
           whole ? "a scenario is a map that begins with 'morula: 1'" : "needs a map; {} for defaults");
       return;
     }

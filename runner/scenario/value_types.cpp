@@ -27,7 +27,6 @@ Json numberSchema(const Range& range) {
 
 std::string naturalAllowed(const NaturalRange& range) {
   if (range.low == range.high) return std::to_string(range.low);
-  if (range.high == largestNatural && range.low <= 1) return "a whole number ≥ " + std::to_string(range.low);
   return "a whole number from " + std::to_string(range.low) + " to " + std::to_string(range.high);
 }
 
@@ -292,7 +291,7 @@ Parameter choiceOf(std::string path, std::vector<std::string> names, std::string
   p.meaning = std::move(meaning);
   p.schema = {{"enum", names}};
   p.read = [set, names, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    const auto value = readText(node, path, "one of " + allowed, reading.problems);
+    const auto value = readText(node, path, allowed, reading.problems);
     if (!value) return;
     const auto found = std::find(names.begin(), names.end(), *value);
     if (found != names.end()) return set(s, static_cast<int>(found - names.begin()));

@@ -22,12 +22,21 @@ class TreeBuilder : public YAML::EventHandler {
   TreeBuilder(const SourceText& source, Problems& problems) : source_(source), problems_(problems) {}
 
   Node root;
+  bool garbled = false;  // what follows a place is not what its author meant: only complain about that place
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     open_.clear();
-    if (++documents_ == 2)
+    if (++documents_ == 1) return;
+    // A ']' of its own ends a document for yaml-cpp, and stands there again at the beginning of the next, for
+    // ever.
+    const auto text = rest(mark);
+    if (!text.empty() && std::string_view("]},:?").find(text[0]) != text.npos)
+      problems_.add(place(mark), "", "not YAML: '" + std::string(1, text[0]) + "' out of place",
+                    "check the '[ ]' and '{ }'");
+    else
       problems_.add(place(mark), "", "a second document",
                     "one file is one scenario: remove '---' and what follows");
+    garbled = true;
   }
   void OnDocumentEnd() override {}
 
@@ -45,9 +54,14 @@ class TreeBuilder : public YAML::EventHandler {
     auto scalar = node(Node::Kind::scalar, mark, tag, anchor);
     scalar.text = value;
     if (tag == "!") {  // not plain: the character at the mark tells how it is written
-      const auto line = source_.line(mark.line + 1);
-      scalar.style = static_cast<std::size_t>(mark.column) < line.size() ? line[mark.column] : '"';
+      const auto written = rest(mark);
+      scalar.style = written.empty() ? '"' : written[0];
       if (scalar.style == '|') scalar.textColumn = blockColumn(mark.line + 2);
+      if (!isClosed(written)) {
+        problems_.add(scalar.place, path(), "the quote is not closed in its line",
+                      "close it; for a text of several lines write '|'");
+        garbled = true;
+      }
     }
     put(std::move(scalar));
   }
@@ -64,19 +78,37 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void OnMapEnd() override { open_.pop_back(); }
 
+  /// What stands in the line from the mark on.
+  std::string_view rest(const YAML::Mark& mark) const {
+    const auto line = source_.line(mark.line + 1);
+    return line.substr(std::min<std::size_t>(mark.column, line.size()));
+  }
   Place place(const YAML::Mark& mark) const { return source_.place(mark.line + 1, mark.column); }
 
  private:
   struct Open {
     Node* node;           // a map or list that is being filled; stays where it is until it is closed
     bool hasKey = false;  // of a map: the last member waits for its value
+    std::string key{};    // of that member, or of the one whose value is open
   };
 
   std::string path() const {
     std::string text;
     for (const auto& frame : open_)
-      if (frame.hasKey) text += (text.empty() ? "" : ".") + frame.node->members.back().key;
+      if (!frame.key.empty() && (frame.hasKey || &frame != &open_.back()))
+        text += (text.empty() ? "" : ".") + frame.key;
     return text;
+  }
+
+  /// False if the text begins with a quote that it does not close. yaml-cpp would read on, if need be to the
+  /// end.
+  static bool isClosed(std::string_view text) {
+    if (text.empty() || (text[0] != '"' && text[0] != '\'')) return true;
+    for (std::size_t i = 1; i < text.size(); ++i) {
+      if (text[i] == text[0]) return true;  // or a doubled ', whose second half closes just as well
+      if (text[0] == '"' && text[i] == '\\') ++i;
+    }
+    return false;
   }
 
   /// The column where the lines of a block scalar begin, whose first line is `line`.
@@ -116,6 +148,7 @@ class TreeBuilder : public YAML::EventHandler {
     if (!frame.hasKey) {
       auto* key = putKey(*frame.node, std::move(node));
       frame.hasKey = true;
+      frame.key = frame.node->members.back().key;
       return key;
     }
     frame.hasKey = false;
@@ -170,12 +203,13 @@ Node readYaml(const SourceText& source, Problems& problems) {
   try {
     std::istringstream stream(source.text());
     YAML::Parser parser(stream);
-    while (parser.HandleNextDocument(builder)) {}
+    while (!builder.garbled && parser.HandleNextDocument(builder)) {}
   } catch (const YAML::Exception& error) {
     problems.add(error.mark.is_null() ? Place{} : builder.place(error.mark), "", "not YAML: " + error.msg,
                  remedy(error.msg));
     builder.root.kind = Node::Kind::broken;
   } catch (const TooDeep&) { builder.root.kind = Node::Kind::broken; }
+  if (builder.garbled) builder.root.kind = Node::Kind::broken;
   return std::move(builder.root);
 }
 

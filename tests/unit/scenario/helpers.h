@@ -1,0 +1,71 @@
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "scenario/scenario.h"
+// Last, because of CHECK:
+#include "catch.h"
+
+namespace morula::test {
+
+inline std::string readWhole(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A scenario in which every part exists and little is left to defaults.
+inline const std::string everyPart = R"(morula: 1
+name: every-part
+summary: All keys at once
+seed: 7
+dna: |
+  START: a0
+  g1(a1|a0)
+  g2(divide|a0)
+colours: {a0: '#102030', a*: '#ABCDEF'}
+cycle:
+  length: 2
+  per-substance: {a0: 1.5}
+stop: {cycles: 3, time: 9.5, cells: 4}
+physics:
+  time_step: 0.001953125
+  integrator: thesis-verlet
+  drag: 0.25
+  mesh: {icosphere: 0}
+  cell: {radius: 0.5, mass: 2}
+  membrane: {stiffness: 41, damping: 0.5, production: 1.2}
+  pressure: {constant: 5, outside: 1.25}
+  growth: {rate: 0.2}
+  shell: {ellipsoid: [3, 2, 1]}
+  contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, radius: 1.1}
+division: {plane: {axis: [0, 1, -1]}}
+connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5}
+senses: {}
+record: {every: 0.25, pictures: 0.5}
+check: {}
+)";
+
+inline Scenario read(const std::string& text, const std::vector<Override>& overrides = {}) {
+  return readScenario(text, "test.yaml", std::string(MORULA_SOURCE_DIR), overrides);
+}
+
+/// The messages that reading the text leads to; empty if it is a good scenario.
+inline std::string complaints(const std::string& text, const std::vector<Override>& overrides = {}) {
+  try {
+    read(text, overrides);
+    return "";
+  } catch (const InputError& error) { return error.what(); }
+}
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  REQUIRE(at != text.npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace morula::test

@@ -1,0 +1,116 @@
+// Properties: a good scenario with one mistake is refused at the mistake's place; with any damage at all it
+// is refused or read, and never breaks the reader.
+#include <random>
+
+#include "helpers.h"
+#include "scenario/parameter.h"
+
+using namespace morula;
+using namespace morula::test;
+
+namespace {
+
+struct KeyInText {
+  std::string path;
+  std::size_t at;
+  int line, column;
+};
+
+/// Where the keys of `everyPart` stand, found by a plain text search that knows how that text is laid out.
+std::vector<KeyInText> keysInText() {
+  std::vector<KeyInText> found;
+  const auto add = [&](const std::string& path) {
+    std::size_t at = 0;
+    for (std::size_t begin = 0; begin <= path.size();) {
+      const auto end = std::min(path.find('.', begin), path.size());
+      at = everyPart.find(path.substr(begin, end - begin) + ":", at);
+      begin = end + 1;
+    }
+    if (at == std::string::npos) return;
+    const auto lineStart = everyPart.rfind('\n', at) + 1;
+    found.push_back({path, at,
+                     1 + static_cast<int>(std::count(everyPart.begin(), everyPart.begin() + at, '\n')),
+                     static_cast<int>(at - lineStart) + 1});
+  };
+  for (const auto& p : scenario::parameterTable().parameters) add(p.path);
+  for (const auto& s : scenario::parameterTable().sections)
+    if (!s.path.empty()) add(s.path);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a misspelt key is refused at its place, whichever it is") {
+  const auto keys = keysInText();
+  REQUIRE(keys.size() >= 50);
+  for (const auto& key : keys) {
+    auto text = everyPart;
+    text.insert(key.at, "zq");
+    const auto told = complaints(text);
+    const auto dot = key.path.rfind('.') + 1;
+    INFO(key.path);
+    CHECK(told.find("test.yaml:" + std::to_string(key.line) + ":" + std::to_string(key.column) + ": " +
+                    key.path.substr(0, dot) + "zq" + key.path.substr(dot) + ": unknown key") != told.npos);
+  }
+}
+
+TEST_CASE("a value of the wrong kind is refused in its line, whichever it is") {
+  for (const auto& key : keysInText()) {
+    if (key.path == "summary") continue;  // any text is a summary
+    auto text = everyPart;
+    const auto value = text.find(':', key.at) + 1;
+    const auto end = text.find_first_of(",}\n", value);
+    const bool isBlock = text.substr(value, end - value).find_first_not_of(" |") == std::string::npos;
+    if (isBlock || text[value + 1] == '{' || text[value + 1] == '[') continue;
+    text.replace(value, end - value, " {zq: 1}");
+    INFO(key.path);
+    CHECK(complaints(text).find("test.yaml:" + std::to_string(key.line) + ":") != std::string::npos);
+  }
+}
+
+TEST_CASE("a required key that is missing is named") {
+  for (const auto* key : {"morula", "name"}) {
+    auto text = everyPart;
+    const auto at = text.find(std::string(key) + ":");
+    text.erase(at, text.find('\n', at) + 1 - at);
+    CHECK(complaints(text).find(std::string(key) + ": is missing") != std::string::npos);
+  }
+}
+
+TEST_CASE("random damage is refused or read, but never breaks the reader") {
+  std::mt19937 random(20080617);
+  const auto upTo = [&](std::size_t n) { return static_cast<std::size_t>(random() % (n + 1)); };
+  const std::string spice = "\n\t :-{}[],'\"|>&*!#%@~?<.0189eEx_\\\r\x01\x7f\xc3\xa9\xff";
+  int refused = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    auto text = everyPart;
+    for (auto edits = 1 + upTo(3); edits > 0; --edits) {
+      const auto at = upTo(text.size());
+      switch (upTo(4)) {
+        case 0:
+          text.insert(at, 1, spice[upTo(spice.size() - 1)]);
+          break;
+        case 1:
+          text.erase(at, 1 + upTo(5));
+          break;
+        case 2:
+          text.insert(at, text.substr(upTo(text.size()), upTo(20)));
+          break;
+        case 3:
+          if (at < text.size()) text[at] = spice[upTo(spice.size() - 1)];
+          break;
+        default:
+          text.resize(at);
+          break;
+      }
+    }
+    try {
+      read(text);
+    } catch (const InputError& error) {
+      ++refused;
+      // Whatever is said begins with a place.
+      if (!std::string(error.what()).starts_with("test.yaml:")) FAIL(error.what() << "\n" << text);
+    }
+  }
+  CHECK(refused > 10'000);
+}

@@ -1,0 +1,52 @@
+#include "helpers.h"
+
+using namespace morula;
+using namespace morula::test;
+
+TEST_CASE("overrides go through the same table") {
+  CHECK(read(everyPart, {parseOverride("physics.time_step=auto")}).scene.mechanics->physics.timeStep ==
+        std::nullopt);
+  CHECK(read(everyPart, {parseOverride("physics.shell={sphere: 4}")})
+            .scene.mechanics->physics.shell->semiAxes[2] == 4);
+  CHECK(read(everyPart, {parseOverride("summary=a: b # c")}).summary == "a: b # c");
+  CHECK(read(everyPart, {{"seed", "9", "--seed"}}).scene.seed == 9);
+  CHECK(read(everyPart, {parseOverride("division.plane.axis=[1, 0, 0]")}).scene.mechanics->division.axis ==
+        Vector{1, 0, 0});
+}
+
+TEST_CASE("overrides make the maps that are missing") {
+  const std::string small = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\n";
+  const auto s = read(small, {parseOverride("physics.contact.friction=0.5")});
+  CHECK(s.scene.mechanics->contact->friction == 0.5);
+  CHECK(read(small, {parseOverride("division.plane=random"), parseOverride("physics={}")}).scene.mechanics);
+}
+
+TEST_CASE("the resolved form holds the overrides, the bytes do not") {
+  const auto s = read(everyPart, {parseOverride("physics.drag=0.5")});
+  CHECK(s.bytes == everyPart);
+  CHECK(read(s.resolved).scene.mechanics->physics.drag == 0.5);
+}
+
+TEST_CASE("mistakes in overrides name the option") {
+  const auto told = [](const std::string& set) { return complaints(everyPart, {parseOverride(set)}); };
+  CHECK(told("physics.tme_step=0.1") == "--set physics.tme_step: unknown key; did you mean time_step?");
+  CHECK(told("phyics.drag=0.1") == "--set phyics.drag: phyics: unknown key; did you mean physics?");
+  CHECK(told("physics.drag=-1") == "--set physics.drag: -1 is out of range; needs a number ≥ 0 [1/time]");
+  CHECK(told("physics.drag=") == "--set physics.drag: is empty; needs a number ≥ 0 [1/time]");
+  CHECK(told("physics.drag=0.1 s") ==
+        "--set physics.drag: '0.1 s' has trailing text 's'; needs a number ≥ 0 [1/time]");
+  CHECK(told("physics.shell={sphere: 1") ==
+        "--set physics.shell: '{sphere: 1' is not a YAML value; check brackets, quotes and keys");
+  CHECK(told("physics.shell={sphre: 1}") ==
+        "--set physics.shell: physics.shell.sphre: unknown key; did you mean sphere?");
+  CHECK(complaints(everyPart, {{"seed", "-1", "--seed"}}) ==
+        "--seed: '-1' is negative; needs a whole number from 0 to 9223372036854775807");
+  CHECK(complaints(everyPart, {parseOverride("seed=1"), parseOverride("seed=2")}) ==
+        "--set seed: given twice; keep one of '1' and '2'");
+}
+
+TEST_CASE("what is no assignment is refused") {
+  for (const auto* text : {"", "=", "a", "=1", ".a=1", "a.=1", "a..b=1"})
+    CHECK_THROWS_AS(parseOverride(text), InputError);
+  CHECK(parseOverride("a.b=c=d").value == "c=d");
+}

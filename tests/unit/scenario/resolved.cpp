@@ -1,0 +1,85 @@
+// The resolved form and the hash of what a scenario means.
+#include <nlohmann/json.hpp>
+
+#include "helpers.h"
+
+using namespace morula;
+using namespace morula::test;
+
+TEST_CASE("the resolved form is a scenario that means the same") {
+  for (const auto& text :
+       {everyPart, std::string("morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\nphysics: {}\n"),
+        std::string("morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 0.1}\n")}) {
+    const auto first = read(text);
+    const auto second = read(first.resolved);
+    CHECK(second.resolved == first.resolved);
+    CHECK(second.meaning == first.meaning);
+    CHECK(nlohmann::json::accept(first.resolved));
+  }
+}
+
+TEST_CASE("comments, layout, spelling of numbers and key order mean nothing") {
+  const auto meaning = read(everyPart).meaning;
+  auto text = "# hello\n" + replaced(everyPart, "seed: 7\n", "");
+  text = replaced(text, "drag: 0.25", "drag: 2.5e-1   # slow");
+  text = replaced(text, "check: {}\n", "check: {}\n\n\nseed: +7\n");
+  CHECK(read(text).meaning == meaning);
+}
+
+TEST_CASE("names, colours and pictures mean nothing for the results") {
+  const auto meaning = read(everyPart).meaning;
+  CHECK(read(replaced(everyPart, "name: every-part", "name: other")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "summary: All keys at once", "summary: x")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "#102030", "#102031")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "pictures: 0.5", "pictures: 0.25")).meaning == meaning);
+}
+
+TEST_CASE("every other parameter changes the meaning") {
+  const auto meaning = read(everyPart).meaning;
+  const std::vector<std::pair<std::string, std::string>> changes = {
+      {"seed", "8"},
+      {"dna", "START: a0"},
+      {"cycle.length", "1"},
+      {"cycle.per-substance", "{a0: 1}"},
+      {"stop.cycles", "4"},
+      {"stop.time", "9"},
+      {"stop.cells", "5"},
+      {"physics.time_step", "auto"},
+      {"physics.integrator", "velocity-verlet"},
+      {"physics.drag", "0.125"},
+      {"physics.mesh.icosphere", "1"},
+      {"physics.cell.radius", "0.25"},
+      {"physics.cell.mass", "1"},
+      {"physics.membrane.stiffness", "40"},
+      {"physics.membrane.damping", "0.25"},
+      {"physics.membrane.production", "1"},
+      {"physics.pressure.constant", "4"},
+      {"physics.pressure.outside", "1"},
+      {"physics.growth.rate", "0.1"},
+      {"physics.shell.ellipsoid", "[3, 2, 1.5]"},
+      {"physics.contact.law", "pair"},
+      {"physics.contact.stiffness", "40"},
+      {"physics.contact.damping", "0.2"},
+      {"physics.contact.friction", "0.25"},
+      {"physics.contact.radius", "1"},
+      {"division.plane", "random"},
+      {"connections.make", "both"},
+      {"connections.on-division", "plane"},
+      {"connections.strength", "0.5"},
+      {"connections.release-distance", "2"},
+      {"record.every", "0.5"},
+  };
+  std::vector<Hash> seen{meaning};
+  for (const auto& [path, value] : changes) {
+    INFO(path << "=" << value);
+    const auto changed = read(everyPart, {{path, value, "--set " + path}}).meaning;
+    CHECK(std::find(seen.begin(), seen.end(), changed) == seen.end());
+    seen.push_back(changed);
+  }
+}
+
+TEST_CASE("a sphere is an ellipsoid with equal axes") {
+  const auto sphere = read(replaced(everyPart, "{ellipsoid: [3, 2, 1]}", "{sphere: 2}"));
+  const auto ellipsoid = read(replaced(everyPart, "[3, 2, 1]", "[2, 2.0, 2e0]"));
+  CHECK(sphere.meaning == ellipsoid.meaning);
+}

@@ -1,0 +1,74 @@
+#include "scenario/schema.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "helpers.h"
+#include "scenario/parameter.h"
+
+using namespace morula;
+using namespace morula::test;
+using Json = nlohmann::json;
+
+namespace {
+
+/// All paths of an object's keys that the schema describes, or that a resolved scenario has.
+void collect(const Json& schema, const std::string& at, std::set<std::string>& paths) {
+  if (!schema.contains("properties")) return;
+  for (const auto& [key, value] : schema["properties"].items()) {
+    paths.insert(at + key);
+    collect(value, at + key + ".", paths);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the schema is JSON and covers exactly the keys of the table") {
+  const auto schema = Json::parse(scenarioSchema());
+  CHECK(schema["$schema"] == "https://json-schema.org/draft/2020-12/schema");
+  std::set<std::string> described, known;
+  collect(schema, "", described);
+  for (const auto& p : scenario::parameterTable().parameters) known.insert(p.path);
+  for (const auto& s : scenario::parameterTable().sections)
+    if (!s.path.empty()) known.insert(s.path);
+  CHECK(described == known);
+  CHECK(schema["required"] == Json{"morula", "name", "dna", "stop"});
+}
+
+TEST_CASE("every map in the schema is closed and every entry explained") {
+  const std::function<void(const Json&)> look = [&](const Json& schema) {
+    CHECK(schema.contains("description"));
+    if (!schema.contains("properties")) return;
+    CHECK(schema["additionalProperties"] == false);
+    for (const auto& [key, value] : schema["properties"].items()) {
+      INFO(key);
+      look(value);
+    }
+  };
+  look(Json::parse(scenarioSchema()));
+}
+
+TEST_CASE("ranges, names and defaults stand in the schema") {
+  const auto properties = Json::parse(scenarioSchema())["properties"];
+  const auto& physics = properties["physics"]["properties"];
+  CHECK(physics["drag"]["minimum"] == 0);
+  CHECK(physics["drag"]["default"] == 0);
+  CHECK(physics["cell"]["properties"]["radius"]["exclusiveMinimum"] == 0);
+  CHECK(physics["integrator"]["enum"] == Json{"velocity-verlet", "thesis-verlet"});
+  CHECK(physics["integrator"]["default"] == "velocity-verlet");
+  CHECK(physics["mesh"]["properties"]["icosphere"]["maximum"] == 4);
+  CHECK(physics["mesh"]["maxProperties"] == 1);
+  CHECK(properties["stop"]["minProperties"] == 1);
+  CHECK(physics["membrane"]["properties"]["stiffness"]["default"] == MembraneParameters{}.stiffness);
+}
+
+TEST_CASE("scenarios/PARAMETERS.md is current") {
+  // After a change: morula schema --markdown > scenarios/PARAMETERS.md
+  CHECK(readWhole("scenarios/PARAMETERS.md") == scenarioParametersAsMarkdown());
+}
+
+TEST_CASE("the starter scenario loads") {
+  const auto s = read(starterScenario("my-first"));
+  CHECK(s.scene.name == "my-first");
+  CHECK(s.scene.mechanics->contact);
+}

@@ -1,0 +1,115 @@
+// What a scenario says arrives in the structs, and what it does not say has the structs' own defaults.
+#include "helpers.h"
+
+using namespace morula;
+using namespace morula::test;
+
+TEST_CASE("every key arrives in its field") {
+  const auto s = read(everyPart);
+  CHECK(s.summary == "All keys at once");
+  CHECK(s.colours == std::map<std::string, std::string>{{"a*", "#abcdef"}, {"a0", "#102030"}});
+  CHECK(s.record.every == 0.25);
+  CHECK(s.record.pictures == 0.5);
+  const auto& scene = s.scene;
+  CHECK(scene.name == "every-part");
+  CHECK(scene.seed == 7);
+  CHECK(scene.dna.genes.size() == 2);
+  CHECK(scene.cycle.length == 2);
+  CHECK(scene.cycle.perSubstance == std::map<std::string, double>{{"a0", 1.5}});
+  CHECK(scene.stop.cycles == 3u);
+  CHECK(scene.stop.time == 9.5);
+  CHECK(scene.stop.cells == 4u);
+  REQUIRE(scene.mechanics);
+  const auto& physics = scene.mechanics->physics;
+  CHECK(physics.timeStep == 0.001953125);
+  CHECK(physics.integrator == Integrator::thesisVerlet);
+  CHECK(physics.drag == 0.25);
+  CHECK(physics.cell.radius == 0.5);
+  CHECK(physics.cell.mass == 2);
+  CHECK(physics.membrane.stiffness == 41);
+  CHECK(physics.membrane.damping == 0.5);
+  CHECK(physics.membrane.production == 1.2);
+  CHECK(physics.pressure.constant == 5);
+  CHECK(physics.pressure.outside == 1.25);
+  REQUIRE(physics.growth);
+  CHECK(physics.growth->rate == 0.2);
+  REQUIRE(physics.shell);
+  CHECK(physics.shell->semiAxes[0] == 3);
+  CHECK(physics.shell->semiAxes[1] == 2);
+  CHECK(physics.shell->semiAxes[2] == 1);
+  REQUIRE(scene.mechanics->contact);
+  CHECK(scene.mechanics->contact->law == ContactLaw::thesis);
+  CHECK(scene.mechanics->contact->stiffness == 30);
+  CHECK(scene.mechanics->contact->damping == 0.1);
+  CHECK(scene.mechanics->contact->friction == 0.3);
+  CHECK(scene.mechanics->contact->radius == 1.1);
+  CHECK(scene.mechanics->division.plane == DivisionPlane::axis);
+  CHECK(scene.mechanics->division.axis == Vector{0, 1, -1});
+  REQUIRE(scene.mechanics->connections);
+  CHECK(scene.mechanics->connections->make == MakeConnections::byGene);
+  CHECK(scene.mechanics->connections->onDivision == ConnectionsOnDivision::both);
+  CHECK(scene.mechanics->connections->strength == 0.4);
+  CHECK(scene.mechanics->connections->releaseDistance == 1.5);
+  // The mesh is scaled to the cell's radius.
+  REQUIRE(scene.mechanics->mesh.vertices.size() == 12);
+  for (const auto& v : scene.mechanics->mesh.vertices) CHECK(norm(v) == Approx(0.5).epsilon(1e-15));
+}
+
+TEST_CASE("what is not said has the defaults of the structs") {
+  const auto s = read(
+      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\nphysics:\n  shell: {sphere: 1}\n"
+      "  contact: {}\n  growth: {}\nconnections: {}\n");
+  const auto& m = *s.scene.mechanics;
+  const PhysicsParameters physics;
+  CHECK(!m.physics.timeStep);
+  CHECK(m.physics.integrator == physics.integrator);
+  CHECK(m.physics.drag == physics.drag);
+  CHECK(m.physics.cell.radius == physics.cell.radius);
+  CHECK(m.physics.cell.mass == physics.cell.mass);
+  CHECK(m.physics.membrane.stiffness == physics.membrane.stiffness);
+  CHECK(m.physics.membrane.damping == physics.membrane.damping);
+  CHECK(m.physics.membrane.production == physics.membrane.production);
+  CHECK(m.physics.pressure.constant == physics.pressure.constant);
+  CHECK(m.physics.pressure.outside == physics.pressure.outside);
+  CHECK(m.physics.growth->rate == GrowthParameters{}.rate);
+  CHECK(m.contact->law == ContactParameters{}.law);
+  CHECK(m.contact->stiffness == ContactParameters{}.stiffness);
+  CHECK(m.contact->radius == ContactParameters{}.radius);
+  CHECK(m.division.plane == DivisionParameters{}.plane);
+  CHECK(m.connections->make == ConnectionParameters{}.make);
+  CHECK(m.connections->onDivision == ConnectionParameters{}.onDivision);
+  CHECK(m.connections->strength == ConnectionParameters{}.strength);
+  CHECK(!m.connections->releaseDistance);
+  CHECK(m.mesh.vertices.size() == 162);
+  CHECK(s.scene.seed == 0);
+  CHECK(s.scene.cycle.length == CycleParameters{}.length);
+  CHECK(!s.record.every);
+}
+
+TEST_CASE("parts that are not named do not exist") {
+  const auto s = read("morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\n");
+  CHECK(!s.scene.mechanics);
+  const auto t = read("morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\nphysics: {}\n");
+  CHECK(!t.scene.mechanics->contact);
+  CHECK(!t.scene.mechanics->connections);
+  CHECK(!t.scene.mechanics->physics.shell);
+  CHECK(!t.scene.mechanics->physics.growth);
+}
+
+TEST_CASE("CRLF, a byte order mark and a document marker are no mistakes") {
+  auto text = "\xEF\xBB\xBF---\n" + everyPart;
+  std::string crlf;
+  for (const char c : text) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  CHECK(read(crlf).meaning == read(everyPart).meaning);
+}
+
+TEST_CASE("colours: a name before patterns, a longer pattern before a shorter one") {
+  Scenario s;
+  s.colours = {{"AB*", "#000001"}, {"ABa*", "#000002"}, {"ABab", "#000003"}, {"*", "#000004"}};
+  CHECK(colourOf(s, "ABab") == "#000003");
+  CHECK(colourOf(s, "ABaa") == "#000002");
+  CHECK(colourOf(s, "AB") == "#000001");
+  CHECK(colourOf(s, "P0") == "#000004");
+  s.colours.erase("*");
+  CHECK(!colourOf(s, "P0"));
+}
