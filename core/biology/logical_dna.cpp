@@ -138,8 +138,7 @@ Substances LogicalDna::runGenes(const Substances& present) {
         products.push_back(gene.product);
   for (SubstanceId s : present) isPresent_[s] = false;
   std::ranges::sort(products);
-  const auto doubles = std::ranges::unique(products);
-  products.erase(doubles.begin(), doubles.end());
+  products.erase(std::unique(products.begin(), products.end()), products.end());
   return products;
 }
 

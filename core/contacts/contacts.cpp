@@ -53,12 +53,10 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
 
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
   const std::int64_t first = c.list.firstSlice[block], last = c.list.firstSlice[block + 1];
-  // Slip below this speed counts as sticking; about the noise of a settled packing.
-  constexpr double slipSpeed = 1e-6;
   const ContactConstants constants{c.parameters.stiffness,
                                    c.parameters.damping,
                                    c.parameters.friction,
-                                   slipSpeed,
+                                   c.parameters.slipSpeed,
                                    timeStep,
                                    static_cast<std::int32_t>(bodies.position.size() / 3)};
   c.addForces(c.list.slices.data() + first, last - first, c.list.indices.data(), c.rows.data(), constants,

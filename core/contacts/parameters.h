@@ -10,9 +10,10 @@ enum class ContactLaw {
 
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;
-  double stiffness = 40;   // K [force/length] of one vertex pair; pair law only
-  double damping = 0.05;   // C [force·time/length] against approach; pair law only
-  double friction = 0;     // [1] Coulomb's coefficient
+  double stiffness = 30;   // K [force/length] of one vertex pair; pair law only
+  double damping = 0.02;   // C [force·time/length] against approach; pair law only
+  double friction = 0;     // [1] Coulomb's coefficient; pair law only
+  double slipSpeed = 0.01; // [length/time] below it friction fades out linearly
   double radius = 1;       // influence radius of a vertex, in mean rest lengths of its cell's edges
 };
 

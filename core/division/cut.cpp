@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/maths.h"
+#include "division/unfold.h"
 
 namespace morula {
 
@@ -11,11 +12,15 @@ CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double 
   Body &a = result.daughters.a, &b = result.daughters.b;
   a = b = mother;
   const Point centre = measureCentroid(mother.position);
+  std::vector<char> flatInA(mother.position.size()), flatInB(mother.position.size());
   for (std::size_t v = 0; v < mother.position.size(); ++v) {
     const double height = dot(mother.position[v] - centre, normal);
     Body& beyond = height > 0 ? b : a;  // the daughter for which this vertex lies beyond the plane
     beyond.position[v] = mother.position[v] - height * normal;
+    (height > 0 ? flatInB : flatInA)[v] = true;
   }
+  unfold(a.position, faces, flatInA, -normal);
+  unfold(b.position, faces, flatInB, normal);
 
   const double volumeA = measureVolume(a.position, faces), volumeB = measureVolume(b.position, faces);
   const double volume = volumeA + volumeB;

@@ -25,8 +25,8 @@ Limit tightestLimit(const World& world, double& combined) {
     const StabilityLimits own = measureLimits(*world.bodies, slot);
     Limit l{own.spring, own.pressure, INFINITY, slot};
     if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
-      l.contact = contactLimit(world.contacts->parameters.stiffness, world.contacts->parameters.damping,
-                               world.bodies->vertexMass[slot]);
+      l.contact = contactLimit(world.bodies->parameters.integrator, world.contacts->parameters.stiffness,
+                               world.contacts->parameters.damping, world.bodies->vertexMass[slot]);
     // Stiffnesses add up, and a limit goes with 1/√stiffness.
     const double all =
         1 / std::sqrt(1 / (l.spring * l.spring) + 1 / (l.pressure * l.pressure) + 1 / (l.contact * l.contact));

@@ -150,8 +150,10 @@ std::vector<Parameter> parameters() {
            MECHANICS(contact->stiffness)),
       real("physics.contact.damping", "force·time/length", notNegative, "C against approach; law pair only",
            MECHANICS(contact->damping)),
-      real("physics.contact.friction", "", notNegative, "Coulomb's coefficient",
+      real("physics.contact.friction", "", notNegative, "Coulomb's coefficient; law pair only",
            MECHANICS(contact->friction)),
+      real("physics.contact.slip-speed", "length/time", positive,
+           "Friction grows in proportion to slip up to this speed", MECHANICS(contact->slipSpeed)),
       real("physics.contact.radius", "", positive,
            "Reach of a vertex, in mean rest lengths of its cell's edges", MECHANICS(contact->radius)),
 
