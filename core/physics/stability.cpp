@@ -27,7 +27,7 @@ StabilityLimits measureLimits(const Bodies& b, int slot) {
 }
 
 double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass) {
-  return oscillatorLimit(integrator, stiffness, damping, vertexMass / 4);
+  return oscillatorLimit(integrator, stiffness, damping, vertexMass / 10);
 }
 
 }  // namespace morula
