@@ -31,23 +31,25 @@ void guarded(Problems& problems, const Place& place, Read read) {
   } catch (const InputError& error) { problems.addForeign(place, error.what()); }
 }
 
-/// A file that the scenario names; nothing and a problem if it cannot be read.
-std::optional<std::string> readNamedFile(const std::filesystem::path& file, const Place& place,
-                                         const std::string& path, Problems& problems) {
+/// A file that the scenario names, added to its files; null and a problem if it cannot be read.
+const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, const std::string& name,
+                               const Place& place, const Places& places, Problems& problems) {
+  for (const auto& stored : places.stored)
+    if (stored.role == role) return &scenario.files.emplace_back(stored);
   try {
-    return readFile(file);
+    const auto file = (places.folder / name).lexically_normal();
+    return &scenario.files.emplace_back(NamedFile{role, file.string(), readFile(file)});
   } catch (const FileError& error) {
+    const auto path = role == "dna" ? "dna.file" : "physics.mesh.file";
     problems.add(place, path, error.what(), "names count from the scenario's folder");
-    return {};
+    return nullptr;
   }
 }
 
-void readDna(Scenario& scenario, const DnaSource& dna, Problems& problems,
-             const std::filesystem::path& folder) {
+void readDna(Scenario& scenario, const DnaSource& dna, Problems& problems, const Places& places) {
   if (dna.file) {
-    const auto file = (folder / *dna.file).lexically_normal();
-    const auto text = readNamedFile(file, dna.place, "dna.file", problems);
-    if (text) guarded(problems, dna.place, [&] { scenario.scene.dna = parseDna(*text, file.string()); });
+    if (const auto* file = readNamedFile(scenario, "dna", *dna.file, dna.place, places, problems))
+      guarded(problems, dna.place, [&] { scenario.scene.dna = parseDna(file->content, file->path); });
   } else if (dna.text) {
     const Node& text = *dna.text;
     guarded(problems, text.place, [&] {
@@ -63,25 +65,23 @@ void readDna(Scenario& scenario, const DnaSource& dna, Problems& problems,
   }
 }
 
-void readMesh(Scenario& scenario, const Node& root, Problems& problems, const std::filesystem::path& folder) {
+void readMesh(Scenario& scenario, const Node& root, Problems& problems, const Places& places) {
   auto& mechanics = *scenario.scene.mechanics;
   if (scenario.mesh.icosphere) {
     mechanics.mesh = makeIcosphere(static_cast<int>(*scenario.mesh.icosphere));
   } else if (scenario.mesh.file) {
     const auto& place = root.find("physics")->value.find("mesh")->value.find("file")->value.place;
-    const auto file = (folder / *scenario.mesh.file).lexically_normal();
-    const auto text = readNamedFile(file, place, "physics.mesh.file", problems);
-    if (text) guarded(problems, place, [&] { mechanics.mesh = readObj(*text, file.string()); });
+    if (const auto* file = readNamedFile(scenario, "mesh", *scenario.mesh.file, place, places, problems))
+      guarded(problems, place, [&] { mechanics.mesh = readObj(file->content, file->path); });
   }
   for (auto& vertex : mechanics.mesh.vertices) vertex *= mechanics.physics.cell.radius;
 }
 
 }  // namespace
 
-void readReferences(Scenario& scenario, Reading& reading, const Node& root,
-                    const std::filesystem::path& folder) {
-  readDna(scenario, reading.dna, reading.problems, folder);
-  if (scenario.scene.mechanics) readMesh(scenario, root, reading.problems, folder);
+void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places) {
+  readDna(scenario, reading.dna, reading.problems, places);
+  if (scenario.scene.mechanics) readMesh(scenario, root, reading.problems, places);
 }
 
 }  // namespace scenario

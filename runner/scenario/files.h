@@ -11,10 +11,15 @@ std::string readFile(const std::filesystem::path& file);
 
 namespace scenario {
 
-/// Parses the DNA and builds the mesh, from the scenario itself or from files in `folder`. What is wrong in
-/// them is reported with their own lines.
-void readReferences(Scenario& scenario, Reading& reading, const Node& root,
-                    const std::filesystem::path& folder);
+/// Where named files are looked for.
+struct Places {
+  std::filesystem::path folder;
+  const std::vector<NamedFile>& stored;  // first, by role
+};
+
+/// Parses the DNA and builds the mesh, from the scenario itself or from files. What is wrong in them is
+/// reported with their own lines.
+void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places);
 
 }  // namespace scenario
 }  // namespace morula

@@ -36,7 +36,7 @@ Override parseOverride(const std::string& text) {
 }
 
 Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
-                      const std::vector<Override>& overrides) {
+                      const std::vector<Override>& overrides, const std::vector<NamedFile>& files) {
   Scenario result;
   result.file = name;
   result.bytes = bytes;
@@ -50,7 +50,7 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
 
   Reading reading{problems, {}, {}};
   readTable(root, result, reading);
-  readReferences(result, reading, root, folder);
+  readReferences(result, reading, root, {folder, files});
   crossCheck(result, reading, root);
   problems.throwIfAny();
 

@@ -25,6 +25,13 @@ struct RecordParameters {
   std::optional<double> pictures;  // [time] between pictures of a sequence; absent: only the end is drawn
 };
 
+/// A file that a scenario names.
+struct NamedFile {
+  std::string role;  // "dna" or "mesh"
+  std::string path;  // where it was read from
+  std::string content;
+};
+
 struct Scenario {
   std::uint64_t format = 1;
   std::string summary;
@@ -33,6 +40,8 @@ struct Scenario {
   /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
   RecordParameters record;
+
+  std::vector<NamedFile> files;
 
   std::string file;   // as given by the user
   std::string bytes;  // the file, byte by byte
@@ -56,9 +65,10 @@ Override parseOverride(const std::string& text);
 /// the file cannot be read.
 Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
-/// The same for a text in memory. Messages call it `name`; files that it mentions are looked for in `folder`.
+/// The same for a text in memory. Messages call it `name`; the files that it mentions are those among
+/// `files`, by role, or else looked for in `folder`.
 Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
-                      const std::vector<Override>& overrides = {});
+                      const std::vector<Override>& overrides = {}, const std::vector<NamedFile>& files = {});
 
 /// The colour of a substance by the scenario's `colours`: its own entry, or else that of the longest fitting
 /// pattern.

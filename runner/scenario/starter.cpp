@@ -31,8 +31,7 @@ physics:                       # without this block: the lineage only, without b
   time_step: auto              # or a number [time]
   mesh: {icosphere: 2}         # 162 vertices; or {file: shape.obj}
   cell: {radius: 0.95, mass: 1}
-  membrane: {stiffness: 40, damping: 0.5}
-  pressure: {constant: 4, outside: 1.1}  # at rest constant / volume = outside
+  pressure: {constant: 200, outside: 55}  # at rest constant / volume = outside
   shell: {sphere: 1}           # or {ellipsoid: [27, 15, 11]}
   contact: {}                  # without it cells pass through one another
 

@@ -42,7 +42,7 @@ physics:
   pressure: {constant: 5, outside: 1.25}
   growth: {rate: 0.2}
   shell: {ellipsoid: [3, 2, 1]}
-  contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, radius: 1.1}
+  contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, slip-speed: 0.02, radius: 1.1}
 division: {plane: {axis: [0, 1, -1]}}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5}
 senses: {}

@@ -61,6 +61,7 @@ TEST_CASE("every other parameter changes the meaning") {
       {"physics.contact.stiffness", "40"},
       {"physics.contact.damping", "0.2"},
       {"physics.contact.friction", "0.25"},
+      {"physics.contact.slip-speed", "0.5"},
       {"physics.contact.radius", "1"},
       {"division.plane", "random"},
       {"connections.make", "both"},

@@ -42,6 +42,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(scene.mechanics->contact->stiffness == 30);
   CHECK(scene.mechanics->contact->damping == 0.1);
   CHECK(scene.mechanics->contact->friction == 0.3);
+  CHECK(scene.mechanics->contact->slipSpeed == 0.02);
   CHECK(scene.mechanics->contact->radius == 1.1);
   CHECK(scene.mechanics->division.plane == DivisionPlane::axis);
   CHECK(scene.mechanics->division.axis == Vector{0, 1, -1});
