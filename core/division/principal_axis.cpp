@@ -26,11 +26,9 @@ Vector principalAxis(std::span<const Point> points) {
     axis = space * space.transpose() * Eigen::Vector3d::UnitX();
     if (axis.squaredNorm() < 0.25) axis = space * space.transpose() * Eigen::Vector3d::UnitY();
     axis /= std::sqrt(axis.squaredNorm());
+  } else if (axis[0] + 0.55 * axis[1] + 0.2 * axis[2] < 0) {
+    axis = -axis;
   }
-  int largest = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::abs(axis[i]) > std::abs(axis[largest])) largest = i;
-  if (axis[largest] < 0) axis = -axis;
   return {axis[0], axis[1], axis[2]};
 }
 

@@ -1,0 +1,25 @@
+#pragma once
+// What a cut folds over.
+#include "division/cut.h"
+#include "division/unfold.h"
+#include "unit/physics/lab.h"
+
+namespace morula {
+
+/// The folded faces on the flat side of a daughter; `b`: of the one on the far side of the normal.
+inline int foldsOf(const Body& daughter, const Body& mother, const Mesh& mesh, const Vector& normal, bool b) {
+  const Point centre = measureCentroid(mother.position);
+  std::vector<char> flat(mother.position.size());
+  for (std::size_t v = 0; v < flat.size(); ++v) flat[v] = (dot(mother.position[v] - centre, normal) > 0) == b;
+  return countFolds(daughter.position, mesh.faces, flat, b ? normal : -normal);
+}
+
+/// The folds of both sides if nothing is done about them.
+inline int projectionFolds(const Body& mother, const Mesh& mesh, const Vector& normal) {
+  const Point centre = measureCentroid(mother.position);
+  Body projected = mother;
+  for (Point& x : projected.position) x = x - dot(x - centre, normal) * normal;
+  return foldsOf(projected, mother, mesh, normal, false) + foldsOf(projected, mother, mesh, normal, true);
+}
+
+}  // namespace morula

@@ -1,0 +1,68 @@
+// Where cells divide.
+#include "division/policy.h"
+
+#include <limits>
+
+#include "catch.h"
+#include "unit/physics/lab.h"
+
+using namespace morula;
+
+namespace {
+
+Body needle() {
+  Body b = shakenBody(makeIcosphere(1), 0, 0);
+  for (Point& x : b.position) x.y *= 3;
+  return b;
+}
+
+Vector normalOf(const DivisionParameters& p, std::uint64_t seed, const char* cell) {
+  return makeDivisionPolicy(p, seed)->planeNormal(CellPath::parse(cell), needle());
+}
+
+}  // namespace
+
+TEST_CASE("A fixed axis is the same for every cell, at unit length") {
+  const DivisionParameters p{DivisionPlane::axis, {0, 3, 4}};
+  for (const char* cell : {"", "A", "ABBA"}) CHECK(norm(normalOf(p, 1, cell) - Vector{0, 0.6, 0.8}) < 1e-15);
+}
+
+TEST_CASE("An axis without direction is an error") {
+  CHECK_THROWS_AS(makeDivisionPolicy({DivisionPlane::axis, {0, 0, 0}}, 1), InputError);
+  CHECK_THROWS_AS(makeDivisionPolicy({DivisionPlane::axis, {std::nan(""), 0, 0}}, 1), InputError);
+}
+
+TEST_CASE("By default a cell divides across its longest extent") {
+  CHECK(norm(normalOf({}, 1, "A") - Vector{0, 1, 0}) < 1e-7);
+}
+
+TEST_CASE("A random plane is keyed by seed and path, and by nothing else") {
+  const DivisionParameters p{DivisionPlane::random, {}};
+  const Vector once = normalOf(p, 1, "AB");
+  CHECK(norm(once) == Approx(1).epsilon(1e-15));
+  CHECK(normalOf(p, 1, "AB") == once);
+  CHECK(makeDivisionPolicy(p, 1)->planeNormal(CellPath::parse("AB"), shakenBody(makeIcosphere(0), 1, 1)) ==
+        once);
+  CHECK_FALSE(normalOf(p, 2, "AB") == once);
+  CHECK_FALSE(normalOf(p, 1, "BA") == once);
+  CHECK_FALSE(normalOf(p, 1, "A") == once);
+}
+
+TEST_CASE("Random planes of many cells and seeds look everywhere alike") {
+  const DivisionParameters p{DivisionPlane::random, {}};
+  constexpr int draws = 4096;
+  // Archimedes: the height on a sphere is uniform. Each of eight slices along each axis gets an eighth.
+  int slices[3][8] = {};
+  for (int i = 0; i < draws; ++i) {
+    CellPath cell;
+    for (int bit = 0; bit < 12; ++bit) cell = cell.daughter(i >> bit & 1);
+    const Vector n = makeDivisionPolicy(p, 7)->planeNormal(cell, {});
+    const double component[3] = {n.x, n.y, n.z};
+    for (int axis = 0; axis < 3; ++axis) ++slices[axis][static_cast<int>((component[axis] + 1) * 4)];
+  }
+  for (const auto& axis : slices) {
+    double chiSquare = 0;
+    for (int count : axis) chiSquare += (count - draws / 8.0) * (count - draws / 8.0) / (draws / 8.0);
+    CHECK(chiSquare < 24.3);  // 7 degrees of freedom: exceeded once in a thousand
+  }
+}

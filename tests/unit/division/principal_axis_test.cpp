@@ -1,0 +1,102 @@
+// The longest direction of a cell, also where it has none: rounding must not decide where a cell divides.
+#include "division/principal_axis.h"
+
+#include <algorithm>
+
+#include "catch.h"
+#include "unit/physics/lab.h"
+
+using namespace morula;
+
+namespace {
+
+/// The rotation that takes x, y, z to three orthonormal directions.
+struct Frame {
+  Vector x, y, z;
+  explicit Frame(std::uint64_t seed) {
+    x = randomDirection({seed, {}, 0, Purpose::test});
+    const Vector other = randomDirection({seed, {}, 1, Purpose::test});
+    z = cross(x, other) / norm(cross(x, other));
+    y = cross(z, x);
+  }
+  Vector operator()(const Vector& a) const { return a.x * x + a.y * y + a.z * z; }
+};
+
+std::vector<Point> ellipsoid(double a, double b, double c, const Frame& frame) {
+  std::vector<Point> points;
+  for (const Point& v : makeIcosphere(2).vertices) points.push_back(frame(Vector{a * v.x, b * v.y, c * v.z}));
+  return points;
+}
+
+/// The points in another order, which rounds the sums otherwise.
+std::vector<Point> shuffled(std::vector<Point> points, std::uint32_t key) {
+  for (std::size_t i = points.size(); i > 1; --i) {
+    const auto j = static_cast<std::size_t>((noise(static_cast<std::uint32_t>(i), key) + 1) / 2 *
+                                            static_cast<double>(i));
+    std::swap(points[i - 1], points[j]);
+  }
+  return points;
+}
+
+double angleSine(const Vector& a, const Vector& b) { return norm(cross(a, b)) / (norm(a) * norm(b)); }
+
+}  // namespace
+
+TEST_CASE("The axis of a needle is the needle's") {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Frame frame(seed);
+    const Vector axis = principalAxis(ellipsoid(3, 1, 1, frame));
+    CHECK(norm(axis) == Approx(1).epsilon(1e-14));
+    CHECK(angleSine(axis, frame.x) < 1e-7);
+  }
+}
+
+TEST_CASE("A little longer is enough") {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Frame frame(seed);
+    CHECK(angleSine(principalAxis(ellipsoid(1.0001, 1, 0.9, frame)), frame.x) < 1e-6);
+  }
+}
+
+TEST_CASE("A sphere has no longest direction: it is x, in whatever order its points come") {
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    const Vector axis = principalAxis(shuffled(ellipsoid(1, 1, 1, Frame(i)), i));
+    CHECK(norm(axis - Vector{1, 0, 0}) < 1e-9);
+  }
+}
+
+TEST_CASE("Of a disc it is the direction in the disc nearest to x") {
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    const Frame frame(i);
+    const Vector axis = principalAxis(shuffled(ellipsoid(1, 1, 0.5, frame), i));
+    const Vector x{1, 0, 0}, nearest = x - dot(x, frame.z) * frame.z;
+    if (norm(nearest) < 0.51) continue;  // there it is y's turn
+    CHECK(angleSine(axis, nearest) < 1e-9);
+    CHECK(dot(axis, nearest) > 0);
+  }
+  std::vector<Point> upright = ellipsoid(1, 1, 0.5, Frame(1));
+  for (std::size_t i = 0; i < upright.size(); ++i) {
+    const Point v = makeIcosphere(2).vertices[i];
+    upright[i] = {0.5 * v.x, v.y, v.z};
+  }
+  CHECK(norm(principalAxis(upright) - Vector{0, 1, 0}) < 1e-9);
+}
+
+TEST_CASE("Which end is the front does not depend on rounding, along axes and diagonals") {
+  for (double y : {-1.0, 0.0, 1.0})
+    for (double z : {-1.0, 0.0, 1.0})
+      for (double x : {0.0, 1.0}) {
+        const Vector along{x, y, z};
+        if (norm(along) == 0) continue;
+        std::vector<Point> needle;
+        for (const Point& v : makeIcosphere(1).vertices)
+          needle.push_back(v + 2 * dot(v, along) / dot(along, along) * along);
+        const Vector axis = principalAxis(needle);
+        CHECK(angleSine(axis, along) < 1e-7);
+        for (std::uint32_t i = 0; i < 20; ++i) {
+          std::vector<Point> again = shuffled(needle, i);
+          for (std::uint32_t k = 0; k < again.size(); ++k) again[k] += 1e-14 * noiseVector(k, i);
+          CHECK(dot(principalAxis(again), axis) > 0.99);
+        }
+      }
+}
