@@ -50,8 +50,10 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   if (mode == Mode::existing && !fs::exists(file_, ignored))
     throw StoreError(file_.string() + ": no such file; a database of results is expected");
   // Also for reading: whoever opens a file after a crash has to roll back what was left half done. SQLite
-  // opens a write-protected file for reading by itself.
-  const int flags = SQLITE_OPEN_READWRITE | (mode == Mode::create ? SQLITE_OPEN_CREATE : 0);
+  // opens a write-protected file for reading by itself. A connection belongs to one thread, so it needs no
+  // mutex.
+  const int flags =
+      SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::create ? SQLITE_OPEN_CREATE : 0);
   sqlite3* db = nullptr;
   const int code = sqlite3_open_v2(file_.string().c_str(), &db, flags, nullptr);
   db_.reset(db);
