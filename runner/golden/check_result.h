@@ -19,7 +19,7 @@ struct CheckResult {
   std::optional<std::uint64_t> firstStep;  // the first step at which it differs
   std::optional<std::string> cell;         // its path; "" is the egg
   std::string field;                       // "pressure"
-  std::optional<double> share;  // of the tolerance used: 0 equal, 1 at its edge; absent for exact checks
+  std::optional<double> share;  // of the tolerance used: 0 equal, 1 at its edge, perhaps ∞; absent if exact
   std::string message;          // for people: all that differs, several lines; "" when passed
   friend bool operator==(const CheckResult&, const CheckResult&) = default;
 };

@@ -195,7 +195,8 @@ void classify(std::vector<CheckResult>& results) {
   };
   std::string cause = "COMPUTATION";
   if (failed("lineage")) cause = "LINEAGE";
-  if (const CheckResult* r = failed("step_hashes"); r && r->firstStep == 0u) cause = "SETUP";
+  for (const CheckResult& r : results)
+    if (!r.passed && r.firstStep == 0u && r.check != "lineage" && r.check != "completeness") cause = "SETUP";
   if (failed("scenario")) cause = "INPUT_CHANGED";
   for (CheckResult& r : results) {
     if (r.passed) continue;

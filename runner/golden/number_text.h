@@ -1,6 +1,6 @@
 #pragma once
-// Numbers as text and back: the shortest text that gives the same bits, in the C locale, and nothing but a
-// number.
+// Numbers as text and back: the shortest text that gives the
+// same bits, in the C locale, and nothing but a number.
 #include <charconv>
 #include <cstdint>
 #include <optional>

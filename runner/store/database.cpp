@@ -49,9 +49,9 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   std::error_code ignored;
   if (mode == Mode::existing && !fs::exists(file_, ignored))
     throw StoreError(file_.string() + ": no such file; a database of results is expected");
-  // Also for reading: whoever opens a file after a crash has to roll back what was left half done. SQLite
-  // opens a write-protected file for reading by itself. A connection belongs to one thread, so it needs no
-  // mutex.
+  // Also for reading: whoever opens a file after a crash has to roll back
+  // what was left half done. SQLite opens a write-protected file for reading
+  // by itself. A connection belongs to one thread, so it needs no mutex.
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::create ? SQLITE_OPEN_CREATE : 0);
   sqlite3* db = nullptr;
@@ -146,8 +146,8 @@ Transaction::~Transaction() {
   try {
     db_.execute("ROLLBACK");
   } catch (const StoreError&) {
-    // SQLite has rolled back by itself (disk full, for instance); the error that led here is the one to
-    // report.
+    // SQLite has rolled back by itself (disk full, for instance);
+    // the error that led here is the one to report.
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// SQLite's C interface with owners: Database, Statement, Transaction. Errors are StoreErrors that name the
-// file.
+// SQLite's C interface with owners: Database, Statement,
+// Transaction. Errors are StoreErrors that name the file.
 #include <chrono>
 #include <cstdint>
 #include <filesystem>

@@ -9,8 +9,8 @@ namespace morula {
 
 namespace {
 
-/// x86 names its processor in "model name"; others give no name there, so only the architecture (in `kernel`)
-/// is known.
+/// x86 names its processor in "model name"; others give no name
+/// there, so only the architecture (in `kernel`) is known.
 std::string cpuName() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)

@@ -12,8 +12,7 @@ namespace {
 // entry that has been released is never edited. SQLite keeps the comments, so `.schema` explains the tables.
 // - Keys stand first: SQLite 3.40's integrity check misreads tables WITHOUT ROWID in which they do not.
 // - `fate` is compared value by value: to look into an IN of three values SQLite makes a table anew for each
-// row, which
-//   takes as long as storing the row.
+//   row, which takes as long as storing the row.
 const char* const version1 = R"sql(
 CREATE TABLE run (
   run_id        TEXT PRIMARY KEY,   -- from scenario_hash, seed and build_id: the same computation, the same id
@@ -159,8 +158,8 @@ CREATE TABLE check_result (
 
 constexpr std::array migrations{&version1};
 
-/// Throws unless the file is empty or Morula's and not newer than this program. Returns its version, 0 when
-/// empty.
+/// Throws unless the file is empty or Morula's and not newer
+/// than this program. Returns its version, 0 when empty.
 int checkedVersion(Database& db) {
   const std::string file = db.file().string();
   const auto id = db.integer("PRAGMA application_id");

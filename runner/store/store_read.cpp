@@ -25,8 +25,8 @@ class StateNumbers {
   std::map<StateId, std::string>& texts_;
 };
 
-/// A copy of the text that lives as long as the program: ConnectionRecord points to one of a handful of
-/// causes.
+/// A copy of the text that lives as long as the program:
+/// ConnectionRecord points to one of a handful of causes.
 const char* lasting(std::string text) {
   static std::mutex mutex;
   static std::set<std::string> texts;

@@ -1,5 +1,5 @@
-// Mutations of a run: each fault must be found, in the right check, with the right class, step, cell and
-// field.
+// Mutations of a run: each fault must be found, in the right
+// check, with the right class, step, cell and field.
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -231,6 +231,13 @@ TEST_CASE("each injected fault is found and named") {
        0,
        {},
        "hash"},
+      {"another first time step",
+       [](auto& f) { f.timeSteps[0].timeStep *= 2; },
+       {"time_steps"},
+       "SETUP",
+       0,
+       {},
+       "time_step"},
       {"a sample lost", [](auto& f) { f.samples.clear(); }, {"completeness"}, "INPUT_CHANGED", 128, {}, ""},
       {"a sample at another step",
        [](auto& f) { f.samples[0].step = 127; },

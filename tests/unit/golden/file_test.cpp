@@ -1,5 +1,5 @@
-// The golden's text: the same bytes each time, everything comes back, and a file that was damaged says so and
-// where.
+// The golden's text: the same bytes each time, everything
+// comes back, and a file that was damaged says so and where.
 #include "catch.h"
 #include "example_facts.h"
 
