@@ -11,7 +11,8 @@ std::vector<Isa> availableIsas() {
 #if defined(MORULA_WITH_AVX)
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2")) all.push_back(Isa::avx2);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512dq"))
     all.push_back(Isa::avx512);
 #endif
   return all;
@@ -24,10 +25,14 @@ Isa bestIsa() {
 
 const char* name(Isa isa) {
   switch (isa) {
-    case Isa::scalar: return "scalar";
-    case Isa::narrow: return "narrow";
-    case Isa::avx2: return "avx2";
-    case Isa::avx512: return "avx512";
+    case Isa::scalar:
+      return "scalar";
+    case Isa::narrow:
+      return "narrow";
+    case Isa::avx2:
+      return "avx2";
+    case Isa::avx512:
+      return "avx512";
   }
   return "?";
 }
@@ -38,7 +43,8 @@ Isa parseIsa(std::string_view word) {
     if (word == name(isa)) return isa;
     known += (known.empty() ? "" : ", ") + std::string(name(isa));
   }
-  throw InputError("instruction set \"" + std::string(word) + "\" is not available here; available: " + known);
+  throw InputError("instruction set \"" + std::string(word) +
+                   "\" is not available here; available: " + known);
 }
 
 }  // namespace morula

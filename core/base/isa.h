@@ -1,6 +1,6 @@
 #pragma once
-// Which instruction set the kernels use. It changes speed, never a bit of the result: the lanes of every set do the
-// same IEEE operations in the same order.
+// Which instruction set the kernels use. It changes speed, never a bit of the result: the lanes of every set
+// do the same IEEE operations in the same order.
 #include <string_view>
 #include <vector>
 
@@ -30,10 +30,14 @@ struct PerIsa {
   const Table* avx512;
   const Table& operator[](Isa isa) const {
     switch (isa) {
-      case Isa::scalar: return *scalar;
-      case Isa::narrow: return *narrow;
-      case Isa::avx2: return *avx2;
-      case Isa::avx512: return *avx512;
+      case Isa::scalar:
+        return *scalar;
+      case Isa::narrow:
+        return *narrow;
+      case Isa::avx2:
+        return *avx2;
+      case Isa::avx512:
+        return *avx512;
     }
     return *scalar;
   }

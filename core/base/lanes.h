@@ -1,8 +1,10 @@
-// Several cells side by side: the only file that knows SIMD. Only *_kernels.cpp files include it: each is compiled once per instruction set, with MORULA_ISA (a namespace) and MORULA_WIDTH set by the build, so that
+// Several cells side by side: the only file that knows SIMD. Only *_kernels.cpp files include it: each is
+// compiled once per instruction set, with MORULA_ISA (a namespace) and MORULA_WIDTH set by the build, so that
 // no inline function of one set can be linked into another.
 //
-// The determinism contract: every operation here is one IEEE 754 operation per lane, rounded to nearest, so lane k of
-// any width computes what a double would. No fused multiply-add, no approximate reciprocal, no reassociation.
+// The determinism contract: every operation here is one IEEE 754 operation per lane, rounded to nearest, so
+// lane k of any width computes what a double would. No fused multiply-add, no approximate reciprocal, no
+// reassociation.
 #pragma once
 #include <cstdint>
 
@@ -33,6 +35,7 @@ MORULA_INLINE void store(double* p, Lanes a) { *p = a; }
 MORULA_INLINE Lanes squareRoot(Lanes a) { return __builtin_sqrt(a); }
 MORULA_INLINE Lanes select(Mask m, Lanes a, Lanes b) { return m ? a : b; }
 MORULA_INLINE bool any(Mask m) { return m; }
+MORULA_INLINE unsigned bits(Mask m) { return m; }
 
 #else
 
@@ -60,6 +63,7 @@ struct Lanes {
   MORULA_INLINE Lanes& operator-=(Lanes b) { return *this = *this - b; }
   friend MORULA_INLINE Mask operator>(Lanes a, Lanes b) { return {a.v > b.v}; }
   friend MORULA_INLINE Mask operator<(Lanes a, Lanes b) { return {a.v < b.v}; }
+  friend MORULA_INLINE Mask operator!=(Lanes a, Lanes b) { return {a.v != b.v}; }
 };
 
 MORULA_INLINE Lanes load(const double* p) {
@@ -86,16 +90,27 @@ MORULA_INLINE Lanes squareRoot(Lanes a) {
 
 MORULA_INLINE Lanes select(Mask m, Lanes a, Lanes b) { return m.v ? a.v : b.v; }
 
-MORULA_INLINE bool any(Mask m) {
-  std::int64_t bits = 0;
-  for (int i = 0; i < MORULA_WIDTH; ++i) bits |= m.v[i];
-  return bits != 0;
+/// Bit i: lane i.
+MORULA_INLINE unsigned bits(Mask m) {
+#if defined(__x86_64__) && MORULA_WIDTH == 2
+  return _mm_movemask_pd((__m128d)m.v);
+#elif defined(__x86_64__) && MORULA_WIDTH == 4
+  return _mm256_movemask_pd((__m256d)m.v);
+#elif defined(__x86_64__) && MORULA_WIDTH == 8
+  return _mm512_movepi64_mask((__m512i)m.v);
+#else
+  unsigned b = 0;
+  for (int i = 0; i < MORULA_WIDTH; ++i) b |= unsigned(m.v[i] & 1) << i;
+  return b;
+#endif
 }
+
+MORULA_INLINE bool any(Mask m) { return bits(m) != 0; }
 
 #endif
 
-// Rows: eight doubles in one cache line, read and written by index for neighbours that lie anywhere. Turning `width`
-// rows into eight columns of lanes is a transposition in registers, not a gather.
+// Rows: eight doubles in one cache line, read and written by index for neighbours that lie anywhere. Turning
+// `width` rows into eight columns of lanes is a transposition in registers, not a gather.
 #if MORULA_WIDTH == 1
 
 MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes column[8]) {
@@ -137,7 +152,8 @@ MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
 /// Four consecutive doubles of each of `width` rows ↔ four columns. Its own inverse for width ≥ 4.
 #if MORULA_WIDTH >= 4
 MORULA_INLINE void transposeFours(RawLanes a, RawLanes b, RawLanes c, RawLanes d, Lanes column[4]) {
-  const RawLanes low = MORULA_LOW(a, b), high = MORULA_HIGH(a, b), low2 = MORULA_LOW(c, d), high2 = MORULA_HIGH(c, d);
+  const RawLanes low = MORULA_LOW(a, b), high = MORULA_HIGH(a, b), low2 = MORULA_LOW(c, d),
+                 high2 = MORULA_HIGH(c, d);
   column[0] = MORULA_FIRST_PAIRS(low, low2);
   column[1] = MORULA_FIRST_PAIRS(high, high2);
   column[2] = MORULA_LAST_PAIRS(low, low2);
@@ -148,7 +164,8 @@ MORULA_INLINE void transposeFours(RawLanes a, RawLanes b, RawLanes c, RawLanes d
 MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes column[8]) {
 #if MORULA_WIDTH == 2
   for (int c = 0; c < 8; c += 2) {
-    const RawLanes a = load(rows + std::int64_t(index[0]) * 8 + c).v, b = load(rows + std::int64_t(index[1]) * 8 + c).v;
+    const RawLanes a = load(rows + std::int64_t(index[0]) * 8 + c).v,
+                   b = load(rows + std::int64_t(index[1]) * 8 + c).v;
     column[c] = MORULA_LOW(a, b);
     column[c + 1] = MORULA_HIGH(a, b);
   }
@@ -189,7 +206,8 @@ MORULA_INLINE void storeRows(double* firstRow, const Lanes column[8]) {
 #else
     for (int i = 0; i < 4; ++i) {
       const RawLanes v = r[i].v;
-      const auto first = __builtin_shufflevector(v, v, 0, 1, 2, 3), second = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+      const auto first = __builtin_shufflevector(v, v, 0, 1, 2, 3),
+                 second = __builtin_shufflevector(v, v, 4, 5, 6, 7);
       __builtin_memcpy(firstRow + 8 * i + c, &first, sizeof first);
       __builtin_memcpy(firstRow + 8 * (i + 4) + c, &second, sizeof second);
     }
@@ -210,7 +228,8 @@ MORULA_INLINE Lanes packFloats(Lanes a, Lanes b) {
 #elif MORULA_WIDTH == 4
   const FloatLanes both = __builtin_shufflevector(first, second, 0, 4, 1, 5, 2, 6, 3, 7);
 #else
-  const FloatLanes both = __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15);
+  const FloatLanes both =
+      __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15);
 #endif
   Lanes packed;
   __builtin_memcpy(&packed.v, &both, sizeof both);
@@ -221,7 +240,8 @@ MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
   FloatLanes both;
   __builtin_memcpy(&both, &packed.v, sizeof both);
 #if MORULA_WIDTH == 2
-  const HalfFloatLanes first = __builtin_shufflevector(both, both, 0, 2), second = __builtin_shufflevector(both, both, 1, 3);
+  const HalfFloatLanes first = __builtin_shufflevector(both, both, 0, 2),
+                       second = __builtin_shufflevector(both, both, 1, 3);
 #elif MORULA_WIDTH == 4
   const HalfFloatLanes first = __builtin_shufflevector(both, both, 0, 2, 4, 6);
   const HalfFloatLanes second = __builtin_shufflevector(both, both, 1, 3, 5, 7);

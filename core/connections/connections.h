@@ -10,7 +10,7 @@
 namespace morula {
 
 struct ConnectionRecord {
-  CellPath a, b;  // a < b
+  CellPath a, b;                   // a < b
   double made = 0, released = -1;  // [time]; released < 0: it still holds
   const char* cause = "";          // why it ended: "", "divided", "died", "distance", "gene"
 };
@@ -31,8 +31,9 @@ void releaseAll(Connections& connections, const CellPath& cell, double time, con
 /// The other ends of a cell's connections, by path.
 std::vector<CellPath> partners(const Connections& connections, const CellPath& cell);
 
-/// Adhesion [Nilsson 2008, eq. 4.9]: on each of the two cells the constant force k_c towards the other's centre, spread
-/// evenly over its vertices. `paths` [slot], sorted. Adds to the bodies' forces; equal and opposite on a pair.
+/// Adhesion [Nilsson 2008, eq. 4.9]: on each of the two cells the constant force k_c towards the other's
+/// centre, spread evenly over its vertices. `paths` [slot], sorted. Adds to the bodies' forces; equal and
+/// opposite on a pair.
 void addConnectionForces(const Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies);
 
 }  // namespace morula

@@ -18,8 +18,9 @@ enum class ConnectionsOnDivision {
 struct ConnectionParameters {
   MakeConnections make = MakeConnections::atDivision;
   ConnectionsOnDivision onDivision = ConnectionsOnDivision::plane;
-  double strength = 0.2;                  // k_c [force]: constant, towards the other cell [Nilsson 2008, eq. 4.9]
-  std::optional<double> releaseDistance;  // released when the centres are farther apart, in sums of the two cells' radii
+  double strength = 0.2;  // k_c [force]: constant, towards the other cell [Nilsson 2008, eq. 4.9]
+  std::optional<double>
+      releaseDistance;  // released when the centres are farther apart, in sums of the two cells' radii
 };
 
 }  // namespace morula

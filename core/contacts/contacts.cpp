@@ -7,7 +7,8 @@ namespace morula {
 
 namespace {
 
-constexpr double skinShare = 0.15;  // of the smallest influence radius: the measured optimum between list length and rebuilds
+constexpr double skinShare =
+    0.15;  // of the smallest influence radius: the measured optimum between list length and rebuilds
 
 }  // namespace
 
@@ -24,21 +25,24 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa) {
 void resetContacts(Contacts& c, const Bodies& bodies) {
   c.radius.assign(bodies.restScale.size(), 0);
   for (int slot = 0; slot < bodies.count; ++slot)
-    c.radius[slot] = static_cast<float>(c.parameters.radius * bodies.mesh.meanRestLength * bodies.restScale[slot]);
+    c.radius[slot] =
+        static_cast<float>(c.parameters.radius * bodies.mesh.meanRestLength * bodies.restScale[slot]);
   const std::size_t vertices = bodies.position.size() / 3;
   c.rows.assign((vertices + 1) * 8, 0);
   const SnapshotRow far{1e100, 1e100, 1e100, 0, 0, 0, 1, 0, 0, 0};
   std::memcpy(&c.rows[vertices * 8], &far, sizeof far);
   c.farthest.assign(bodies.blockCount(), 0);
   c.list.reference.assign(bodies.position.begin(), bodies.position.end());
-  c.list.skin = bodies.count > 0 ? skinShare * *std::min_element(c.radius.begin(), c.radius.begin() + bodies.count) : 0;
+  c.list.skin =
+      bodies.count > 0 ? skinShare * *std::min_element(c.radius.begin(), c.radius.begin() + bodies.count) : 0;
   c.listIsValid = false;
 }
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
   const std::size_t lines = std::size_t(index) * bodies.vertexCount();
-  c.farthest[index] = c.kernels->takeSnapshot(bodies.mesh.view(), block, &c.radius[std::size_t(index) * blockLanes],
-                                              &c.list.reference[lines * vertexStride], &c.rows[lines * blockLanes * 8]);
+  c.farthest[index] =
+      c.kernels->takeSnapshot(bodies.mesh.view(), block, &c.radius[std::size_t(index) * blockLanes],
+                              &c.list.reference[lines * vertexStride], &c.rows[lines * blockLanes * 8]);
 }
 
 void refreshList(Contacts& c, const Bodies& bodies, int threads) {
@@ -46,7 +50,7 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   // Not `<=`: a NaN must lead to a rebuild, never to a stale list.
   const bool still = std::all_of(c.farthest.begin(), c.farthest.end(), [&](double f) { return f < limit; });
   if (c.listIsValid && still) return;
-  buildNeighbourList(c.list, bodies, c.radius, threads);
+  buildNeighbourList(c.list, *c.kernels, bodies, c.radius, threads);
   c.listIsValid = true;
   ++c.rebuilds;
 }

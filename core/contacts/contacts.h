@@ -1,5 +1,6 @@
 #pragma once
-// Cells that touch: who may (neighbour_list.h), what a vertex shows (snapshot.h), what acts (the laws' kernels).
+// Cells that touch: who may (neighbour_list.h), what a vertex shows (snapshot.h), what acts (the laws'
+// kernels).
 #include <cstdint>
 
 #include "base/aligned.h"
@@ -18,9 +19,9 @@ struct Contacts {
   ContactKernels::AddForces addForces = nullptr;  // of the scene's law
 
   // State between rebuilds; nothing of it is part of the result
-  AlignedVector<double> radius;      // [slot] influence radius [length], rounded to float
-  AlignedVector<double> rows;        // SnapshotRow of every vertex, and the far row
-  AlignedVector<double> farthest;    // [block] largest squared displacement since the list was built
+  AlignedVector<double> radius;    // [slot] influence radius [length], rounded to float
+  AlignedVector<double> rows;      // SnapshotRow of every vertex, and the far row
+  AlignedVector<double> farthest;  // [block] largest squared displacement since the list was built
   NeighbourList list;
   bool listIsValid = false;
 
@@ -49,9 +50,9 @@ struct ContactArea {
   double area;
 };
 
-/// A vertex touches the cell of its nearest facing neighbour within reach when its gap to it is below a quarter of the
-/// influence radius; it stands for a third of the area of its faces. Area of a pair: the mean of the two sides. From the
-/// last snapshot; by (a, b).
+/// A vertex touches the cell of its nearest facing neighbour within reach when its gap to it is below a
+/// quarter of the influence radius; it stands for a third of the area of its faces. Area of a pair: the mean
+/// of the two sides. From the last snapshot; by (a, b).
 std::vector<ContactArea> measureContactAreas(const Contacts& contacts, const Bodies& bodies);
 
 }  // namespace morula

@@ -1,6 +1,7 @@
 // Compiled once per instruction set (core/CMakeLists.txt); see contacts_dispatch.cpp for the choice.
 #include "contacts/contacts_kernels.h"
 
+#include "contacts/near_kernel.h"
 #include "contacts/pair_law_kernel.h"
 #include "contacts/rows_kernel.h"
 #include "contacts/thesis_law_kernel.h"
@@ -8,6 +9,7 @@
 namespace morula::MORULA_ISA {
 
 extern const ContactKernels contacts;
-const ContactKernels contacts = {takeSnapshot, addPairForces<false>, addPairForces<true>, addThesisForces};
+const ContactKernels contacts = {findNear, takeSnapshot, addPairForces<false>, addPairForces<true>,
+                                 addThesisForces};
 
 }  // namespace morula::MORULA_ISA

@@ -16,19 +16,34 @@ struct NeighbourSlice {
 
 struct ContactConstants {
   double stiffness, damping, friction;
-  double slipSpeed;  // [length/time] below which friction fades out linearly
-  double timeStep;   // the thesis' law depends on it [Nilsson 2008, eq. 4.8]
+  double slipSpeed;       // [length/time] below which friction fades out linearly
+  double timeStep;        // the thesis' law depends on it [Nilsson 2008, eq. 4.8]
   std::int32_t vertices;  // number of rows, and the number of the far row behind them
 };
 
+/// Points in rows, and what of them is near: closer than the reach, and not of the asking cell.
+struct NearQuery {
+  const double *x, *y, *z, *slot;  // readable for eight beyond the last row
+  struct Row {
+    std::int32_t first, last;
+  } row[9];
+  int rows;
+  double px, py, pz, ownSlot, reachSquared;
+};
+
 struct ContactKernels {
-  /// Writes the rows of a block's vertices from position, predicted and gradient. Returns the largest squared distance
-  /// of a vertex from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
-  double (*takeSnapshot)(const TemplateView&, const BlockView&, const double* radius, const double* reference, double* rows);
+  /// Writes the numbers of the points that are near, row by row; returns how many. `out` has room for all.
+  std::int32_t (*findNear)(const NearQuery&, std::int32_t* out);
+
+  /// Writes the rows of a block's vertices from position, predicted and gradient. Returns the largest squared
+  /// distance of a vertex from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
+  double (*takeSnapshot)(const TemplateView&, const BlockView&, const double* radius, const double* reference,
+                         double* rows);
   /// force += contact forces, for a range of slices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
   /// `vertexMass` [slot]; `vertexCount` of one cell.
   using AddForces = void (*)(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                             const double* rows, const ContactConstants&, const double* vertexMass, int vertexCount, double* force);
+                             const double* rows, const ContactConstants&, const double* vertexMass,
+                             int vertexCount, double* force);
   AddForces addPairForces, addPairForcesWithFriction, addThesisForces;
 };
 

@@ -15,7 +15,9 @@ void fillGrid(Grid& grid, const Bodies& bodies, double binSize) {
     }
   const Vector extent = high - low;
   // At most four bins per vertex: doubling the bins' size divides their number by up to eight.
-  const auto bins = [&](double size) { return (extent.x / size + 1) * (extent.y / size + 1) * (extent.z / size + 1); };
+  const auto bins = [&](double size) {
+    return (extent.x / size + 1) * (extent.y / size + 1) * (extent.z / size + 1);
+  };
   while (bins(binSize) > 4.0 * total + 64) binSize *= 2;
   grid.low = low;
   grid.inverseBin = 1 / binSize;
@@ -25,7 +27,8 @@ void fillGrid(Grid& grid, const Bodies& bodies, double binSize) {
 
   grid.start.assign(std::size_t(grid.nx) * grid.ny * grid.nz + 1, 0);
   grid.binOf.resize(total);
-  grid.entries.resize(total);
+  for (auto* a : {&grid.x, &grid.y, &grid.z, &grid.slot}) a->resize(total + blockLanes);
+  grid.vertex.resize(total);
   // In order of vertex numbers: block, vertex, lane.
   const auto forEachVertex = [&](auto&& body) {
     int i = 0;
@@ -35,8 +38,9 @@ void fillGrid(Grid& grid, const Bodies& bodies, double binSize) {
   };
   forEachVertex([&](int i, int block, int v, int lane) {
     const Point x = bodies.vertex(block * blockLanes + lane, v);
-    const int bin = (grid.column(x.z, low.z, grid.nz) * grid.ny + grid.column(x.y, low.y, grid.ny)) * grid.nx +
-                    grid.column(x.x, low.x, grid.nx);
+    const int bin =
+        (grid.column(x.z, low.z, grid.nz) * grid.ny + grid.column(x.y, low.y, grid.ny)) * grid.nx +
+        grid.column(x.x, low.x, grid.nx);
     grid.binOf[i] = bin;
     ++grid.start[bin + 1];
   });
@@ -44,8 +48,12 @@ void fillGrid(Grid& grid, const Bodies& bodies, double binSize) {
   forEachVertex([&](int i, int block, int v, int lane) {
     const int slot = block * blockLanes + lane;
     const Point x = bodies.vertex(slot, v);
-    const VertexNumber g = (block * vertices + v) * blockLanes + lane;
-    grid.entries[grid.start[grid.binOf[i]]++] = {x.x, x.y, x.z, g, slot};
+    const std::int32_t at = grid.start[grid.binOf[i]]++;
+    grid.x[at] = x.x;
+    grid.y[at] = x.y;
+    grid.z[at] = x.z;
+    grid.vertex[at] = (block * vertices + v) * blockLanes + lane;
+    grid.slot[at] = slot;
   });
   // Each start has moved to its bin's end: move them back.
   for (std::size_t bin = grid.start.size() - 1; bin > 0; --bin) grid.start[bin] = grid.start[bin - 1];

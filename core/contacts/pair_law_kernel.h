@@ -3,12 +3,14 @@
 //
 //   n  = (n_j − n_i)/|n_j − n_i|      the direction that parts them: from j's cell to i's
 //   g  = (x_i − x_j)·n                gap; negative where the cells overlap
-//   w  = (1 − ρ²/R²)²                 fades with the distance ρ² = r² − g² along the surfaces, not with the depth
-//   s  = |n_j − n_i|²/4               1 for surfaces face to face, 0 for parallel normals: no contact from behind
-//   f  = w s max(0, −K g − C v_n) n   on i, with v_n = (v_i − v_j)·n; K and C are constants, not made of Δt
+//   w  = (1 − ρ²/R²)²                 fades with the distance ρ² = r² − g² along the surfaces, not with the
+//   depth s  = |n_j − n_i|²/4               1 for surfaces face to face, 0 for parallel normals: no contact
+//   from behind f  = w s max(0, −K g − C v_n) n   on i, with v_n = (v_i − v_j)·n; K and C are constants, not
+//   made of Δt
 //
-// Exchanging i and j turns n and f round and leaves the rest: f_ij = −f_ji bit for bit, so momentum is kept to rounding.
-// Coulomb friction adds −μ|f| t/max(|t|, v_slip) with t the relative velocity along the surface: antisymmetric as well.
+// Exchanging i and j turns n and f round and leaves the rest: f_ij = −f_ji bit for bit, so momentum is kept
+// to rounding. Coulomb friction adds −μ|f| t/max(|t|, v_slip) with t the relative velocity along the surface:
+// antisymmetric as well.
 #include "contacts/contacts_kernels.h"
 #include "contacts/rows_kernel.h"
 
@@ -36,7 +38,8 @@ MORULA_INLINE Vec pairForce(const Rows& i, const Rows& j, const ContactConstants
     const Vec slip = relative - dot(relative, n) * n;
     const Lanes slipSpeed = larger(squareRoot(dot(slip, slip)), Lanes(c.slipSpeed));
     const Lanes drag = (Lanes(c.friction) * size) / slipSpeed;
-    f -= {select(acts, drag * slip.x, 0.0), select(acts, drag * slip.y, 0.0), select(acts, drag * slip.z, 0.0)};
+    f -= {select(acts, drag * slip.x, 0.0), select(acts, drag * slip.y, 0.0),
+          select(acts, drag * slip.z, 0.0)};
   }
   return f;
 }
@@ -51,7 +54,8 @@ inline void addPairForces(const NeighbourSlice* slices, std::int64_t count, cons
       const Rows i = loadRows(rows, slice.vertex + lane);
       Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
-      for (int k = 0; k < slice.length; ++k, index += blockLanes) sum += pairForce<withFriction>(i, loadRows(rows, index), c);
+      for (int k = 0; k < slice.length; ++k, index += blockLanes)
+        sum += pairForce<withFriction>(i, loadRows(rows, index), c);
       addToForces(force, slice.vertex + lane, c.vertices, sum);
     }
 }

@@ -4,17 +4,18 @@
 namespace morula {
 
 enum class ContactLaw {
-  pair,    // pair-symmetric penalty: f_ij = −f_ji, converges in the time step; the default
-  thesis,  // implicit planes and [Nilsson 2008, eq. 4.8]: stiffness ∝ 1/Δt²; kept so that the difference can be shown
+  pair,  // pair-symmetric penalty: f_ij = −f_ji, converges in the time step; the default
+  thesis,  // implicit planes and [Nilsson 2008, eq. 4.8]: stiffness ∝ 1/Δt²; kept so that the difference can
+           // be shown
 };
 
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;
-  double stiffness = 30;   // K [force/length] of one vertex pair; pair law only
-  double damping = 0.02;   // C [force·time/length] against approach; pair law only
-  double friction = 0;     // [1] Coulomb's coefficient; pair law only
-  double slipSpeed = 0.01; // [length/time] below it friction fades out linearly
-  double radius = 1;       // influence radius of a vertex, in mean rest lengths of its cell's edges
+  double stiffness = 30;    // K [force/length] of one vertex pair; pair law only
+  double damping = 0.02;    // C [force·time/length] against approach; pair law only
+  double friction = 0;      // [1] Coulomb's coefficient; pair law only
+  double slipSpeed = 0.01;  // [length/time] below it friction fades out linearly
+  double radius = 1;        // influence radius of a vertex, in mean rest lengths of its cell's edges
 };
 
 }  // namespace morula

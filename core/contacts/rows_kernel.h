@@ -20,7 +20,8 @@ MORULA_INLINE Rows loadRows(const double* rows, const VertexNumber* index) {
 }
 
 /// force[g] += sum, lane by lane; the far row (number `vertices`) has no place.
-MORULA_INLINE void addToForces(double* force, const VertexNumber* vertex, std::int32_t vertices, const Vec& sum) {
+MORULA_INLINE void addToForces(double* force, const VertexNumber* vertex, std::int32_t vertices,
+                               const Vec& sum) {
   double x[width], y[width], z[width];
   store(x, sum.x);
   store(y, sum.y);
@@ -35,14 +36,16 @@ MORULA_INLINE void addToForces(double* force, const VertexNumber* vertex, std::i
 }
 
 /// [ContactKernels::takeSnapshot]
-inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* radius, const double* reference,
-                           double* rows) {
+inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* radius,
+                           const double* reference, double* rows) {
   Lanes farthest = 0.0;
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane), g = loadVec(b.gradient, v, lane);
+      const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane),
+                g = loadVec(b.gradient, v, lane);
       const Vec n = (1.0 / squareRoot(dot(g, g) + 1e-280)) * g;
-      const Lanes columns[8] = {x.x, x.y, x.z, w.x, w.y, w.z, packFloats(n.x, n.y), packFloats(n.z, load(radius + lane))};
+      const Lanes columns[8] = {
+          x.x, x.y, x.z, w.x, w.y, w.z, packFloats(n.x, n.y), packFloats(n.z, load(radius + lane))};
       storeRows(rows + (std::int64_t(v) * blockLanes + lane) * 8, columns);
       const Vec moved = x - loadVec(reference, v, lane);
       farthest = larger(dot(moved, moved), farthest);

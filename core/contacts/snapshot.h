@@ -1,20 +1,22 @@
 #pragma once
-// What a vertex shows to vertices of other cells: one cache line, taken of all vertices at one moment, so that
-// contact forces are gathered from a picture that nobody changes, in any order and on any number of threads.
+// What a vertex shows to vertices of other cells: one cache line, taken of all vertices at one moment, so
+// that contact forces are gathered from a picture that nobody changes, in any order and on any number of
+// threads.
 #include <cstdint>
 
 namespace morula {
 
 struct SnapshotRow {
-  double x, y, z;        // [length]
-  double vx, vy, vz;     // [length/time] at the same moment
-  float nx, ny, nz;      // outward unit normal, area-weighted; to float precision, the same seen from either side
-  float radius;          // influence radius [length]
+  double x, y, z;     // [length]
+  double vx, vy, vz;  // [length/time] at the same moment
+  float nx, ny, nz;  // outward unit normal, area-weighted; to float precision, the same seen from either side
+  float radius;      // influence radius [length]
 };
 static_assert(sizeof(SnapshotRow) == 64);
 
-// Vertex number g = (block · vertexCount + vertex) · blockLanes + lane: a vertex of all cells of a block side by side.
-// Behind the last one stands a row far away that fills up lists (and interacts with nothing, as its radius is 0).
+// Vertex number g = (block · vertexCount + vertex) · blockLanes + lane: a vertex of all cells of a block side
+// by side. Behind the last one stands a row far away that fills up lists (and interacts with nothing, as its
+// radius is 0).
 using VertexNumber = std::int32_t;
 
 }  // namespace morula

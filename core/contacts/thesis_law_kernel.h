@@ -2,9 +2,10 @@
 // The thesis' contact: implicit planes and a penalty force that would part the vertex in one time step
 // [Nilsson 2008, §4.3]. Kept as an option, so that the pair law's difference can be shown.
 //
-// Detection (§4.3.1): each vertex is a plane with a normal, and has influence up to r < R. From j's plane, i is deep by
-// max(0, −(x_i − x_j)·n_j) along n_j; from i's plane, j is deep by max(0, −(x_j − x_i)·n_i), which moves i along −n_i.
-// The pair's vector is the mean of the two, and i's penetration vector d the mean over all j, weighted by 1/r.
+// Detection (§4.3.1): each vertex is a plane with a normal, and has influence up to r < R. From j's plane, i
+// is deep by max(0, −(x_i − x_j)·n_j) along n_j; from i's plane, j is deep by max(0, −(x_j − x_i)·n_i), which
+// moves i along −n_i. The pair's vector is the mean of the two, and i's penetration vector d the mean over
+// all j, weighted by 1/r.
 //
 // Response (§4.3.2, eq. 4.8), per unit of mass, d̂ against the push: f = −½ d̂ (|d|/Δt² + v·d̂/Δt + f_other·d̂).
 // Its stiffness is ∝ 1/Δt², it sees the absolute velocity, and nothing acts back on the other cell.
@@ -15,8 +16,8 @@ namespace morula::MORULA_ISA {
 
 /// [ContactKernels::addThesisForces]
 inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                            const double* rows, const ContactConstants& c, const double* vertexMass, int vertexCount,
-                            double* force) {
+                            const double* rows, const ContactConstants& c, const double* vertexMass,
+                            int vertexCount, double* force) {
   for (std::int64_t s = 0; s < count; ++s)
     for (int lane = 0; lane < blockLanes; lane += width) {
       const NeighbourSlice& slice = slices[s];
@@ -32,7 +33,8 @@ inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, co
         const Mask near = (distanceSquared < radius * radius) & (dot(i.n, j.n) < Lanes(0.0));
         // 1/r, kept finite where vertices coincide.
         const Lanes weight = select(near, 1.0 / squareRoot(distanceSquared + 1e-12 * (radius * radius)), 0.0);
-        const Lanes seenFromJ = larger(-dot(apart, j.n), Lanes(0.0)), seenFromI = larger(dot(apart, i.n), Lanes(0.0));
+        const Lanes seenFromJ = larger(-dot(apart, j.n), Lanes(0.0)),
+                    seenFromI = larger(dot(apart, i.n), Lanes(0.0));
         depth += (0.5 * weight) * (seenFromJ * j.n - seenFromI * i.n);
         weights += weight;
       }
@@ -45,10 +47,12 @@ inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, co
         if (g >= c.vertices || !(square > 0)) continue;
         double* f = force + std::int64_t(g / blockLanes) * vertexStride + g % blockLanes;
         const double m = vertexMass[g / (blockLanes * vertexCount) * blockLanes + g % blockLanes];
-        const double length = __builtin_sqrt(square), ux = x[l] / length, uy = y[l] / length, uz = z[l] / length;  // −d̂
+        const double length = __builtin_sqrt(square), ux = x[l] / length, uy = y[l] / length,
+                     uz = z[l] / length;  // −d̂
         const double other = (f[0] * ux + f[blockLanes] * uy + f[2 * blockLanes] * uz) / m;
         const double speed = vx[l] * ux + vy[l] * uy + vz[l] * uz;
-        const double push = 0.5 * m * ((length / w[l]) / (c.timeStep * c.timeStep) - speed / c.timeStep - other);
+        const double push =
+            0.5 * m * ((length / w[l]) / (c.timeStep * c.timeStep) - speed / c.timeStep - other);
         f[0] += push * ux;
         f[blockLanes] += push * uy;
         f[2 * blockLanes] += push * uz;

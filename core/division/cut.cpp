@@ -25,8 +25,8 @@ CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double 
   const double volumeA = measureVolume(a.position, faces), volumeB = measureVolume(b.position, faces);
   const double volume = volumeA + volumeB;
   if (!(volumeA >= 0.1 * volume && volumeB >= 0.1 * volume)) {
-    result.failure = "the plane through its centre of mass would cut its volume into " + std::to_string(volumeA) +
-                     " and " + std::to_string(volumeB);
+    result.failure = "the plane through its centre of mass would cut its volume into " +
+                     std::to_string(volumeA) + " and " + std::to_string(volumeB);
     return result;
   }
   const double shareA = volumeA / volume;

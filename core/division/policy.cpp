@@ -16,7 +16,9 @@ struct FixedAxis final : DivisionPolicy {
 
 /// Cells tend to divide across their longest extent [Hertwig 1884; Nilsson 2008, §1.1].
 struct LongestExtent final : DivisionPolicy {
-  Vector planeNormal(const CellPath&, const Body& body) const override { return principalAxis(body.position); }
+  Vector planeNormal(const CellPath&, const Body& body) const override {
+    return principalAxis(body.position);
+  }
 };
 
 /// One direction per cell, whatever the order in which cells divide.
@@ -33,10 +35,13 @@ struct RandomDirection final : DivisionPolicy {
 std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& p, std::uint64_t seed) {
   switch (p.plane) {
     case DivisionPlane::axis:
-      if (!(norm(p.axis) > 0)) throw InputError("division.plane: the axis has no length; give a direction such as [1, 0, 0]");
+      if (!(norm(p.axis) > 0))
+        throw InputError("division.plane: the axis has no length; give a direction such as [1, 0, 0]");
       return std::make_unique<FixedAxis>(p.axis);
-    case DivisionPlane::longest: return std::make_unique<LongestExtent>();
-    case DivisionPlane::random: return std::make_unique<RandomDirection>(seed);
+    case DivisionPlane::longest:
+      return std::make_unique<LongestExtent>();
+    case DivisionPlane::random:
+      return std::make_unique<RandomDirection>(seed);
   }
   CHECK(false, "a plane policy without an implementation");
 }

@@ -12,7 +12,8 @@ namespace morula {
 class DivisionPolicy {
  public:
   virtual ~DivisionPolicy() = default;
-  /// The plane's unit normal; the plane goes through the cell's centre of mass. Daughter A lies where it points.
+  /// The plane's unit normal; the plane goes through the cell's centre of mass. Daughter A lies where it
+  /// points.
   virtual Vector planeNormal(const CellPath& cell, const Body& body) const = 0;
 };
 

@@ -13,7 +13,8 @@ Vector principalAxis(std::span<const Point> points) {
     const Eigen::Vector3d d(p.x - c.x, p.y - c.y, p.z - c.z);
     covariance += d * d.transpose();
   }
-  // The iterative solver: tridiagonalisation and QR use + − × ÷ and square roots only. (computeDirect uses acos.)
+  // The iterative solver: tridiagonalisation and QR use + − × ÷ and square roots only. (computeDirect uses
+  // acos.)
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d& values = solver.eigenvalues();  // rising
   const Eigen::Matrix3d& vectors = solver.eigenvectors();

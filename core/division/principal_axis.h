@@ -6,9 +6,10 @@
 
 namespace morula {
 
-/// The unit eigenvector of the largest eigenvalue of the points' covariance. Rounding must not decide: it points to the side
-/// of (1, 0.55, 0.2), a direction to which no symmetric shape lies at right angles. Where the largest eigenvalues agree to
-/// 1e-6 (a sphere, a disc), it is the vector of their eigenspace nearest to x, or to y where x is far from all of them.
+/// The unit eigenvector of the largest eigenvalue of the points' covariance. Rounding must not decide: it
+/// points to the side of (1, 0.55, 0.2), a direction to which no symmetric shape lies at right angles. Where
+/// the largest eigenvalues agree to 1e-6 (a sphere, a disc), it is the vector of their eigenspace nearest to
+/// x, or to y where x is far from all of them.
 Vector principalAxis(std::span<const Point> points);
 
 }  // namespace morula

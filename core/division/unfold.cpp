@@ -10,7 +10,8 @@ int countFolds(Points x, Faces faces, const std::vector<char>& isProjected, cons
   return folds;
 }
 
-int unfold(std::vector<Point>& x, Faces faces, const std::vector<char>& isProjected, const Vector& outward, int sweeps) {
+int unfold(std::vector<Point>& x, Faces faces, const std::vector<char>& isProjected, const Vector& outward,
+           int sweeps) {
   std::vector<Vector> sum(x.size());
   std::vector<double> count(x.size());
   int folds = countFolds(x, faces, isProjected, outward);

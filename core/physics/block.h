@@ -3,9 +3,9 @@
 //
 //   position[vertex][x y z][lane]     one cache line per vertex and axis, lane = cell
 //
-// All cells of a mesh template share its connectivity, so a kernel walks edges and rings once for the whole block and
-// needs no gather, no colouring and no scatter. The width of the storage is eight on every machine; a narrower
-// instruction set takes a line in several groups, and groups without a living cell are left out.
+// All cells of a mesh template share its connectivity, so a kernel walks edges and rings once for the whole
+// block and needs no gather, no colouring and no scatter. The width of the storage is eight on every machine;
+// a narrower instruction set takes a line in several groups, and groups without a living cell are left out.
 #include <cstdint>
 
 namespace morula {
@@ -18,8 +18,8 @@ struct RingStep {
   std::int32_t vertex, edge;
 };
 
-/// A mesh template as the kernels walk it. Rings run counter-clockwise seen from outside and have even length: an odd
-/// one repeats its last neighbour by the edge number edgeCount, whose spring is always slack.
+/// A mesh template as the kernels walk it. Rings run counter-clockwise seen from outside and have even
+/// length: an odd one repeats its last neighbour by the edge number edgeCount, whose spring is always slack.
 struct TemplateView {
   int vertexCount, edgeCount;
   const std::int32_t* edges;      // [edge][2], first < second

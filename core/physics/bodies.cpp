@@ -38,9 +38,9 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
 BlockView Bodies::block(int index, int thread) {
   const std::size_t v = index * blockSize(), l = std::size_t(index) * blockLanes;
   Scratch& s = scratch[thread];
-  return {liveLanes(index),    &position[v],          &velocity[v],       &acceleration[v],
-          &vertexMass[l],      &restScale[l],         &pressureConstant[l], &volume[l],
-          &pressure[l],        s.predicted.data(),    s.gradient.data(),  s.coefficient.data()};
+  return {liveLanes(index), &position[v],       &velocity[v],         &acceleration[v],
+          &vertexMass[l],   &restScale[l],      &pressureConstant[l], &volume[l],
+          &pressure[l],     s.predicted.data(), s.gradient.data(),    s.coefficient.data()};
 }
 
 Body makeEgg(const Bodies& b) {
@@ -61,7 +61,8 @@ void setBodies(Bodies& b, const std::vector<Body>& cells) {
   b.count = static_cast<int>(cells.size());
   const std::size_t lanes = std::size_t(b.blockCount()) * blockLanes, size = b.blockCount() * b.blockSize();
   for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(size, 0);
-  for (auto* a : {&b.vertexMass, &b.restScale, &b.pressureConstant, &b.volume, &b.pressure}) a->assign(lanes, 0);
+  for (auto* a : {&b.vertexMass, &b.restScale, &b.pressureConstant, &b.volume, &b.pressure})
+    a->assign(lanes, 0);
   for (int slot = 0; slot < static_cast<int>(lanes); ++slot) {
     const bool living = slot < b.count;
     const Body filler = living ? Body{} : makeEgg(b);

@@ -1,9 +1,9 @@
 #pragma once
 // The bodies of all living cells: what the physics changes, in blocks of eight (block.h).
 //
-// Slot s is cell number s in the order of lineage paths, in block s / 8, lane s % 8. Slots follow from the living
-// cells alone, so nothing depends on the history of births. Lanes without a cell hold a resting egg of enormous mass,
-// which never moves.
+// Slot s is cell number s in the order of lineage paths, in block s / 8, lane s % 8. Slots follow from the
+// living cells alone, so nothing depends on the history of births. Lanes without a cell hold a resting egg of
+// enormous mass, which never moves.
 #include <vector>
 
 #include "base/aligned.h"
@@ -47,8 +47,11 @@ struct Bodies {
 
   int vertexCount() const { return mesh.vertexCount(); }
   int blockCount() const { return (count + blockLanes - 1) / blockLanes; }
-  int liveLanes(int block) const { return count - block * blockLanes < blockLanes ? count - block * blockLanes : blockLanes; }
-  /// Where component x of a vertex of a slot stands in position, velocity and acceleration; y and z follow at blockLanes.
+  int liveLanes(int block) const {
+    return count - block * blockLanes < blockLanes ? count - block * blockLanes : blockLanes;
+  }
+  /// Where component x of a vertex of a slot stands in position, velocity and acceleration; y and z follow at
+  /// blockLanes.
   std::size_t at(int slot, int vertex) const {
     return (std::size_t(slot / blockLanes) * vertexCount() + vertex) * vertexStride + slot % blockLanes;
   }

@@ -11,7 +11,8 @@ namespace morula {
 struct MeshTemplate {
   Mesh mesh;  // the egg as loaded, in its size: what rest lengths refer to
   std::vector<std::int32_t> edges;
-  std::vector<double> restLengths;  // [length], of the mesh as loaded [Nilsson 2008, §4.2.1]; one 0 behind the last
+  std::vector<double>
+      restLengths;  // [length], of the mesh as loaded [Nilsson 2008, §4.2.1]; one 0 behind the last
   std::vector<std::int32_t> ringStart;
   std::vector<RingStep> ring;
   double meanRestLength = 0;  // [length]

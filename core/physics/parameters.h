@@ -17,15 +17,17 @@ struct CellParameters {
 
 /// Every mesh edge is a damped spring [Nilsson 2008, eq. 4.2].
 struct MembraneParameters {
-  double stiffness = 10;     // k_s [force/length]; higher: rounder cells, shorter steps
-  double damping = 0.02;     // k_d [force·time/length] along the edge
-  double production = 1.26;  // membrane area of both daughters together over their mother's; 2^(1/3) keeps a sphere's tension
+  double stiffness = 10;  // k_s [force/length]; higher: rounder cells, shorter steps
+  double damping = 0.02;  // k_d [force·time/length] along the edge
+  double production =
+      1.26;  // membrane area of both daughters together over their mother's; 2^(1/3) keeps a sphere's tension
 };
 
 /// P = k_p/V − P_0 [Nilsson 2008, eq. 4.3].
 struct PressureParameters {
-  double constant = 200;  // k_p [force·length], nRT of the egg; daughters share it by volume; higher: stiffer contents
-  double outside = 48;    // P_0 [force/length²]; k_p/P_0 is the volume that the cell is at rest with
+  double constant =
+      200;  // k_p [force·length], nRT of the egg; daughters share it by volume; higher: stiffer contents
+  double outside = 48;  // P_0 [force/length²]; k_p/P_0 is the volume that the cell is at rest with
 };
 
 /// How fast a cell grows or shrinks while its biology wants to.

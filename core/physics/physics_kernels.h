@@ -7,7 +7,8 @@ namespace morula {
 
 struct PhysicsKernels {
   using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
-  using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&, double timeStep);
+  using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&,
+                              double timeStep);
   TimedStage driftVelocityVerlet, kickVelocityVerlet;
   TimedStage driftThesisVerlet, kickThesisVerlet;
   Stage keepInSphere, keepInEllipsoid, slideOnShell;

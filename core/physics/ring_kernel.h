@@ -1,20 +1,23 @@
 #pragma once
-// One walk around each vertex's ring of neighbours gives its spring force, its share of the volume's gradient, and the
-// volume: no face pass, no scatter.
+// One walk around each vertex's ring of neighbours gives its spring force, its share of the volume's
+// gradient, and the volume: no face pass, no scatter.
 //
 //   d_k = x_k − x                   to neighbour k, counter-clockwise seen from outside
 //   F   = Σ c_k d_k                 springs (spring_kernel.h)
-//   G   = Σ d_k × d_{k+1} = 6 ∇V    each face of the ring adds twice its area vector, and ∇V takes a third of an area
+//   G   = Σ d_k × d_{k+1} = 6 ∇V    each face of the ring adds twice its area vector, and ∇V takes a third of
+//   an area
 //         For an even ring, Σ over odd k of d_k × (d_{k+1} − d_{k−1}): half the products.
-//   V   = Σ_i G_i·(x_i − x_0) / 18  V is homogeneous of third degree: Σ ∇_iV·x_i = 3V, and 6·3 = 18. It equals
-//                                   [Nilsson 2008, eq. 4.4]. Any x_0 serves; a vertex of the cell keeps the terms small.
+//   V   = Σ_i G_i·(x_i − x_0) / 18  V is homogeneous of third degree: Σ ∇_iV·x_i = 3V, and 6·3 = 18. It
+//   equals
+//                                   [Nilsson 2008, eq. 4.4]. Any x_0 serves; a vertex of the cell keeps the
+//                                   terms small.
 #include "physics/lane_vec3.h"
 
 namespace morula::MORULA_ISA {
 
 template <int valence>  // 0: as long as the ring says
-MORULA_INLINE void gatherRing(const BlockView& b, const RingStep* ring, int steps, int lane, const Vec& x, Vec& force,
-                              Vec& gradient) {
+MORULA_INLINE void gatherRing(const BlockView& b, const RingStep* ring, int steps, int lane, const Vec& x,
+                              Vec& force, Vec& gradient) {
   const int n = valence > 0 ? valence : steps;
   const Vec first = loadVec(b.position, ring[0].vertex, lane) - x;
   force = load(b.coefficient + ring[0].edge * blockLanes + lane) * first;

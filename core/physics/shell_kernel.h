@@ -1,10 +1,10 @@
 #pragma once
-// The egg shell: a vertex outside is moved to it and loses its outward velocity, so it slides [Nilsson 2008, §4.2].
-// After the kick a vertex on the shell loses its outward acceleration too: the shell bears that force.
+// The egg shell: a vertex outside is moved to it and loses its outward velocity, so it slides [Nilsson 2008,
+// §4.2]. After the kick a vertex on the shell loses its outward acceleration too: the shell bears that force.
 //
-// Ellipsoid: q(x) = Σ (x_i/a_i)² ≤ 1, gradient g = 2 (x_i/a_i²). Two Newton steps x −= (q − 1)/|g|² g go along the
-// gradient, to almost the nearest point; the last scaling by 1/√q puts the vertex on the shell to rounding.
-// A sphere needs the scaling only: there it is the nearest point.
+// Ellipsoid: q(x) = Σ (x_i/a_i)² ≤ 1, gradient g = 2 (x_i/a_i²). Two Newton steps x −= (q − 1)/|g|² g go
+// along the gradient, to almost the nearest point; the last scaling by 1/√q puts the vertex on the shell to
+// rounding. A sphere needs the scaling only: there it is the nearest point.
 #include "physics/lane_vec3.h"
 
 namespace morula::MORULA_ISA {
@@ -24,7 +24,8 @@ struct ShellSlope {
 MORULA_INLINE void removeOutward(double* array, int v, int lane, const Vec& slope, Mask where) {
   const Vec u = loadVec(array, v, lane);
   const Vec kept = u - (larger(dot(u, slope), Lanes(0.0)) / dot(slope, slope)) * slope;
-  storeVec(array, v, lane, {select(where, kept.x, u.x), select(where, kept.y, u.y), select(where, kept.z, u.z)});
+  storeVec(array, v, lane,
+           {select(where, kept.x, u.x), select(where, kept.y, u.y), select(where, kept.z, u.z)});
 }
 
 template <bool sphere>
@@ -46,8 +47,9 @@ inline void keepInShell(const TemplateView& mesh, const BlockView& b, const Kern
       x = scale * x;
       s = slope(x);
       const Vec before = loadVec(b.position, v, lane);
-      storeVec(b.position, v, lane,
-               {select(outside, x.x, before.x), select(outside, x.y, before.y), select(outside, x.z, before.z)});
+      storeVec(
+          b.position, v, lane,
+          {select(outside, x.x, before.x), select(outside, x.y, before.y), select(outside, x.z, before.z)});
       removeOutward(b.velocity, v, lane, s, outside);
       removeOutward(b.predicted, v, lane, s, outside);
     }

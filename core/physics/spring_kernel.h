@@ -3,12 +3,14 @@
 //
 // On the first end of edge e, with d = x_second − x_first, l = |d|, and w the velocities:
 //   f = (k_s (l − L0) + k_d (w_second − w_first)·d/l) d/l = c_e d,   and −c_e d on the second end.
-// One number per edge; the ring pass (ring_kernel.h) gathers c_e d from either side with the sign that d has there.
+// One number per edge; the ring pass (ring_kernel.h) gathers c_e d from either side with the sign that d has
+// there.
 #include "physics/lane_vec3.h"
 
 namespace morula::MORULA_ISA {
 
-// Keeps 1/l finite where two ends coincide; the force c d is then 0, as its direction is unknown. Below rounding else.
+// Keeps 1/l finite where two ends coincide; the force c d is then 0, as its direction is unknown. Below
+// rounding else.
 constexpr double nothing = 1e-280;
 
 template <bool damped>

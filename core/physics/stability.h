@@ -9,12 +9,14 @@ struct StabilityLimits {
   double pressure = 0;  // [time] breathing: the whole shell against the gas
 };
 
-/// Spring mode, 6 k_s/m_p with damping: k_s Δt² + 2s k_d Δt − 4 m_p/6 = 0, s = 2 for velocity Verlet and 1 for the thesis'.
-/// Pressure mode: Δt = 2/ω with ω² = (k_p/V²) A²/m, A the area of the sphere that holds V. V from the last evaluation.
+/// Spring mode, 6 k_s/m_p with damping: k_s Δt² + 2s k_d Δt − 4 m_p/6 = 0, s = 2 for velocity Verlet and 1
+/// for the thesis'. Pressure mode: Δt = 2/ω with ω² = (k_p/V²) A²/m, A the area of the sphere that holds V. V
+/// from the last evaluation.
 StabilityLimits measureLimits(const Bodies& bodies, int slot);
 
-/// Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the usual density of
-/// vertices, where the weights of a vertex sum up to 5, and both sides move. K Δt² + 2s C Δt − 4 m/10 = 0. [time]
+/// Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the
+/// usual density of vertices, where the weights of a vertex sum up to 5, and both sides move. K Δt² + 2s C Δt
+/// − 4 m/10 = 0. [time]
 double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass);
 
 }  // namespace morula

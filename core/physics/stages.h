@@ -5,7 +5,8 @@
 
 namespace morula {
 
-/// The kernels that a scene's parameters call for, chosen once. A mechanism that is absent is null and never called.
+/// The kernels that a scene's parameters call for, chosen once. A mechanism that is absent is null and never
+/// called.
 struct PhysicsStages {
   PhysicsKernels::TimedStage drift, kick;
   PhysicsKernels::Stage keepInShell, slideOnShell;  // null without a shell
@@ -14,7 +15,8 @@ struct PhysicsStages {
 
 PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa);
 
-/// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`. 0 only evaluates.
+/// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`. 0 only
+/// evaluates.
 void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);
 
 /// Once the outer forces are added: turns forces into accelerations and ends the time step.

@@ -3,17 +3,19 @@
 //
 // Velocity Verlet, second order [Swope et al. 1982]:
 //   drift:  v½ = v + ½Δt a,   x' = x + Δt v½            kick:  v' = v½ + ½Δt a'
-// with damping forces taken at the prediction w = v½ + ½Δt a = v + Δt a, which is good to Δt² and keeps the order.
+// with damping forces taken at the prediction w = v½ + ½Δt a = v + Δt a, which is good to Δt² and keeps the
+// order.
 //
-// The thesis' Verlet, x' = 2x − x_prev + a Δt² [Nilsson 2008, eq. 4.6], written with its velocity v = (x − x_prev)/Δt
-// [eq. 4.7]: v' = v + Δt a, x' = x + Δt v'. Damping sees that lagged velocity: first order.
+// The thesis' Verlet, x' = 2x − x_prev + a Δt² [Nilsson 2008, eq. 4.6], written with its velocity v = (x −
+// x_prev)/Δt [eq. 4.7]: v' = v + Δt a, x' = x + Δt v'. Damping sees that lagged velocity: first order.
 #include "base/lanes.h"
 #include "physics/block.h"
 
 namespace morula::MORULA_ISA {
 
 /// x ← x', velocity ← v½, predicted ← w.
-inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double dt) {
+inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
+                                double dt) {
   const Lanes halfStep = 0.5 * dt, step = dt;
   const int lines = 3 * mesh.vertexCount;
   for (int i = 0; i < lines; ++i)
@@ -35,7 +37,8 @@ struct InverseMass {
 };
 
 /// Force → acceleration, velocity ← v'.
-inline void kickVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double dt) {
+inline void kickVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
+                               double dt) {
   const Lanes halfStep = 0.5 * dt;
   const InverseMass inverseMass(b);
   const int lines = 3 * mesh.vertexCount;
@@ -49,7 +52,8 @@ inline void kickVelocityVerlet(const TemplateView& mesh, const BlockView& b, con
 }
 
 /// x ← x', velocity and predicted ← v'.
-inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double dt) {
+inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
+                              double dt) {
   const Lanes step = dt;
   const int lines = 3 * mesh.vertexCount;
   for (int i = 0; i < lines; ++i)

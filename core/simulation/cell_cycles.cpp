@@ -1,5 +1,5 @@
-// The biological step [Nilsson 2008, figure 4.2]: what the cells want is asked first, of the world as it is, and done
-// afterwards, so that the order of cells cannot matter.
+// The biological step [Nilsson 2008, figure 4.2]: what the cells want is asked first, of the world as it is,
+// and done afterwards, so that the order of cells cannot matter.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,8 @@ CellChange runCellCycle(World& world, std::size_t i) {
   if (world.bodies) body.emplace(*world.bodies, static_cast<int>(i));
   CellView view{cells.path[i], cells.state[i], world.clock.time, cells.lastCycle[i], body ? &*body : nullptr};
   if (!world.biology->wantsToRunCellCycle(view)) return CellChange::none;
-  cells.lastCycle[i] += world.biology->cycleLength(cells.state[i]);  // when it was due: rounding to steps does not pile up
+  cells.lastCycle[i] +=
+      world.biology->cycleLength(cells.state[i]);  // when it was due: rounding to steps does not pile up
   view.state = cells.state[i] = world.biology->runCellCycle(view);
   world.lineage.entries[cells.entry[i]].state = cells.state[i];
   if (world.biology->wantsToDie(view)) return CellChange::dies;
@@ -36,8 +37,8 @@ void runCellCycles(World& world) {
   Clock& clock = world.clock;
   clock.nextCycle = INFINITY;
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)
-    clock.nextCycle =
-        std::min(clock.nextCycle, world.cells.lastCycle[i] + world.biology->cycleLength(world.cells.state[i]));
+    clock.nextCycle = std::min(clock.nextCycle,
+                               world.cells.lastCycle[i] + world.biology->cycleLength(world.cells.state[i]));
 }
 
 }  // namespace morula

@@ -10,12 +10,13 @@ void checkBodies(const World& world) {
     const double volume = b.volume[slot];
     // Written so that a NaN fails: it does not compare.
     if (volume > 0 && volume < 1e300 && b.pressure[slot] < 1e300) continue;
-    throw NumericalError(world.cells.path[slot].text(), world.clock.step,
-                         volume <= 0 ? "its volume is " + std::to_string(volume) + ": the cell is inside out"
-                                     : "its volume is not finite",
-                         "lower physics.time_step (now " + std::to_string(world.clock.timeStep) +
-                             ") or the stiffness that drives it: physics.membrane.stiffness, physics.pressure.constant, "
-                             "physics.contact.stiffness");
+    throw NumericalError(
+        world.cells.path[slot].text(), world.clock.step,
+        volume <= 0 ? "its volume is " + std::to_string(volume) + ": the cell is inside out"
+                    : "its volume is not finite",
+        "lower physics.time_step (now " + std::to_string(world.clock.timeStep) +
+            ") or the stiffness that drives it: physics.membrane.stiffness, physics.pressure.constant, "
+            "physics.contact.stiffness");
   }
 }
 

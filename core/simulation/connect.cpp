@@ -26,13 +26,16 @@ void connectByGene(World& world, const std::vector<CellChange>& changes) {
   if (!world.connections || world.connections->parameters.make == MakeConnections::atDivision) return;
   Connections& connections = *world.connections;
   const double time = world.clock.time;
-  const auto cycled = [&](int slot) { return changes[slot] != CellChange::none && changes[slot] != CellChange::dies; };
+  const auto cycled = [&](int slot) {
+    return changes[slot] != CellChange::none && changes[slot] != CellChange::dies;
+  };
 
   const auto active = connections.active;  // release changes the list
   for (std::size_t i : active) {
     const auto& [a, b] = std::pair{connections.history[i].a, connections.history[i].b};
     const auto slotOf = [&](const CellPath& p) {
-      return static_cast<int>(std::lower_bound(world.cells.path.begin(), world.cells.path.end(), p) - world.cells.path.begin());
+      return static_cast<int>(std::lower_bound(world.cells.path.begin(), world.cells.path.end(), p) -
+                              world.cells.path.begin());
     };
     const int slotA = slotOf(a), slotB = slotOf(b);
     if ((cycled(slotA) || cycled(slotB)) && wantsToConnect(world, slotA) + wantsToConnect(world, slotB) < 0)
@@ -40,7 +43,8 @@ void connectByGene(World& world, const std::vector<CellChange>& changes) {
   }
   if (!world.contacts) return;  // without contact nobody is a neighbour
   for (const ContactArea& touch : measureContactAreas(*world.contacts, *world.bodies))
-    if ((cycled(touch.a) || cycled(touch.b)) && wantsToConnect(world, touch.a) + wantsToConnect(world, touch.b) > 0)
+    if ((cycled(touch.a) || cycled(touch.b)) &&
+        wantsToConnect(world, touch.a) + wantsToConnect(world, touch.b) > 0)
       connect(connections, world.cells.path[touch.a], world.cells.path[touch.b], time);
 }
 
@@ -55,7 +59,8 @@ void releaseConnections(World& world) {
     const int slotA = static_cast<int>(std::lower_bound(paths.begin(), paths.end(), a) - paths.begin());
     const int slotB = static_cast<int>(std::lower_bound(paths.begin(), paths.end(), b) - paths.begin());
     const double limit = *c.parameters.releaseDistance * (radius(bodies, slotA) + radius(bodies, slotB));
-    if (norm(measureCentroid(takeBody(bodies, slotA).position) - measureCentroid(takeBody(bodies, slotB).position)) > limit)
+    if (norm(measureCentroid(takeBody(bodies, slotA).position) -
+             measureCentroid(takeBody(bodies, slotB).position)) > limit)
       release(c, a, b, world.clock.time, "distance");
   }
 }

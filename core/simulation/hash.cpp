@@ -34,7 +34,9 @@ Hash stateHash(const World& world) {
   h.field("cells").add(std::uint64_t{world.cells.path.size()});
   for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
     addPath(h, world.cells.path[i]);
-    h.add(world.biology->describe(world.cells.state[i])).add(world.cells.lastCycle[i]).add(world.cells.growth[i]);
+    h.add(world.biology->describe(world.cells.state[i]))
+        .add(world.cells.lastCycle[i])
+        .add(world.cells.growth[i]);
     if (world.bodies) addBody(h, *world.bodies, static_cast<int>(i));
   }
   if (world.connections) {

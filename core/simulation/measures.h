@@ -26,19 +26,19 @@ struct CellMeasures {
 };
 
 struct ContactMeasures {
-  CellPath a, b;  // a < b
+  CellPath a, b;    // a < b
   double area = 0;  // [length²]
 };
 
 struct WorldMeasures {
   double time = 0;
   std::uint64_t step = 0;
-  std::uint64_t cells = 0;       // alive
-  double volume = 0;             // [length³] all cells
-  double kineticEnergy = 0;      // [force·length]
-  double meanPressure = 0;       // [force/length²]
-  double shellFill = 0;          // volume / the shell's volume; 0 without a shell
-  double outermost = 0;          // largest distance of a vertex, in shell radii (1: on the shell); 0 without a shell
+  std::uint64_t cells = 0;   // alive
+  double volume = 0;         // [length³] all cells
+  double kineticEnergy = 0;  // [force·length]
+  double meanPressure = 0;   // [force/length²]
+  double shellFill = 0;      // volume / the shell's volume; 0 without a shell
+  double outermost = 0;  // largest distance of a vertex, in shell radii (1: on the shell); 0 without a shell
 };
 
 WorldMeasures measureWorld(const World& world);
@@ -46,8 +46,8 @@ WorldMeasures measureWorld(const World& world);
 std::vector<CellMeasures> measureCells(const World& world);
 /// By (a, b); empty without contact.
 std::vector<ContactMeasures> measureContacts(const World& world);
-/// Mean over the cells of the share of a cell's volume that lies in another cell too, by scan lines through a grid of
-/// `columns` × `columns` columns; O(cells · faces). [1]
+/// Mean over the cells of the share of a cell's volume that lies in another cell too, by scan lines through a
+/// grid of `columns` × `columns` columns; O(cells · faces). [1]
 double measureMeanOverlap(const World& world, int columns = 256);
 
 /// The vertex positions of one living cell, in the scene mesh's order.

@@ -13,15 +13,17 @@ namespace {
 Daughters divide(const World& world, std::size_t i) {
   const Body mother = takeBody(*world.bodies, static_cast<int>(i));
   const Vector normal = world.divisionPolicy->planeNormal(world.cells.path[i], mother);
-  CutResult cut = cutBody(mother, world.bodies->mesh.mesh.faces, normal, world.bodies->parameters.membrane.production);
+  CutResult cut =
+      cutBody(mother, world.bodies->mesh.mesh.faces, normal, world.bodies->parameters.membrane.production);
   if (!cut.failure.empty())
-    throw NumericalError(world.cells.path[i].text(), world.clock.step, "it cannot divide: " + cut.failure,
-                         "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
+    throw NumericalError(
+        world.cells.path[i].text(), world.clock.step, "it cannot divide: " + cut.failure,
+        "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
   return std::move(cut.daughters);
 }
 
-/// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3]. `centreOf` knows the
-/// cells of this moment.
+/// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3]. `centreOf`
+/// knows the cells of this moment.
 template <class CentreOf>
 void inheritConnections(Connections& c, const CellPath& mother, double time, const CentreOf& centreOf) {
   const CellPath a = mother.daughter(false), b = mother.daughter(true);
@@ -44,7 +46,8 @@ struct Population {
   std::vector<Body> bodies;
 };
 
-void add(Population& p, const CellPath& path, StateId state, double lastCycle, double growth, std::uint32_t entry) {
+void add(Population& p, const CellPath& path, StateId state, double lastCycle, double growth,
+         std::uint32_t entry) {
   p.cells.path.push_back(path);
   p.cells.state.push_back(state);
   p.cells.lastCycle.push_back(lastCycle);
@@ -75,14 +78,16 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
   // A cell that still stands in the list under its mother's name is looked up by its mother's old body.
   const auto centreOf = [&](const CellPath& path) {
     const auto now = std::lower_bound(next.cells.path.begin(), next.cells.path.end(), path);
-    if (now != next.cells.path.end() && *now == path) return centreOfBody(next.bodies[now - next.cells.path.begin()]);
+    if (now != next.cells.path.end() && *now == path)
+      return centreOfBody(next.bodies[now - next.cells.path.begin()]);
     const auto old = std::lower_bound(world.cells.path.begin(), world.cells.path.end(), path);
     return centreOfBody(takeBody(*world.bodies, static_cast<int>(old - world.cells.path.begin())));
   };
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] == CellChange::dies) releaseAll(*world.connections, world.cells.path[i], time, "died");
   for (std::size_t i = 0; i < changes.size(); ++i)
-    if (changes[i] == CellChange::divides) inheritConnections(*world.connections, world.cells.path[i], time, centreOf);
+    if (changes[i] == CellChange::divides)
+      inheritConnections(*world.connections, world.cells.path[i], time, centreOf);
 }
 
 }  // namespace

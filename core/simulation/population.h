@@ -8,14 +8,15 @@ namespace morula {
 
 enum class CellChange : std::uint8_t { none, cycled, divides, dies };
 
-/// Makes all divisions and deaths of one moment. First every cut is tried; only when all have succeeded does the world
-/// change. Throws NumericalError for a division that cannot be done, with its reason.
+/// Makes all divisions and deaths of one moment. First every cut is tried; only when all have succeeded does
+/// the world change. Throws NumericalError for a division that cannot be done, with its reason.
 void changePopulation(World& world, const std::vector<CellChange>& changes);
 
 /// The start of life with a new set of bodies: lists, forces and the time step for them.
 void beginWithBodies(World& world);
 
-/// Makes and releases connections between neighbours whose cell cycle ran, by the sum of their wantsToConnect.
+/// Makes and releases connections between neighbours whose cell cycle ran, by the sum of their
+/// wantsToConnect.
 void connectByGene(World& world, const std::vector<CellChange>& changes);
 
 }  // namespace morula

@@ -21,8 +21,9 @@ void runCellCycles(World& world);
 /// Ends connections whose cells are too far apart. Returns at once where there are none.
 void releaseConnections(World& world);
 
-/// Sets the time step for the cells as they are now: the scene's own, or the largest dyadic one that is stable.
-/// Throws NumericalError if the scene's own lies above 0.8 of a stability limit, which the text names.
+/// Sets the time step for the cells as they are now: the scene's own, or the largest dyadic one that is
+/// stable. Throws NumericalError if the scene's own lies above 0.8 of a stability limit, which the text
+/// names.
 void chooseTimeStep(World& world);
 
 }  // namespace morula

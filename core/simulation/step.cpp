@@ -25,7 +25,8 @@ void movePhysics(World& world, double timeStep) {
   if (bodies.count == 0) return;
   const PhysicsStages& stages = world.stages;
   const int blocks = bodies.blockCount(), threads = world.execution.threads;
-  const bool alone = !world.contacts && !world.connections;  // no cell needs another: one pass while a block is hot
+  const bool alone =
+      !world.contacts && !world.connections;  // no cell needs another: one pass while a block is hot
 
   parallelFor(blocks, threads, [&](int i) {
     const BlockView block = bodies.block(i, threadNumber());
@@ -47,7 +48,8 @@ void growCells(World& world, double timeStep) {
   const auto& growth = world.model.mechanics->physics.growth;
   if (!growth) return;
   for (int slot = 0; slot < world.bodies->count; ++slot)
-    if (world.cells.growth[slot] != 0) grow(*world.bodies, slot, growth->rate * world.cells.growth[slot], timeStep);
+    if (world.cells.growth[slot] != 0)
+      grow(*world.bodies, slot, growth->rate * world.cells.growth[slot], timeStep);
 }
 
 }  // namespace morula

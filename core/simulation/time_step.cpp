@@ -28,8 +28,8 @@ Limit tightestLimit(const World& world, double& combined) {
       l.contact = contactLimit(world.bodies->parameters.integrator, world.contacts->parameters.stiffness,
                                world.contacts->parameters.damping, world.bodies->vertexMass[slot]);
     // Stiffnesses add up, and a limit goes with 1/√stiffness.
-    const double all =
-        1 / std::sqrt(1 / (l.spring * l.spring) + 1 / (l.pressure * l.pressure) + 1 / (l.contact * l.contact));
+    const double all = 1 / std::sqrt(1 / (l.spring * l.spring) + 1 / (l.pressure * l.pressure) +
+                                     1 / (l.contact * l.contact));
     if (all < combined) combined = all, tightest = l;
   }
   return tightest;
@@ -37,10 +37,11 @@ Limit tightestLimit(const World& world, double& combined) {
 
 void refuseAbove(double limit, const char* mode, const World& world, int slot, double timeStep) {
   if (timeStep <= 0.8 * limit) return;
-  throw NumericalError(world.cells.path[slot].text(), world.clock.step,
-                       "physics.time_step " + std::to_string(timeStep) + " is above 0.8 of the stability limit " +
-                           std::to_string(limit) + " of its " + mode,
-                       "use physics.time_step: auto, or at most " + std::to_string(powerOfTwoBelow(0.8 * limit)));
+  throw NumericalError(
+      world.cells.path[slot].text(), world.clock.step,
+      "physics.time_step " + std::to_string(timeStep) + " is above 0.8 of the stability limit " +
+          std::to_string(limit) + " of its " + mode,
+      "use physics.time_step: auto, or at most " + std::to_string(powerOfTwoBelow(0.8 * limit)));
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ struct Execution {
 struct Cells {
   std::vector<CellPath> path;
   std::vector<StateId> state;
-  std::vector<double> lastCycle;      // [time] when its last cell cycle was due, or its mother's at its birth
-  std::vector<double> growth;         // wantsToGrow, as it was at the last cell cycle
-  std::vector<std::uint32_t> entry;   // its place in lineage.entries
+  std::vector<double> lastCycle;     // [time] when its last cell cycle was due, or its mother's at its birth
+  std::vector<double> growth;        // wantsToGrow, as it was at the last cell cycle
+  std::vector<std::uint32_t> entry;  // its place in lineage.entries
 };
 
 struct Clock {
@@ -37,7 +37,7 @@ struct Clock {
   double timeStep = 0;     // [time] 0 in a lineage-only world: it goes from cycle to cycle
   double epochTime = 0;    // where the present time step came into force
   std::uint64_t epochStep = 0;
-  double nextCycle = 0;    // [time] when the next cell cycle of any cell is due
+  double nextCycle = 0;  // [time] when the next cell cycle of any cell is due
 };
 
 /// One entry for the start and one for each change; changes happen at divisions and deaths only.
@@ -65,15 +65,16 @@ struct World {
   std::vector<TimeStepChange> timeSteps;
 };
 
-/// Builds the world at time 0: one egg. Throws InputError if the scene cannot run, for example when its fixed time
-/// step lies above the stability limit, which the text names.
+/// Builds the world at time 0: one egg. Throws InputError if the scene cannot run, for example when its fixed
+/// time step lies above the stability limit, which the text names.
 World makeWorld(const Scene& scene, const Execution& execution = {});
 
 /// As above, with cells controlled by another biology than the scene's DNA.
 World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution);
 
-/// Goes on by one time step, or in a lineage-only world to the next cell cycle, and does the divisions, deaths and
-/// connections that are due. Throws NumericalError when the physics cannot go on; the world then holds the failed state.
+/// Goes on by one time step, or in a lineage-only world to the next cell cycle, and does the divisions,
+/// deaths and connections that are due. Throws NumericalError when the physics cannot go on; the world then
+/// holds the failed state.
 void step(World& world);
 
 /// True once one of the scene's stop conditions holds.
