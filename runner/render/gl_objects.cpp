@@ -66,6 +66,10 @@ void Program::setSize(const char* name, int x, int y) const {
   glUniform2i(glGetUniformLocation(program_, name), x, y);
 }
 
+void Program::setPairs(const char* name, const float* values, int pairs) const {
+  glUniform2fv(glGetUniformLocation(program_, name), pairs, values);
+}
+
 void Program::setMatrix(const char* name, const float* columns16) const {
   glUniformMatrix4fv(glGetUniformLocation(program_, name), 1, GL_FALSE, columns16);
 }
@@ -109,12 +113,18 @@ Framebuffer::~Framebuffer() { glDeleteFramebuffers(1, &framebuffer_); }
 void Framebuffer::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
 
 VertexBuffer::VertexBuffer(const void* data, std::size_t bytes, std::size_t stride,
-                           std::initializer_list<VertexAttribute> attributes) {
+                           std::initializer_list<VertexAttribute> attributes,
+                           const std::vector<std::uint32_t>& indices) {
   glGenVertexArrays(1, &array_);
   glBindVertexArray(array_);
   glGenBuffers(1, &buffer_);
   glBindBuffer(GL_ARRAY_BUFFER, buffer_);
   glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(bytes), data, GL_STATIC_DRAW);
+  if (!indices.empty()) {
+    glGenBuffers(1, &indices_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(4 * indices.size()), indices.data(), GL_STATIC_DRAW);
+  }
   GLuint location = 0;
   for (const VertexAttribute& attribute : attributes) {
     const void* offset = reinterpret_cast<const void*>(attribute.offset);
@@ -130,12 +140,16 @@ VertexBuffer::VertexBuffer(const void* data, std::size_t bytes, std::size_t stri
 
 VertexBuffer::~VertexBuffer() {
   glDeleteBuffers(1, &buffer_);
+  glDeleteBuffers(1, &indices_);
   glDeleteVertexArrays(1, &array_);
 }
 
-void VertexBuffer::drawTriangles(std::size_t firstVertex, std::size_t vertices) const {
+void VertexBuffer::drawTriangles(std::size_t firstCorner, std::size_t corners) const {
   glBindVertexArray(array_);
-  glDrawArrays(GL_TRIANGLES, GLint(firstVertex), GLsizei(vertices));
+  if (indices_)
+    glDrawElements(GL_TRIANGLES, GLsizei(corners), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(4 * firstCorner));
+  else glDrawArrays(GL_TRIANGLES, GLint(firstCorner), GLsizei(corners));
 }
 
 }  // namespace morula

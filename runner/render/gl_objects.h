@@ -1,5 +1,6 @@
 #pragma once
 // OpenGL objects that clean up after themselves, and no more of OpenGL than the pictures need.
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ class Program {
   void set(const char* name, float value) const;
   void set(const char* name, float x, float y) const;
   void set(const char* name, float x, float y, float z) const;
+  void setPairs(const char* name, const float* values, int pairs) const;
   void setSize(const char* name, int x, int y) const;
   void setMatrix(const char* name, const float* columns16) const;
 
@@ -64,18 +66,20 @@ struct VertexAttribute {
   std::size_t offset;
 };
 
-/// Vertices on their way into the pipeline; attribute number i stands at location i.
+/// Vertices on their way into the pipeline; attribute number i stands at location i. Triangles are three
+/// vertices after three, or as indices say if there are any.
 class VertexBuffer {
  public:
   VertexBuffer(const void* data, std::size_t bytes, std::size_t stride,
-               std::initializer_list<VertexAttribute> attributes);
+               std::initializer_list<VertexAttribute> attributes,
+               const std::vector<std::uint32_t>& indices = {});
   ~VertexBuffer();
   VertexBuffer(const VertexBuffer&) = delete;
   VertexBuffer& operator=(const VertexBuffer&) = delete;
-  void drawTriangles(std::size_t firstVertex, std::size_t vertices) const;
+  void drawTriangles(std::size_t firstCorner, std::size_t corners) const;
 
  private:
-  GLuint buffer_ = 0, array_ = 0;
+  GLuint buffer_ = 0, array_ = 0, indices_ = 0;
 };
 
 }  // namespace morula

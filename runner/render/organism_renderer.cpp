@@ -45,6 +45,20 @@ double meanCellSize(const OrganismPicture& picture) {
   return count ? sum / double(count) : 1;
 }
 
+/// The directions in which the occlusion shader looks: steps of the golden angle, and sixteen turns of them.
+void setSpiral(const Program& program) {
+  constexpr int taps = 14;  // as in the shader
+  float spiral[2 * taps], turns[2 * 16];
+  for (int i = 0; i < taps; ++i)
+    spiral[2 * i] = float(std::cos(2.399963 * i)), spiral[2 * i + 1] = float(std::sin(2.399963 * i));
+  for (int i = 0; i < 16; ++i) {
+    const double turn = 6.283185 * (i + 0.5) / 16;
+    turns[2 * i] = float(std::cos(turn)), turns[2 * i + 1] = float(std::sin(turn));
+  }
+  program.setPairs("spiral", spiral, taps);
+  program.setPairs("turns", turns, 16);
+}
+
 void setPaper(const Program& program) {
   program.set("paperLight", float(linearLight(paper.r)), float(linearLight(paper.g)),
               float(linearLight(paper.b)));
@@ -60,6 +74,7 @@ struct OrganismRenderer::Programs {
   Program blur{screenVertexShader(), occlusionBlurShader()};
   Program layer{screenVertexShader(), layerShader()};
   Program resolve{screenVertexShader(), resolveShader()};
+  VertexBuffer screen{nullptr, 0, 0, {}};  // the shader knows its three corners by number
 };
 
 /// Everything that is as large as the picture or its sample grid.
@@ -69,7 +84,7 @@ struct OrganismRenderer::Targets {
     std::unique_ptr<Texture> shapes;
     Framebuffer framebuffer;
     Layer(int w, int h, bool shaped)
-        : lights(w, h, GL_RGBA16F),
+        : lights(w, h, GL_RGBA32F),
           owners(w, h, GL_R32UI),
           depth(w, h, GL_DEPTH_COMPONENT32F),
           shapes(shaped ? std::make_unique<Texture>(w, h, GL_RGBA32F) : nullptr),
@@ -80,7 +95,7 @@ struct OrganismRenderer::Targets {
     Texture sum;
     Framebuffer framebuffer;
     Veils(int w, int h)
-        : first(w, h, false), second(w, h, false), sum(w, h, GL_RGBA16F), framebuffer({&sum}, nullptr) {}
+        : first(w, h, false), second(w, h, false), sum(w, h, GL_RGBA32F), framebuffer({&sum}, nullptr) {}
   };
 
   int width, height, samples;
@@ -94,8 +109,8 @@ struct OrganismRenderer::Targets {
         height(h),
         samples(s),
         solid(w * s, h * s, true),
-        rawVisible(w, h, GL_R16F),
-        visible(w, h, GL_R16F),
+        rawVisible(w, h, GL_R32F),
+        visible(w, h, GL_R32F),
         result(w, h, GL_RGBA8),
         rawVisibleBuffer({&rawVisible}, nullptr),
         visibleBuffer({&visible}, nullptr),
@@ -126,13 +141,6 @@ struct OrganismRenderer::Frame {
     program.set("samples", samples);
     program.set("outlineReach", std::max(1, int(std::lround(0.5f * pixel))));
     program.setMatrix("projection", matrix.data());
-  }
-
-  void fillScreen(const Framebuffer& target, int w, int h) const {
-    target.bind();
-    glViewport(0, 0, w, h);
-    glDisable(GL_DEPTH_TEST);
-    cells->drawTriangles(0, 3);  // the vertices themselves are not read
   }
 };
 
@@ -166,14 +174,14 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
               .matrix = projection(aperture, framing.distance, nearest, farthest),
               .pixel = float(picture.samples * std::max(1.0, std::min(width, height) / 900.0)),
               .surface = makeSurface(picture, axes, framing)};
-  if (frame.surface.vertices.size() < 3) frame.surface.vertices.resize(3);
   const VertexBuffer cells(frame.surface.vertices.data(),
                            frame.surface.vertices.size() * sizeof(SurfaceVertex), sizeof(SurfaceVertex),
                            {{3, GL_FLOAT, false, false, offsetof(SurfaceVertex, position)},
                             {3, GL_FLOAT, false, false, offsetof(SurfaceVertex, normal)},
                             {3, GL_FLOAT, false, false, offsetof(SurfaceVertex, corner)},
                             {4, GL_UNSIGNED_SHORT, false, true, offsetof(SurfaceVertex, light)},
-                            {1, GL_UNSIGNED_INT, true, false, offsetof(SurfaceVertex, owner)}});
+                            {1, GL_UNSIGNED_INT, true, false, offsetof(SurfaceVertex, owner)}},
+                           frame.surface.corners);
   frame.cells = &cells;
   if (!targets_ || targets_->width != width || targets_->height != height ||
       targets_->samples != picture.samples) {
@@ -199,6 +207,14 @@ void clearLayer(float eyeDistance) {
 }
 
 }  // namespace
+
+void OrganismRenderer::fillScreen(const Framebuffer& target, int width, int height) {
+  target.bind();
+  glViewport(0, 0, width, height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  programs_->screen.drawTriangles(0, 3);
+}
 
 void OrganismRenderer::drawSolid(const Frame& frame) {
   targets_->solid.framebuffer.bind();
@@ -244,24 +260,22 @@ void OrganismRenderer::drawLines(const Frame& frame) {
 void OrganismRenderer::findOcclusion(const Frame& frame) {
   frame.describe(programs_->occlusion);
   programs_->occlusion.set("radius", float(0.8 * meanCellSize(frame.picture)));
+  setSpiral(programs_->occlusion);
   programs_->occlusion.set("shapes", 0);
   programs_->occlusion.set("owners", 1);
   targets_->solid.shapes->bind(0);
   targets_->solid.owners.bind(1);
-  glDisable(GL_CULL_FACE);
-  frame.fillScreen(targets_->rawVisibleBuffer, frame.width, frame.height);
+  fillScreen(targets_->rawVisibleBuffer, frame.width, frame.height);
   frame.describe(programs_->blur);
   programs_->blur.set("raw", 0);
   programs_->blur.set("owners", 1);
   targets_->rawVisible.bind(0);
-  frame.fillScreen(targets_->visibleBuffer, frame.width, frame.height);
+  fillScreen(targets_->visibleBuffer, frame.width, frame.height);
 }
 
 bool OrganismRenderer::drawVeils(const Frame& frame) {
-  const std::size_t count = frame.surface.vertices.size() - frame.surface.solid;
-  const bool any = std::any_of(frame.picture.cells.begin(), frame.picture.cells.end(),
-                               [](const CellShape& cell) { return cell.opacity > 0 && cell.opacity < 1; });
-  if (!any) return false;
+  const std::size_t count = frame.surface.corners.size() - frame.surface.solid;
+  if (count == 0) return false;
   // Depth peeling [Everitt 2001]: each turn draws the nearest surfaces behind those of the last turn, so
   // whatever the cells' order and however they interpenetrate, each sample meets its surfaces from front to
   // back.
@@ -299,10 +313,9 @@ bool OrganismRenderer::drawVeils(const Frame& frame) {
     programs_->layer.set("owners", 1);
     here.lights.bind(0);
     here.owners.bind(1);
-    glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);  // under: only what the layers before let through
     glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    frame.fillScreen(veils.framebuffer, frame.gridWidth(), frame.gridHeight());
+    fillScreen(veils.framebuffer, frame.gridWidth(), frame.gridHeight());
     glDisable(GL_BLEND);
   }
   glDeleteQueries(1, &query);
@@ -346,8 +359,7 @@ Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
     program.setMatrix("toShell", toShell);
     program.setMatrix("fromNormal", fromNormal);
   }
-  glDisable(GL_CULL_FACE);
-  frame.fillScreen(targets_->resultBuffer, frame.width, frame.height);
+  fillScreen(targets_->resultBuffer, frame.width, frame.height);
 
   std::vector<std::uint8_t> rgba(std::size_t(4) * frame.width * frame.height);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -25,6 +25,7 @@ class OrganismRenderer {
   struct Programs;
   struct Targets;
   struct Frame;
+  void fillScreen(const class Framebuffer& target, int width, int height);
   void drawSolid(const Frame& frame);
   void drawLines(const Frame& frame);
   bool drawVeils(const Frame& frame);

@@ -20,15 +20,16 @@ vec3 eyePoint(vec2 sampleAt, float z) {
 )";
 
 // Dark lines where one cell ends and another thing begins, as a draughtsman would set them: 1 inside, less at
-// an edge.
+// an edge. llvmpipe runs both sides of an `if`, but leaves a loop at once when no pixel wants a turn: hence
+// the number of them.
 const char* const outlines = R"(
 uniform usampler2D owners;
 uniform int outlineReach;  // in samples
-float outlineShade(ivec2 at, uint own) {
-  if (own == lineOwner) return 1.0;
+const ivec2 around[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+float outlineShade(ivec2 at, uint own, bool wanted) {
   float edges = 0.0;
-  const ivec2 around[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
-  for (int i = 0; i < 4; ++i) {
+  int turns = wanted && own != 0u && own != lineOwner ? 4 : 0;
+  for (int i = 0; i < turns; ++i) {
     ivec2 there = clamp(at + outlineReach * around[i], ivec2(0), size - 1);
     uint other = texelFetch(owners, there, 0).r;
     if (other != own && other != lineOwner) edges = 1.0;
@@ -186,25 +187,27 @@ uniform sampler2D shapes;
 uniform usampler2D owners;
 uniform int samples;
 uniform float radius;
+uniform vec2 spiral[14];  // directions of the taps
+uniform vec2 turns[16];   // cosine and sine of each pixel's turn
 layout(location = 0) out vec4 visible;
-const int taps = 20;
+const int taps = 14;
 const int spread[16] = int[16](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);  // [Bayer 1973]
 void main() {
-  visible = vec4(1.0);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   ivec2 at = pixel * samples + samples / 2;
   uint own = texelFetch(owners, at, 0).r;
-  if (own == 0u || own == lineOwner) return;
+  int wanted = own == 0u || own == lineOwner ? 0 : taps;  // as in outlineShade
   vec4 surface = texelFetch(shapes, at, 0);
   vec3 p = eyePoint(vec2(at), surface.w);
   float reach = 0.5 * float(size.y) * radius / ((eyeDistance - surface.w) * aperture.y);  // [sample]
   // Each pixel of a 4 x 4 block looks in other directions and at other distances; the blur takes the pattern out again.
-  float turn = (float(spread[(pixel.y & 3) * 4 + (pixel.x & 3)]) + 0.5) / 16.0;
+  int place = spread[(pixel.y & 3) * 4 + (pixel.x & 3)];
+  vec2 turn = turns[place];
   float sum = 0.0;
-  for (int i = 0; i < taps; ++i) {
-    float share = (float(i) + turn) / float(taps);
-    float angle = 6.283185 * turn + 2.399963 * float(i);
-    ivec2 there = at + ivec2(round(reach * share * vec2(cos(angle), sin(angle))));
+  for (int i = 0; i < wanted; ++i) {
+    float share = (float(i) + (float(place) + 0.5) / 16.0) / float(taps);
+    vec2 way = vec2(spiral[i].x * turn.x - spiral[i].y * turn.y, spiral[i].x * turn.y + spiral[i].y * turn.x);
+    ivec2 there = at + ivec2(round(reach * share * way));
     there = clamp(there, ivec2(0), size - 1);
     vec3 to = eyePoint(vec2(there), texelFetch(shapes, there, 0).w) - p;
     float gap = max(0.0, 1.0 - dot(to, to) / (radius * radius));
@@ -247,7 +250,7 @@ void main() {
   veil = vec4(0.0);
   if (own == 0u) return;
   vec4 light = texelFetch(lights, at, 0);
-  float shade = outlineShade(at, own);
+  float shade = outlineShade(at, own, true);
   float cover = mix(1.0, light.a, shade);  // outlines stay visible on faint cells
   veil = vec4(light.rgb * shade * cover, cover);
 }
@@ -263,18 +266,27 @@ uniform mat4 toShell;     // eye space to the space in which the shell is the un
 uniform mat4 fromNormal;  // a normal of that sphere to eye space
 layout(location = 0) out vec4 pixel;
 
-float occlusionAt(ivec2 at, uint own) {
-  ivec2 home = at / samples, last = size / samples - 1;
-  if (texelFetch(owners, home * samples + samples / 2, 0).r == own) return texelFetch(visibles, home, 0).r;
-  float sum = 0.0, weight = 0.0;  // at an edge: from the neighbours on this side of it
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx) {
-      ivec2 there = clamp(home + ivec2(dx, dy), ivec2(0), last);
-      if (texelFetch(owners, there * samples + samples / 2, 0).r != own) continue;
-      sum += texelFetch(visibles, there, 0).r;
-      weight += 1.0;
-    }
-  return weight > 0.0 ? sum / weight : 0.7;
+// The pixel's own, or for a sample whose cell is not that of the pixel's middle, the mean of the neighbours on this side
+// of the edge.
+float occlusion(ivec2 home, uint own, uint homeOwner, float homeVisible) {
+  ivec2 last = size / samples - 1;
+  float sum = 0.0, weight = 0.0;
+  int turns = own == homeOwner || own == 0u ? 0 : 9;
+  for (int i = 0; i < turns; ++i) {
+    ivec2 there = clamp(home + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
+    bool same = texelFetch(owners, there * samples + samples / 2, 0).r == own;
+    sum += same ? texelFetch(visibles, there, 0).r : 0.0;
+    weight += same ? 1.0 : 0.0;
+  }
+  return own == homeOwner ? homeVisible : weight > 0.0 ? sum / weight : 0.7;
+}
+
+// True if the corners of the pixel's surroundings belong to one cell: no outline can run here, and nearly all pixels
+// are spared the search for one.
+bool plain(ivec2 corner, uint own) {
+  ivec2 low = max(corner - outlineReach, ivec2(0)), high = min(corner + samples - 1 + outlineReach, size - 1);
+  return texelFetch(owners, low, 0).r == own && texelFetch(owners, high, 0).r == own &&
+         texelFetch(owners, ivec2(low.x, high.y), 0).r == own && texelFetch(owners, ivec2(high.x, low.y), 0).r == own;
 }
 
 // A thin glass shell: nearly nothing where one looks straight through it, more towards its rim. Once per pixel; its
@@ -303,15 +315,20 @@ vec3 withShell(vec3 behind, vec2 at) {
 }
 
 void main() {
-  ivec2 corner = ivec2(gl_FragCoord.xy) * samples;
+  ivec2 home = ivec2(gl_FragCoord.xy), corner = home * samples;
+  uint homeOwner = texelFetch(owners, corner + samples / 2, 0).r;
+  float homeVisible = texelFetch(visibles, home, 0).r;
+  bool amidst = plain(corner, homeOwner);
   vec3 sum = vec3(0.0);
   for (int y = 0; y < samples; ++y)
     for (int x = 0; x < samples; ++x) {
       ivec2 at = corner + ivec2(x, y);
       uint own = texelFetch(owners, at, 0).r;
       vec3 light = paperLight;
-      if (own == lineOwner) light = texelFetch(lights, at, 0).rgb;
-      else if (own != 0u) light = texelFetch(lights, at, 0).rgb * occlusionAt(at, own) * outlineShade(at, own);
+      if (own != 0u) light = texelFetch(lights, at, 0).rgb;
+      bool cell = own != 0u && own != lineOwner;
+      float shade = occlusion(home, own, homeOwner, homeVisible) * outlineShade(at, own, !amidst || own != homeOwner);
+      light *= cell ? shade : 1.0;
       if (veiled != 0) {
         vec4 veil = texelFetch(veils, at, 0);
         light = veil.rgb + (1.0 - veil.a) * light;

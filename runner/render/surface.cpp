@@ -8,17 +8,25 @@ namespace {
 
 using Weights = std::array<double, 3>;
 
-/// The corners of the n² triangles that a face is split into, three after three, wound like the face.
-std::vector<Weights> splitFace(int n) {
-  const auto at = [n](int i, int j) { return Weights{double(n - i - j) / n, double(i) / n, double(j) / n}; };
-  std::vector<Weights> corners;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; i + j < n; ++j) {
-      for (const Weights& w : {at(i, j), at(i + 1, j), at(i, j + 1)}) corners.push_back(w);
+/// How a face is split into n² triangles: points on a lattice, and the triangles between them, wound like the
+/// face.
+struct Split {
+  std::vector<Weights> points;
+  std::vector<std::uint32_t> corners;
+};
+
+Split splitFace(int n) {
+  Split split;
+  const auto index = [n](int i, int j) { return std::uint32_t(i * (n + 1) - i * (i - 1) / 2 + j); };
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j) {
+      split.points.push_back({double(n - i - j) / n, double(i) / n, double(j) / n});
+      if (i + j >= n) continue;
+      split.corners.insert(split.corners.end(), {index(i, j), index(i + 1, j), index(i, j + 1)});
       if (i + j + 1 < n)
-        for (const Weights& w : {at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}) corners.push_back(w);
+        split.corners.insert(split.corners.end(), {index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)});
     }
-  return corners;
+  return split;
 }
 
 int splitsFor(std::size_t faces) {
@@ -47,8 +55,8 @@ struct FaceInEye {
 
 std::uint16_t asUint16(double value) { return std::uint16_t(std::clamp(value, 0.0, 1.0) * 65535 + 0.5); }
 
-void addCell(std::vector<SurfaceVertex>& to, const OrganismPicture& picture, std::size_t number,
-             const EyeAxes& axes, const Point& centre, const std::vector<Weights>& split) {
+void addCell(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes,
+             const Point& centre, const Split& split) {
   const CellShape& cell = picture.cells[number];
   std::vector<Vector> normals = vertexNormals(cell.vertices, picture.faces);
   std::vector<Vector> positions;
@@ -64,7 +72,9 @@ void addCell(std::vector<SurfaceVertex>& to, const OrganismPicture& picture, std
     FaceInEye corners;
     for (int i = 0; i < 3; ++i)
       corners.position[i] = positions[face[i]], corners.normal[i] = normals[face[i]];
-    for (const Weights& w : split) {
+    for (const std::uint32_t corner : split.corners)
+      to.corners.push_back(std::uint32_t(to.vertices.size()) + corner);
+    for (const Weights& w : split.points) {
       const Vector p = corners.curved(w);
       const Vector n = corners.normal[0] * w[0] + corners.normal[1] * w[1] + corners.normal[2] * w[2];
       const double values[9] = {p.x, p.y, p.z, n.x, n.y, n.z, w[0], w[1], w[2]};
@@ -73,7 +83,7 @@ void addCell(std::vector<SurfaceVertex>& to, const OrganismPicture& picture, std
         vertex.normal[i] = float(values[3 + i]);
         vertex.corner[i] = float(values[6 + i]);
       }
-      to.push_back(vertex);
+      to.vertices.push_back(vertex);
     }
   }
 }
@@ -98,16 +108,17 @@ std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std:
 }
 
 Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing) {
-  const std::vector<Weights> split = splitFace(splitsFor(picture.cells.size() * picture.faces.size()));
+  const std::size_t faces = picture.cells.size() * picture.faces.size();
+  const Split split = splitFace(splitsFor(faces));
   Surface surface;
-  surface.vertices.reserve(picture.cells.size() * picture.faces.size() * split.size());
+  surface.vertices.reserve(faces * split.points.size());
+  surface.corners.reserve(faces * split.corners.size());
   for (const bool solid : {true, false}) {
     for (std::size_t i = 0; i < picture.cells.size(); ++i) {
       const double opacity = picture.cells[i].opacity;
-      if (opacity > 0 && (opacity >= 1) == solid)
-        addCell(surface.vertices, picture, i, axes, framing.centre, split);
+      if (opacity > 0 && (opacity >= 1) == solid) addCell(surface, picture, i, axes, framing.centre, split);
     }
-    if (solid) surface.solid = surface.vertices.size();
+    if (solid) surface.solid = surface.corners.size();
   }
   return surface;
 }

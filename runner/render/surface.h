@@ -8,7 +8,7 @@
 
 namespace morula {
 
-/// One corner of a triangle, laid out as the cells' vertex shader reads it.
+/// One point of the surface, laid out as the cells' vertex shader reads it.
 struct SurfaceVertex {
   float position[3];  // in eye space, relative to the framing's centre
   float normal[3];
@@ -18,8 +18,9 @@ struct SurfaceVertex {
 };
 
 struct Surface {
-  std::vector<SurfaceVertex> vertices;  // three to a triangle, solid cells first
-  std::size_t solid = 0;                // vertices of solid cells
+  std::vector<SurfaceVertex> vertices;
+  std::vector<std::uint32_t> corners;  // three vertices to a triangle, solid cells first
+  std::size_t solid = 0;               // corners of solid cells
 };
 
 /// Bends each face between its vertices by Phong tessellation [Boubekeur & Alexa 2008], so that silhouettes

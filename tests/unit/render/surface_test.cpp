@@ -31,8 +31,8 @@ TEST_CASE("normals of a sphere point outward", "[surface]") {
 TEST_CASE("a coarse sphere is drawn round", "[surface]") {
   const Surface surface = surfaceOf(picture({ball("", {0, 0, 0}, 1, red)}));
   const std::size_t faces = makeIcosphere(2).faces.size();
-  REQUIRE(surface.vertices.size() == faces * 16 * 3);
-  REQUIRE(surface.solid == surface.vertices.size());
+  REQUIRE(surface.corners.size() == faces * 16 * 3);
+  REQUIRE(surface.solid == surface.corners.size());
   // Flat faces would lie up to 1.6 % inside of the sphere.
   for (const SurfaceVertex& v : surface.vertices) REQUIRE(distanceFromAxis(v) == Approx(1).margin(0.0006));
 }
@@ -51,10 +51,10 @@ TEST_CASE("the mesh's own vertices stay where they are", "[surface]") {
 TEST_CASE("split faces keep their winding and cover the face", "[surface]") {
   const Surface surface = surfaceOf(picture({ball("", {0, 0, 0}, 1, red)}));
   double area = 0;
-  for (std::size_t i = 0; i < surface.vertices.size(); i += 3) {
+  for (std::size_t i = 0; i < surface.corners.size(); i += 3) {
     Vector p[3];
     for (int k = 0; k < 3; ++k) {
-      const float* q = surface.vertices[i + k].position;
+      const float* q = surface.vertices[surface.corners[i + k]].position;
       p[k] = {q[0], q[1], q[2]};
     }
     const Vector twice = cross(p[1] - p[0], p[2] - p[0]);
@@ -71,7 +71,7 @@ TEST_CASE("many cells are split less, solid cells come first, invisible ones not
   cells[1].opacity = 0;
   const Surface surface = surfaceOf(picture(cells));
   REQUIRE(surface.solid == 398u * 320 * 3);
-  REQUIRE(surface.vertices.size() == 399u * 320 * 3);
+  REQUIRE(surface.corners.size() == 399u * 320 * 3);
   REQUIRE(surface.vertices.front().owner == 3);
   REQUIRE(surface.vertices.back().owner == 1);
 }
