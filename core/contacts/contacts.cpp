@@ -1,6 +1,7 @@
 #include "contacts/contacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace morula {
@@ -22,27 +23,35 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa) {
   return c;
 }
 
-void resetContacts(Contacts& c, const Bodies& bodies) {
+void setInfluenceRadii(Contacts& c, const Bodies& bodies) {
   c.radius.assign(bodies.restScale.size(), 0);
-  for (int slot = 0; slot < bodies.count; ++slot)
-    c.radius[slot] =
-        static_cast<float>(c.parameters.radius * bodies.mesh.meanRestLength * bodies.restScale[slot]);
+  c.inverseRadiusSquared.assign(bodies.restScale.size(), 0);
+  double smallest = INFINITY;
+  for (int slot = 0; slot < bodies.count; ++slot) {
+    const double radius = c.parameters.radius * bodies.mesh.meanRestLength * bodies.restScale[slot];
+    c.radius[slot] = radius;
+    c.inverseRadiusSquared[slot] = 1 / (radius * radius);
+    smallest = std::min(smallest, radius);
+  }
+  c.list.skin = bodies.count > 0 ? skinShare * smallest : 0;
+  c.listIsValid = false;
+}
+
+void resetContacts(Contacts& c, const Bodies& bodies) {
+  setInfluenceRadii(c, bodies);
   const std::size_t vertices = bodies.position.size() / 3;
   c.rows.assign((vertices + 1) * 8, 0);
-  const SnapshotRow far{1e100, 1e100, 1e100, 0, 0, 0, 1, 0, 0, 0};
+  const SnapshotRow far{1e100, 1e100, 1e100, 0, 0, 0, 1, 0, 0, 1};
   std::memcpy(&c.rows[vertices * 8], &far, sizeof far);
   c.farthest.assign(bodies.blockCount(), 0);
   c.list.reference.assign(bodies.position.begin(), bodies.position.end());
-  c.list.skin =
-      bodies.count > 0 ? skinShare * *std::min_element(c.radius.begin(), c.radius.begin() + bodies.count) : 0;
-  c.listIsValid = false;
 }
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
   const std::size_t lines = std::size_t(index) * bodies.vertexCount();
-  c.farthest[index] =
-      c.kernels->takeSnapshot(bodies.mesh.view(), block, &c.radius[std::size_t(index) * blockLanes],
-                              &c.list.reference[lines * vertexStride], &c.rows[lines * blockLanes * 8]);
+  c.farthest[index] = c.kernels->takeSnapshot(
+      bodies.mesh.view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
+      &c.list.reference[lines * vertexStride], &c.rows[lines * blockLanes * 8]);
 }
 
 void refreshList(Contacts& c, const Bodies& bodies, int threads) {

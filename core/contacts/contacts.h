@@ -19,8 +19,9 @@ struct Contacts {
   ContactKernels::AddForces addForces = nullptr;  // of the scene's law
 
   // State between rebuilds; nothing of it is part of the result
-  AlignedVector<double> radius;    // [slot] influence radius [length], rounded to float
-  AlignedVector<double> rows;      // SnapshotRow of every vertex, and the far row
+  AlignedVector<double> radius;                // [slot] influence radius [length]
+  AlignedVector<double> inverseRadiusSquared;  // [slot] [1/length²]
+  AlignedVector<double> rows;                  // SnapshotRow of every vertex, and the far row
   AlignedVector<double> farthest;  // [block] largest squared displacement since the list was built
   NeighbourList list;
   bool listIsValid = false;
@@ -32,8 +33,11 @@ struct Contacts {
 
 Contacts makeContacts(const ContactParameters& parameters, Isa isa);
 
-/// To be called when the cells have changed: new radii, room for the rows, and the list is void.
+/// To be called when the set of cells has changed: new radii, room for the rows, and the list is void.
 void resetContacts(Contacts& contacts, const Bodies& bodies);
+
+/// To be called when cells have grown: influence radii follow the rest lengths, and the list is void.
+void setInfluenceRadii(Contacts& contacts, const Bodies& bodies);
 
 /// Takes one block's snapshot, from the scratch that `advance` has just filled.
 void takeSnapshot(Contacts& contacts, const Bodies& bodies, const BlockView& block, int index);

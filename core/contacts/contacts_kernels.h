@@ -37,8 +37,8 @@ struct ContactKernels {
 
   /// Writes the rows of a block's vertices from position, predicted and gradient. Returns the largest squared
   /// distance of a vertex from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
-  double (*takeSnapshot)(const TemplateView&, const BlockView&, const double* radius, const double* reference,
-                         double* rows);
+  double (*takeSnapshot)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
+                         const double* reference, double* rows);
   /// force += contact forces, for a range of slices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
   /// `vertexMass` [slot]; `vertexCount` of one cell.
   using AddForces = void (*)(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,

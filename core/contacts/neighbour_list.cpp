@@ -8,6 +8,10 @@ namespace morula {
 
 namespace {
 
+// A pair acts within R_ij = √(2/(1/R_i² + 1/R_j²)) ≤ (R_i + R_j)/2, with 1/R² rounded to float in the
+// snapshot: a little more than the mean of the radii is surely enough.
+constexpr double rounding = 1 + 1e-6;
+
 struct Search {
   const ContactKernels& kernels;
   const Bodies& bodies;
@@ -19,7 +23,7 @@ struct Search {
 void searchVertex(NeighbourList::BlockLists& lists, const Search& s, const Grid& grid, int slot,
                   const Point& x) {
   const std::size_t first = lists.neighbours.size();
-  const double farthest = 0.5 * (s.radius[slot] + s.largestRadius) + s.skin;
+  const double farthest = rounding * 0.5 * (s.radius[slot] + s.largestRadius) + s.skin;
   NearQuery query{grid.x.data(), grid.y.data(), grid.z.data(), grid.slot.data(),   {}, 0, x.x,
                   x.y,           x.z,           double(slot),  farthest * farthest};
   const int cx = grid.column(x.x, grid.low.x, grid.nx), cy = grid.column(x.y, grid.low.y, grid.ny),
@@ -38,7 +42,8 @@ void searchVertex(NeighbourList::BlockLists& lists, const Search& s, const Grid&
     const std::int32_t k = lists.near[i];
     // Cells differ in reach: the pair's own decides.
     const double dx = grid.x[k] - x.x, dy = grid.y[k] - x.y, dz = grid.z[k] - x.z;
-    const double reach = 0.5 * (s.radius[slot] + s.radius[static_cast<int>(grid.slot[k])]) + s.skin;
+    const double reach =
+        rounding * 0.5 * (s.radius[slot] + s.radius[static_cast<int>(grid.slot[k])]) + s.skin;
     if (dx * dx + dy * dy + dz * dz < reach * reach) lists.neighbours.push_back(grid.vertex[k]);
   }
   std::sort(lists.neighbours.begin() + first, lists.neighbours.end());
@@ -82,7 +87,7 @@ void buildNeighbourList(NeighbourList& list, const ContactKernels& kernels, cons
   const VertexNumber far = blocks * rowsPerBlock;
   list.reference.assign(bodies.position.begin(), bodies.position.end());
   const double largest = *std::max_element(radius.begin(), radius.begin() + bodies.count);
-  fillGrid(list.grid, bodies, largest + list.skin);
+  fillGrid(list.grid, bodies, rounding * largest + list.skin);
   list.perBlock.resize(blocks);
   parallelFor(blocks, threads, [&](int block) {
     searchBlock(list.perBlock[block], {kernels, bodies, radius, largest, list.skin}, list.grid, block);
@@ -133,7 +138,8 @@ std::vector<VertexNumber> neighboursOf(const NeighbourList& list, VertexNumber g
       if (slice.vertex[l] == g)
         for (int k = 0; k < slice.length; ++k) {
           const VertexNumber j = list.indices[(slice.start + k) * blockLanes + l];
-          if (j < static_cast<VertexNumber>(list.perBlock.size() * list.perBlock[0].start.size()))
+          // Behind the last vertex stands the far row, which fills up shorter lists.
+          if (j < static_cast<VertexNumber>(list.perBlock.size() * (list.perBlock[0].start.size() - 1)))
             found.push_back(j);
         }
   return found;

@@ -1,16 +1,18 @@
 #pragma once
 // The pair-symmetric contact law. Between vertex i and vertex j of another cell, r = |x_i − x_j| < R:
 //
-//   n  = (n_j − n_i)/|n_j − n_i|      the direction that parts them: from j's cell to i's
-//   g  = (x_i − x_j)·n                gap; negative where the cells overlap
+//   h  = (n_j − n_i)/2                from j's cell to i's; as long as 1 for surfaces face to face and 0 for
+//   parallel
+//                                     normals, so that a thin cell's far side does not act
+//   g  = max((x_i − x_j)·n_j,         gap: how far i stands before j's plane, or j before i's, whichever is
+//   farther.
+//            (x_j − x_i)·n_i)         Negative only where both planes say that the cells overlap
 //   w  = (1 − ρ²/R²)²                 fades with the distance ρ² = r² − g² along the surfaces, not with the
-//   depth s  = |n_j − n_i|²/4               1 for surfaces face to face, 0 for parallel normals: no contact
-//   from behind f  = w s max(0, −K g − C v_n) n   on i, with v_n = (v_i − v_j)·n; K and C are constants, not
-//   made of Δt
+//   depth f  = w max(0, −K g − C v·h) h     on i, with v = v_i − v_j; K and C are constants, not made of Δt
 //
-// Exchanging i and j turns n and f round and leaves the rest: f_ij = −f_ji bit for bit, so momentum is kept
+// Exchanging i and j turns h and f round and leaves the rest: f_ij = −f_ji bit for bit, so momentum is kept
 // to rounding. Coulomb friction adds −μ|f| t/max(|t|, v_slip) with t the relative velocity along the surface:
-// antisymmetric as well.
+// antisymmetric as well. 1/R² is the mean of the two vertices' 1/R_i², which needs no division.
 #include "contacts/contacts_kernels.h"
 #include "contacts/rows_kernel.h"
 
@@ -18,28 +20,21 @@ namespace morula::MORULA_ISA {
 
 template <bool withFriction>
 MORULA_INLINE Vec pairForce(const Rows& i, const Rows& j, const ContactConstants& c) {
-  const Vec apart = i.x - j.x, facing = j.n - i.n, relative = i.v - j.v;
-  const Lanes distanceSquared = dot(apart, apart), facingSquared = dot(facing, facing);
-  const Lanes radius = 0.5 * (i.radius + j.radius), radiusSquared = radius * radius;
-  const Lanes facingLength = squareRoot(facingSquared);
-  // One division for 1/|n_j − n_i| and 1/R². Where it is not finite nothing acts: select below.
-  const Lanes both = 1.0 / (facingLength * radiusSquared);
-  const Vec n = (both * radiusSquared) * facing;
-  const Lanes height = dot(apart, n);
-  const Lanes gap = larger(height, larger(dot(apart, j.n), -dot(apart, i.n)));
-  const Lanes alongSquared = distanceSquared - height * height;
-  const Lanes fade = 1.0 - alongSquared * (both * facingLength);
-  const Lanes push = Lanes(-c.stiffness) * gap - Lanes(c.damping) * dot(relative, n);
-  const Lanes size = (fade * fade) * (0.25 * facingSquared) * push;
-  // facingSquared > 1e-12: below, n is only rounding.
-  const Mask acts = (distanceSquared < radiusSquared) & (push > Lanes(0.0)) & (facingSquared > Lanes(1e-12));
-  Vec f{select(acts, size * n.x, 0.0), select(acts, size * n.y, 0.0), select(acts, size * n.z, 0.0)};
+  const Vec apart = i.x - j.x, relative = i.v - j.v, h = 0.5 * (j.n - i.n);
+  const Lanes gap = larger(dot(apart, j.n), -dot(apart, i.n));
+  const Lanes distanceSquared = dot(apart, apart), alongSquared = distanceSquared - gap * gap;
+  const Lanes inverseRadiusSquared = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);
+  const Lanes fade = 1.0 - alongSquared * inverseRadiusSquared;
+  const Lanes opening = dot(relative, h);
+  const Lanes push = Lanes(-c.stiffness) * gap - Lanes(c.damping) * opening;
+  const Mask acts = (distanceSquared * inverseRadiusSquared < Lanes(1.0)) & (push > Lanes(0.0));
+  const Lanes size = select(acts, fade * fade * push, 0.0);
+  Vec f = size * h;
   if constexpr (withFriction) {
-    const Vec slip = relative - dot(relative, n) * n;
+    const Lanes facing = dot(h, h) + 1e-280;
+    const Vec slip = relative - (opening / facing) * h;
     const Lanes slipSpeed = larger(squareRoot(dot(slip, slip)), Lanes(c.slipSpeed));
-    const Lanes drag = (Lanes(c.friction) * size) / slipSpeed;
-    f -= {select(acts, drag * slip.x, 0.0), select(acts, drag * slip.y, 0.0),
-          select(acts, drag * slip.z, 0.0)};
+    f -= ((Lanes(c.friction) * size) * squareRoot(facing) / slipSpeed) * slip;
   }
   return f;
 }

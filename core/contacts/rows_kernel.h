@@ -7,7 +7,7 @@ namespace morula::MORULA_ISA {
 
 struct Rows {
   Vec x, v, n;
-  Lanes radius;
+  Lanes inverseRadiusSquared;
 };
 
 MORULA_INLINE Rows loadRows(const double* rows, const VertexNumber* index) {
@@ -15,7 +15,7 @@ MORULA_INLINE Rows loadRows(const double* rows, const VertexNumber* index) {
   loadRows(rows, index, c);
   Rows r{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {}, {}};
   unpackFloats(c[6], r.n.x, r.n.y);
-  unpackFloats(c[7], r.n.z, r.radius);
+  unpackFloats(c[7], r.n.z, r.inverseRadiusSquared);
   return r;
 }
 
@@ -36,7 +36,7 @@ MORULA_INLINE void addToForces(double* force, const VertexNumber* vertex, std::i
 }
 
 /// [ContactKernels::takeSnapshot]
-inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* radius,
+inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
                            const double* reference, double* rows) {
   Lanes farthest = 0.0;
   for (int v = 0; v < mesh.vertexCount; ++v)
@@ -44,8 +44,14 @@ inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const d
       const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane),
                 g = loadVec(b.gradient, v, lane);
       const Vec n = (1.0 / squareRoot(dot(g, g) + 1e-280)) * g;
-      const Lanes columns[8] = {
-          x.x, x.y, x.z, w.x, w.y, w.z, packFloats(n.x, n.y), packFloats(n.z, load(radius + lane))};
+      const Lanes columns[8] = {x.x,
+                                x.y,
+                                x.z,
+                                w.x,
+                                w.y,
+                                w.z,
+                                packFloats(n.x, n.y),
+                                packFloats(n.z, load(inverseRadiusSquared + lane))};
       storeRows(rows + (std::int64_t(v) * blockLanes + lane) * 8, columns);
       const Vec moved = x - loadVec(reference, v, lane);
       farthest = larger(dot(moved, moved), farthest);

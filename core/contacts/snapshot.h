@@ -10,13 +10,12 @@ struct SnapshotRow {
   double x, y, z;     // [length]
   double vx, vy, vz;  // [length/time] at the same moment
   float nx, ny, nz;  // outward unit normal, area-weighted; to float precision, the same seen from either side
-  float radius;      // influence radius [length]
+  float inverseRadiusSquared;  // of the influence radius [1/length²]
 };
 static_assert(sizeof(SnapshotRow) == 64);
 
 // Vertex number g = (block · vertexCount + vertex) · blockLanes + lane: a vertex of all cells of a block side
-// by side. Behind the last one stands a row far away that fills up lists (and interacts with nothing, as its
-// radius is 0).
+// by side. Behind the last one stands a row far away that fills up lists: nothing is within its reach.
 using VertexNumber = std::int32_t;
 
 }  // namespace morula

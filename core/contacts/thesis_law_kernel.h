@@ -29,10 +29,11 @@ inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, co
         const Rows j = loadRows(rows, index);
         const Vec apart = i.x - j.x;
         const Lanes distanceSquared = dot(apart, apart);
-        const Lanes radius = 0.5 * (i.radius + j.radius);
-        const Mask near = (distanceSquared < radius * radius) & (dot(i.n, j.n) < Lanes(0.0));
-        // 1/r, kept finite where vertices coincide.
-        const Lanes weight = select(near, 1.0 / squareRoot(distanceSquared + 1e-12 * (radius * radius)), 0.0);
+        const Lanes nearness =
+            distanceSquared * (0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared));  // (r/R)²
+        const Mask near = (nearness < Lanes(1.0)) & (dot(i.n, j.n) < Lanes(0.0));
+        // R/r, kept finite where vertices coincide.
+        const Lanes weight = select(near, 1.0 / squareRoot(nearness + 1e-12), 0.0);
         const Lanes seenFromJ = larger(-dot(apart, j.n), Lanes(0.0)),
                     seenFromI = larger(dot(apart, i.n), Lanes(0.0));
         depth += (0.5 * weight) * (seenFromJ * j.n - seenFromI * i.n);
