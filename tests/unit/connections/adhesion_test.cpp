@@ -1,0 +1,77 @@
+// Adhesion: a force of constant size between the centres of two connected cells [Nilsson 2008, eq. 4.9].
+#include "catch.h"
+#include "connections/connections.h"
+#include "unit/physics/lab.h"
+
+using namespace morula;
+
+namespace {
+
+const std::vector<CellPath> paths{CellPath::parse("AA"), CellPath::parse("AB"), CellPath::parse("B")};
+
+/// Three limp cells, moving, with the given connections' forces on them.
+struct Scene {
+  Lab lab;
+  Connections connections;
+
+  explicit Scene(const std::vector<Vector>& places) : lab({}, makeIcosphere(1), cellsAt(places)) {
+    connections.parameters.strength = 0.2;
+    std::fill(lab.bodies.acceleration.begin(), lab.bodies.acceleration.end(), 0.0);
+  }
+  static std::vector<Body> cellsAt(const std::vector<Vector>& places) {
+    std::vector<Body> cells;
+    for (const Vector& p : places) cells.push_back(shakenBody(zoo::moved(makeIcosphere(1), p), 0.05, 1));
+    return cells;
+  }
+  Vector forceOn(int slot) const {
+    Vector sum;
+    for (int v = 0; v < lab.bodies.vertexCount(); ++v) sum += lab.force(slot, v);
+    return sum;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Each of two connected cells is drawn to the other with k_c, however far they are") {
+  for (double distance : {0.5, 2.0, 50.0}) {
+    const Vector way = Vector{1, 2, -2} / 3.0;
+    Scene s({{}, distance * way, {9, 9, 9}});
+    connect(s.connections, paths[0], paths[1], 0);
+    addConnectionForces(s.connections, paths, s.lab.bodies);
+    CHECK(norm(s.forceOn(0) - 0.2 * way) < 1e-13);
+    CHECK(norm(s.forceOn(1) + 0.2 * way) < 1e-13);
+    CHECK(norm(s.forceOn(2)) == 0);
+    // Spread evenly: it moves the cell without pulling it out of shape.
+    for (int v = 0; v < s.lab.bodies.vertexCount(); ++v) CHECK(s.lab.force(0, v) == s.lab.force(0, 0));
+    // Equal and opposite to the last bit.
+    CHECK(s.lab.force(1, 0) == -s.lab.force(0, 0));
+  }
+}
+
+TEST_CASE("A cell with two connections feels both") {
+  Scene s({{}, {2, 0, 0}, {0, 3, 0}});
+  connect(s.connections, paths[0], paths[1], 0);
+  connect(s.connections, paths[2], paths[0], 0);
+  addConnectionForces(s.connections, paths, s.lab.bodies);
+  CHECK(norm(s.forceOn(0) - Vector{0.2, 0.2, 0}) < 1e-13);
+  CHECK(norm(s.forceOn(0) + s.forceOn(1) + s.forceOn(2)) < 1e-15);
+}
+
+TEST_CASE("What is released pulls no more; forces add to those that are there") {
+  Scene s({{}, {2, 0, 0}, {0, 3, 0}});
+  connect(s.connections, paths[0], paths[1], 0);
+  connect(s.connections, paths[0], paths[2], 0);
+  release(s.connections, paths[0], paths[1], 1, "gene");
+  addConnectionForces(s.connections, paths, s.lab.bodies);
+  addConnectionForces(s.connections, paths, s.lab.bodies);
+  CHECK(norm(s.forceOn(0) - Vector{0, 0.4, 0}) < 1e-13);
+  CHECK(norm(s.forceOn(1)) == 0);
+}
+
+TEST_CASE("Two cells with one centre have no direction and feel no force") {
+  Scene s({{}, {}, {}});
+  connect(s.connections, paths[0], paths[1], 0);
+  addConnectionForces(s.connections, paths, s.lab.bodies);
+  CHECK(norm(s.forceOn(0)) == 0);
+  CHECK(norm(s.forceOn(1)) == 0);
+}

@@ -1,0 +1,148 @@
+// The neighbour list is what looking at all pairs would find.
+#include <algorithm>
+#include <map>
+
+#include "catch.h"
+#include "crowd.h"
+
+using namespace morula;
+
+namespace {
+
+using Lists = std::map<VertexNumber, std::vector<VertexNumber>>;
+
+/// All pairs, by brute force.
+Lists bruteForce(const Bodies& b, const AlignedVector<double>& radius, double skin) {
+  Lists lists;
+  for (int s = 0; s < b.count; ++s)
+    for (int v = 0; v < b.vertexCount(); ++v) {
+      auto& own = lists[numberOf(b, s, v)];
+      for (int t = 0; t < b.count; ++t)
+        for (int w = 0; w < b.vertexCount(); ++w) {
+          const double reach = 0.5 * (radius[s] + radius[t]) + skin;
+          if (s != t && norm(b.vertex(s, v) - b.vertex(t, w)) < reach) own.push_back(numberOf(b, t, w));
+        }
+      std::sort(own.begin(), own.end());
+    }
+  return lists;
+}
+
+Lists listsOf(const NeighbourList& list, const Bodies& b) {
+  Lists lists;
+  for (int s = 0; s < b.count; ++s)
+    for (int v = 0; v < b.vertexCount(); ++v)
+      lists[numberOf(b, s, v)] = neighboursOf(list, numberOf(b, s, v));
+  return lists;
+}
+
+std::size_t pairsIn(const Lists& lists) {
+  std::size_t pairs = 0;
+  for (const auto& [g, neighbours] : lists) pairs += neighbours.size();
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "The list holds the pairs within reach and no others, for cells of different sizes, heaped or strewn") {
+  const Mesh ball = makeIcosphere(1);
+  for (Isa isa : availableIsas())
+    for (int count : {1, 2, 7, 8, 9, 17})
+      for (double spacing : {0.1, 1.0, 1.8, 300.0}) {
+        Crowd crowd(limp(), {}, ball, heap(ball, count, spacing, 0), isa);
+        const Bodies& b = crowd.lab.bodies;
+        const Lists expected = bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin);
+        CAPTURE(name(isa), count, spacing);
+        CHECK((listsOf(crowd.contacts.list, b) == expected));
+        CHECK(crowd.contacts.list.pairs == pairsIn(expected));
+        if (count > 2 && spacing < 2) CHECK(pairsIn(expected) > 100);
+      }
+}
+
+TEST_CASE("After moves of less than half the skin the list still holds every pair within reach") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
+  Bodies& b = crowd.lab.bodies;
+  const double skin = crowd.contacts.list.skin;
+  const auto rebuilds = crowd.contacts.rebuilds;
+  const Lists before = listsOf(crowd.contacts.list, b);
+  for (int s = 0; s < b.count; ++s)
+    for (int v = 0; v < b.vertexCount(); ++v) {
+      const Vector way = noiseVector(static_cast<std::uint32_t>(100 * s + v), 77);
+      crowd.lab.setPosition(s, v, b.vertex(s, v) + (0.499 * skin / norm(way)) * way);
+    }
+  crowd.evaluateForces();
+  CHECK(crowd.contacts.rebuilds == rebuilds);
+  int missing = 0;
+  for (const auto& [g, near] : bruteForce(b, crowd.contacts.radius, 0)) {
+    const auto& list = before.at(g);
+    for (VertexNumber other : near) missing += !std::binary_search(list.begin(), list.end(), other);
+  }
+  CHECK(missing == 0);
+}
+
+TEST_CASE("One vertex that moves by half the skin renews the list") {
+  const Mesh ball = makeIcosphere(1);
+  for (int slot : {0, 8}) {
+    Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
+    Bodies& b = crowd.lab.bodies;
+    const auto rebuilds = crowd.contacts.rebuilds;
+    crowd.lab.setPosition(slot, 41, b.vertex(slot, 41) + Vector{0, 0.501 * crowd.contacts.list.skin, 0});
+    crowd.evaluateForces();
+    CHECK(crowd.contacts.rebuilds == rebuilds + 1);
+    CHECK(
+        (listsOf(crowd.contacts.list, b) == bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
+  }
+}
+
+TEST_CASE("Random moves, step after step: the list is right each time it is new") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 3));
+  Bodies& b = crowd.lab.bodies;
+  std::uint64_t rebuilds = crowd.contacts.rebuilds;
+  int renewed = 0;
+  for (int i = 0; i < 100; ++i) {
+    crowd.step(0x1p-8);
+    if (crowd.contacts.rebuilds == rebuilds) continue;
+    rebuilds = crowd.contacts.rebuilds;
+    ++renewed;
+    CHECK(
+        (listsOf(crowd.contacts.list, b) == bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
+  }
+  CHECK(renewed > 5);
+  CHECK(renewed < 100);
+}
+
+TEST_CASE("Forces do not depend on when the list was built: the same bits if it is built at each step") {
+  const Mesh ball = makeIcosphere(1);
+  PhysicsParameters p;
+  p.membrane = {40, 0.05, 1.26};
+  p.pressure = {4, 0};
+  for (const ContactParameters& law :
+       {ContactParameters{}, ContactParameters{ContactLaw::pair, 40, 0.05, 0.3},
+        ContactParameters{ContactLaw::thesis}}) {
+    auto cells = heap(ball, 9, 1.8, 0.5);
+    for (Body& b : cells) b.pressureConstant = 4 * b.mass;
+    Crowd lazy(p, law, ball, cells), eager(p, law, ball, cells);
+    for (int i = 0; i < 200; ++i) {
+      eager.contacts.listIsValid = false;
+      lazy.step(0x1p-9);
+      eager.step(0x1p-9);
+    }
+    CHECK(lazy.lab.bodies.position == eager.lab.bodies.position);
+    CHECK(lazy.lab.bodies.acceleration == eager.lab.bodies.acceleration);
+    CHECK(eager.contacts.rebuilds == 201);
+    CHECK(lazy.contacts.rebuilds < 150);
+  }
+}
+
+TEST_CASE("Two threads build the list that one does") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), {}, ball, heap(ball, 33, 1.8, 0));
+  const AlignedVector<std::int32_t> indices = crowd.contacts.list.indices;
+  for (int threads : {2, 3, 7}) {
+    crowd.contacts.listIsValid = false;
+    refreshList(crowd.contacts, crowd.lab.bodies, threads);
+    CHECK(crowd.contacts.list.indices == indices);
+  }
+}

@@ -1,0 +1,172 @@
+// The pair-symmetric law against its equations, written out for all pairs.
+#include "catch.h"
+#include "crowd.h"
+
+using namespace morula;
+
+namespace {
+
+/// The force of j on i, from the equations of pair_law_kernel.h.
+Vector pairForce(const SeenVertex& i, const SeenVertex& j, const ContactParameters& c) {
+  const Vector d = i.x - j.x;
+  const double radius = 0.5 * (i.radius + j.radius);
+  if (dot(d, d) >= radius * radius) return {};
+  const Vector facing = j.normal - i.normal;
+  if (dot(facing, facing) <= 1e-12) return {};
+  const Vector n = facing / norm(facing);
+  const double height = dot(d, n);
+  // The smallest of the overlaps that the two planes and the one between them tell of.
+  const double gap = std::max({height, dot(d, j.normal), -dot(d, i.normal)});
+  const double alongSquare = dot(d, d) - height * height;
+  const double weight = (1 - alongSquare / (radius * radius)) * (1 - alongSquare / (radius * radius));
+  const double facingShare = dot(facing, facing) / 4;
+  const Vector relative = i.velocity - j.velocity;
+  const double push = -c.stiffness * gap - c.damping * dot(relative, n);
+  if (push <= 0) return {};
+  const double size = weight * facingShare * push;
+  const Vector slip = relative - dot(relative, n) * n;
+  return size * n - (c.friction * size / std::max(norm(slip), c.slipSpeed)) * slip;
+}
+
+struct Case {
+  const char* name;
+  ContactParameters law;
+};
+
+const std::vector<Case> cases{{"plain", {}},
+                              {"no damping", {ContactLaw::pair, 40, 0}},
+                              {"friction", {ContactLaw::pair, 40, 0.05, 0.3}},
+                              {"sticky", {ContactLaw::pair, 40, 0.05, 2, 10}},
+                              {"wide", {ContactLaw::pair, 40, 0.05, 0.1, 0.01, 2.5}}};
+
+}  // namespace
+
+TEST_CASE("Contact forces are the sum of the pair forces over all pairs of vertices, by brute force") {
+  const Mesh ball = makeIcosphere(1);
+  for (const auto& [name, law] : cases)
+    for (int count : {2, 3, 9}) {
+      Crowd crowd(limp(), law, ball, heap(ball, count, 1.6, 0.5));
+      crowd.evaluateForces();
+      const auto all = seen(crowd.lab.bodies, law);
+      Worst error, largest;
+      for (const SeenVertex& i : all) {
+        Vector sum;
+        for (const SeenVertex& j : all)
+          if (i.slot != j.slot) sum += pairForce(i, j, law);
+        error.see(norm(crowd.lab.force(i.slot, i.v) - sum));
+        largest.see(norm(sum));
+      }
+      CAPTURE(name, count);
+      CHECK(largest > 1);
+      // The normal's last float digit may round otherwise here and there.
+      CHECK(error < 1e-6 * largest);
+    }
+}
+
+TEST_CASE("On any pair of cells the forces are equal and opposite, friction or not") {
+  const Mesh ball = makeIcosphere(1);
+  for (const auto& [name, law] : cases)
+    for (std::uint32_t key = 0; key < 10; ++key) {
+      Crowd crowd(limp(), law, ball, heap(ball, 2, 1.6, 0.5, key));
+      crowd.evaluateForces();
+      Vector sums[2];
+      double size = 0;
+      for (int slot : {0, 1})
+        for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) {
+          sums[slot] += crowd.lab.force(slot, v);
+          size += norm(crowd.lab.force(slot, v));
+        }
+      CAPTURE(name, key);
+      CHECK(size > 0.1);
+      CHECK(norm(sums[0] + sums[1]) < 1e-15 * size);
+    }
+}
+
+TEST_CASE("Two balls that overlap are pushed apart along the line between them; balls apart feel nothing") {
+  const Mesh ball = makeIcosphere(2);
+  double before = 0;
+  for (double distance : {2.5, 1.95, 1.9, 1.8}) {
+    Body left = shakenBody(ball, 0, 0), right = left;
+    for (Point& x : right.position) x += Vector{distance, 0, 0};
+    Crowd crowd(limp(), {}, ball, {left, right});
+    crowd.evaluateForces();
+    Vector push;
+    for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) push += crowd.lab.force(1, v);
+    CAPTURE(distance);
+    if (distance > 2) CHECK(norm(push) == 0);
+    else CHECK(push.x > 1.5 * before);
+    CHECK(std::abs(push.y) + std::abs(push.z) <= 0.02 * push.x);
+    before = push.x;
+  }
+}
+
+TEST_CASE("The force is continuous: no jump when a pair comes into reach, or when it begins to overlap") {
+  const Mesh ball = makeIcosphere(1);
+  Body left = shakenBody(ball, 0, 0), right = left;
+  for (Point& x : right.position) x += Vector{2.3, 0.1, 0.05};
+  Crowd crowd(limp(), {}, ball, {left, right});
+  Vector before;
+  Worst jump, largest;
+  for (int i = 0; i < 4000; ++i) {
+    for (std::size_t v = 0; v < right.position.size(); ++v)
+      crowd.lab.setPosition(1, static_cast<int>(v), right.position[v] - Vector{i * 1e-4, 0, 0});
+    crowd.evaluateForces();
+    Vector push;
+    for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) push += crowd.lab.force(1, v);
+    jump.see(norm(push - before));
+    largest.see(norm(push));
+    before = push;
+  }
+  CHECK(largest > 2);
+  CHECK(jump < 0.01 * largest);
+}
+
+TEST_CASE("Vertices at one place, or with parallel normals, do not make a force infinite") {
+  const Mesh ball = makeIcosphere(1);
+  const Body one = shakenBody(ball, 0, 0);
+  for (double friction : {0.0, 0.5}) {
+    Crowd crowd(limp(), {ContactLaw::pair, 40, 0.05, friction}, ball, {one, one, one});
+    crowd.evaluateForces();
+    Worst largest;
+    for (int slot = 0; slot < 3; ++slot)
+      for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) largest.see(norm(crowd.lab.force(slot, v)));
+    CHECK(largest < 1e3);
+  }
+}
+
+TEST_CASE("Damping acts against approach only, and never pulls") {
+  const Mesh ball = makeIcosphere(2);
+  const auto pushAt = [&](double approach) {
+    Body left = shakenBody(ball, 0, 0), right = left;
+    for (Point& x : right.position) x += Vector{1.9, 0, 0};
+    for (Vector& u : right.velocity) u = {-approach, 0, 0};
+    Crowd crowd(limp(), {ContactLaw::pair, 40, 0.5}, ball, {left, right});
+    crowd.evaluateForces();
+    Vector push;
+    for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) push += crowd.lab.force(1, v);
+    return push.x;
+  };
+  CHECK(pushAt(1) > pushAt(0));
+  CHECK(pushAt(0) > pushAt(-1));
+  CHECK(pushAt(-1000) == 0);
+}
+
+TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
+  const Mesh ball = makeIcosphere(2);
+  const auto forceOn = [&](double friction, double slip) {
+    Body left = shakenBody(ball, 0, 0), right = left;
+    for (Point& x : right.position) x += Vector{1.9, 0, 0};
+    for (Vector& u : right.velocity) u = {0, slip, 0};
+    Crowd crowd(limp(), {ContactLaw::pair, 40, 0, friction, 0.01}, ball, {left, right});
+    crowd.evaluateForces();
+    Vector push;
+    for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) push += crowd.lab.force(1, v);
+    return push;
+  };
+  const Vector without = forceOn(0, 1), fast = forceOn(0.3, 1), faster = forceOn(0.3, 5),
+               slow = forceOn(0.3, 1e-4);
+  CHECK(std::abs(without.y) < 1e-12 * without.x);
+  CHECK(-fast.y == Approx(0.3 * without.x).epsilon(0.02));  // the cone, but for the curvature of the balls
+  CHECK(faster.y == Approx(fast.y).epsilon(1e-9));          // beyond the slip speed it does not grow
+  CHECK(slow.y == Approx(fast.y * 0.01).epsilon(1e-3));     // below it fades linearly
+}

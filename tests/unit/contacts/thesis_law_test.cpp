@@ -1,0 +1,91 @@
+// The thesis' law against its equations, written out for all pairs; and what is wrong with it, so that it
+// stays wrong.
+#include "catch.h"
+#include "crowd.h"
+
+using namespace morula;
+
+namespace {
+
+constexpr double dt = 0x1p-9;
+const ContactParameters thesis{ContactLaw::thesis};
+
+/// The penetration vector of a vertex [Nilsson 2008, §4.3.1]: which way and how far it must go.
+Vector penetration(const SeenVertex& i, const std::vector<SeenVertex>& all) {
+  Vector sum;
+  double weights = 0;
+  for (const SeenVertex& j : all) {
+    const Vector d = i.x - j.x;
+    const double radius = 0.5 * (i.radius + j.radius);
+    if (i.slot == j.slot || norm(d) >= radius || dot(i.normal, j.normal) >= 0) continue;
+    const Vector fromJ = std::max(0.0, -dot(d, j.normal)) * j.normal,
+                 fromI = std::max(0.0, dot(d, i.normal)) * i.normal;
+    sum += (0.5 / norm(d)) * (fromJ - fromI);
+    weights += 1 / norm(d);
+  }
+  return weights > 0 ? sum / weights : sum;
+}
+
+}  // namespace
+
+TEST_CASE("Contact forces are eq. 4.8 over all pairs of vertices, by brute force") {
+  const Mesh ball = makeIcosphere(1);
+  PhysicsParameters springs = limp();
+  springs.membrane.stiffness = 5;  // so that f_other is something
+  for (const PhysicsParameters& p : {limp(), springs})
+    for (int count : {2, 9}) {
+      Crowd crowd(p, thesis, ball, heap(ball, count, 1.6, 0.5));
+      Lab& lab = crowd.lab;
+      lab.evaluate();
+      std::vector<Vector> other;
+      const auto all = seen(lab.bodies, thesis);
+      for (const SeenVertex& i : all) other.push_back(lab.force(i.slot, i.v));
+      crowd.lawTimeStep = dt;
+      crowd.evaluateForces();
+      Worst error, largest;
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const SeenVertex& i = all[k];
+        const Vector way = penetration(i, all);
+        Vector expected = other[k];
+        if (norm(way) > 0) {
+          const Vector out = way / norm(way);
+          const double m = lab.bodies.vertexMass[i.slot];
+          expected +=
+              0.5 * m * (norm(way) / (dt * dt) - dot(i.velocity, out) / dt - dot(other[k], out) / m) * out;
+        }
+        error.see(norm(lab.force(i.slot, i.v) - expected));
+        largest.see(norm(expected));
+      }
+      CHECK(largest > 10);
+      CHECK(error < 1e-6 * largest);
+    }
+}
+
+TEST_CASE("Its stiffness grows with the inverse square of the time step") {
+  const Mesh ball = makeIcosphere(1);
+  const auto push = [&](double timeStep) {
+    Crowd crowd(limp(), thesis, ball, heap(ball, 2, 1.6, 0));
+    crowd.lawTimeStep = timeStep;
+    crowd.evaluateForces();
+    Worst largest;
+    for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) largest.see(norm(crowd.lab.force(0, v)));
+    return static_cast<double>(largest);
+  };
+  CHECK(push(dt / 2) == Approx(4 * push(dt)).epsilon(1e-12));
+}
+
+TEST_CASE(
+    "Nothing acts back on the other cell: it does not keep momentum, and that is why it is not the default") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), thesis, ball, heap(ball, 2, 1.6, 0));
+  crowd.evaluateForces();
+  Vector sum;
+  double size = 0;
+  for (int slot : {0, 1})
+    for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) {
+      sum += crowd.lab.force(slot, v);
+      size += norm(crowd.lab.force(slot, v));
+    }
+  CHECK(norm(sum) > 1e-3 * size);
+  CHECK(makeContacts({}, Isa::scalar).parameters.law == ContactLaw::pair);
+}
