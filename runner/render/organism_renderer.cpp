@@ -101,19 +101,19 @@ struct OrganismRenderer::Targets {
   int width, height, samples;
   Layer solid;
   std::unique_ptr<Veils> veils;
-  Texture rawVisible, visible, result;
-  Framebuffer rawVisibleBuffer, visibleBuffer, resultBuffer;
+  Texture firstVisible, secondVisible, result;
+  Framebuffer firstVisibleBuffer, secondVisibleBuffer, resultBuffer;
 
   Targets(int w, int h, int s)
       : width(w),
         height(h),
         samples(s),
         solid(w * s, h * s, true),
-        rawVisible(w, h, GL_R32F),
-        visible(w, h, GL_R32F),
+        firstVisible(w, h, GL_R32F),
+        secondVisible(w, h, GL_R32F),
         result(w, h, GL_RGBA8),
-        rawVisibleBuffer({&rawVisible}, nullptr),
-        visibleBuffer({&visible}, nullptr),
+        firstVisibleBuffer({&firstVisible}, nullptr),
+        secondVisibleBuffer({&secondVisible}, nullptr),
         resultBuffer({&result}, nullptr) {}
 };
 
@@ -259,18 +259,24 @@ void OrganismRenderer::drawLines(const Frame& frame) {
 
 void OrganismRenderer::findOcclusion(const Frame& frame) {
   frame.describe(programs_->occlusion);
-  programs_->occlusion.set("radius", float(0.8 * meanCellSize(frame.picture)));
+  // As far as a cell is large, but not so far that the taps would lie too thin in the picture.
+  const double radius =
+      std::min(0.8 * meanCellSize(frame.picture), 0.25 * frame.framing.distance * frame.aperture.y);
+  programs_->occlusion.set("radius", float(radius));
   setSpiral(programs_->occlusion);
   programs_->occlusion.set("shapes", 0);
   programs_->occlusion.set("owners", 1);
   targets_->solid.shapes->bind(0);
   targets_->solid.owners.bind(1);
-  fillScreen(targets_->rawVisibleBuffer, frame.width, frame.height);
+  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
+  // Twice: along an edge the first pass lacks half of the pattern that it should even out.
   frame.describe(programs_->blur);
   programs_->blur.set("raw", 0);
   programs_->blur.set("owners", 1);
-  targets_->rawVisible.bind(0);
-  fillScreen(targets_->visibleBuffer, frame.width, frame.height);
+  targets_->firstVisible.bind(0);
+  fillScreen(targets_->secondVisibleBuffer, frame.width, frame.height);
+  targets_->secondVisible.bind(0);
+  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
 }
 
 bool OrganismRenderer::drawVeils(const Frame& frame) {
@@ -336,7 +342,7 @@ Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
   targets_->solid.lights.bind(0);
   targets_->solid.shapes->bind(1);
   targets_->solid.owners.bind(2);
-  targets_->visible.bind(3);
+  targets_->firstVisible.bind(3);
   if (veiled) targets_->veils->sum.bind(4);
   if (frame.picture.shell) {
     // From eye space to the world and into units of the semi-axes, and for normals the way back (whose
