@@ -1,0 +1,93 @@
+// morula check: run scenarios again and hold them against their golden files.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "base/error.h"
+#include "cli/check_run.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/shipped.h"
+#include "cli/verbs.h"
+#include "golden/accept.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct CheckOptions {
+  std::vector<std::string> scenarios;
+  ExecutionOptions execution;
+  OutputOptions output;
+};
+
+template <class T>
+Json orNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json toJson(const CheckReport& report, const CheckResult& r) {
+  return {{"scenario", report.scenario}, {"check", r.check},        {"kind", r.kind},
+          {"passed", r.passed},          {"class", r.failureClass}, {"first_step", orNull(r.firstStep)},
+          {"cell", orNull(r.cell)},      {"field", r.field},        {"share_of_tolerance", orNull(r.share)},
+          {"expected", r.expected},      {"actual", r.actual},      {"tolerance", r.tolerance}};
+}
+
+/// A run that could not end is a check that failed.
+CheckReport failed(const Scenario& scenario, const Simulation& run) {
+  CheckResult result;
+  result.check = "run";
+  result.kind = "golden";
+  result.expected = "done";
+  result.actual = name(run.end.status);
+  result.tolerance = "exact";
+  result.passed = false;
+  result.failureClass = "COMPUTATION";
+  result.firstStep = run.end.steps;
+  result.message = run.end.failure;
+  return {goldenName(scenario.file), {result}};
+}
+
+int act(const CheckOptions& options) {
+  const auto how = execution(options.execution);
+  std::vector<Scenario> scenarios;
+  for (const auto& file : options.scenarios.empty() ? shippedScenarios() : options.scenarios)
+    scenarios.push_back(loadScenario(file));
+
+  Json results = Json::array();
+  int code = fine;
+  for (const auto& scenario : scenarios) {
+    Progress progress(scenario.scene.name, options.output.quiet);
+    const auto run = simulate(scenario, makeScenarioWorld(scenario, how), progress);
+    if (run.signal) return signalled + run.signal;
+    const auto report =
+        run.end.status == RunStatus::done ? check(scenario, run, true) : failed(scenario, run);
+    if (!report.passed()) code = differs;
+    for (const auto& result : report.results) results.push_back(toJson(report, result));
+    if (!options.output.json) print(describe(report));
+    else if (!report.passed()) tell(describe(report), options.output.quiet);
+  }
+  if (options.scenarios.empty()) {
+    for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
+      tellError(file.string() + ": there is no scenario to this golden file");
+      code = differs;
+    }
+  }
+  if (options.output.json) printJson({{"results", results}});
+  return code;
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app, Action& action) {
+  auto options = std::make_shared<CheckOptions>();
+  auto* verb = app.add_subcommand("check", "Run scenarios again and compare them with their golden files");
+  verb->add_option("scenario", options->scenarios, "Scenario files; default: all under scenarios/")
+      ->type_name("FILE");
+  add(*verb, options->execution);
+  add(*verb, options->output);
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,68 @@
+#include "cli/check_run.h"
+
+#include "golden/accept.h"
+#include "golden/observe.h"
+#include "scenario/numbers.h"
+#include "simulation/measures.h"
+
+namespace morula::cli {
+
+namespace {
+
+/// How far a vertex may stand out of the shell, in its radii: positions are projected onto it, up to
+/// rounding.
+constexpr double shellSlack = 1e-6;
+
+CheckResult shellHolds(const World& world) {
+  const double outermost = measureWorld(world).outermost;
+  CheckResult result;
+  result.check = "shell";
+  result.kind = "invariant";
+  result.expected = "1";
+  result.actual = scenario::formatReal(outermost);
+  result.tolerance = "abs " + scenario::formatReal(shellSlack);
+  result.passed = outermost <= 1 + shellSlack;
+  result.field = "outermost";
+  result.share = outermost <= 1 ? 0 : (outermost - 1) / shellSlack;
+  if (!result.passed) {
+    result.failureClass = "COMPUTATION";
+    result.message = "a vertex stands at " + result.actual + " of the shell's radius; needs at most 1";
+  }
+  return result;
+}
+
+CheckResult goldenMissing(const std::filesystem::path& file) {
+  CheckResult result;
+  result.check = "golden";
+  result.kind = "golden";
+  result.expected = "a golden file";
+  result.actual = "none";
+  result.tolerance = "exact";
+  result.passed = false;
+  result.failureClass = "SETUP";
+  result.message = file.string() + " is not there; accept one: morula review --accept --why \"…\"";
+  return result;
+}
+
+}  // namespace
+
+GoldenData observe(const Scenario& scenario, const Simulation& run) {
+  GoldenContext context{goldenName(scenario.file), scenario.meaning.text(), {}, {}};
+  for (const auto& sample : run.results.samples) context.samples.push_back(sample.world);
+  for (const auto& step : run.results.stepHashes) context.stepHashes.push_back({step.step, step.hash});
+  return observeGolden(run.world, context);
+}
+
+std::filesystem::path goldenFile(const Scenario& scenario) { return goldenPath(scenario.file); }
+
+CheckReport check(const Scenario& scenario, const Simulation& run, bool needsGolden) {
+  CheckReport report{goldenName(scenario.file), {}};
+  const auto file = goldenFile(scenario);
+  if (std::filesystem::exists(file)) report = compareGolden(readGoldenFile(file), observe(scenario, run));
+  else if (needsGolden) report.results.push_back(goldenMissing(file));
+  const auto& mechanics = scenario.scene.mechanics;
+  if (mechanics && mechanics->physics.shell) report.results.push_back(shellHolds(run.world));
+  return report;
+}
+
+}  // namespace morula::cli

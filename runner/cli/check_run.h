@@ -1,0 +1,21 @@
+#pragma once
+// Holds a finished run against its golden file and against what must always hold.
+#include <string>
+
+#include "cli/simulate.h"
+#include "golden/check_result.h"
+#include "golden/golden.h"
+
+namespace morula::cli {
+
+/// What the run's golden would say.
+GoldenData observe(const Scenario& scenario, const Simulation& run);
+
+/// The golden's file for the scenario; the path may not exist.
+std::filesystem::path goldenFile(const Scenario& scenario);
+
+/// All checks. With `needsGolden` a missing golden file is a failed check; otherwise only invariants are
+/// checked then.
+CheckReport check(const Scenario& scenario, const Simulation& run, bool needsGolden);
+
+}  // namespace morula::cli

@@ -1,0 +1,25 @@
+#pragma once
+// Who hears what: data on stdout, messages on stderr.
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace morula::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// Data for people or programs, on stdout.
+void print(const std::string& text);
+/// One JSON object on stdout, with "morula": 1 in front.
+void printJson(const Json& members);
+
+/// A remark on stderr; not said when `quiet`.
+void tell(const std::string& text, bool quiet);
+/// "morula: …" on stderr.
+void tellError(const std::string& text);
+/// Lines that begin with "file:line:column:", as editors and other programs read them.
+void tellInputError(const std::string& text);
+
+/// True if stderr is a terminal on which lines can be rewritten.
+bool isTerminal();
+
+}  // namespace morula::cli

@@ -1,0 +1,70 @@
+// morula init: something to begin with.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "base/error.h"
+#include "biology/full_tree.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/verbs.h"
+#include "scenario/schema.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct InitOptions {
+  std::string file, output, dna, levels = "10";
+  bool force = false;
+};
+
+/// To a file, or to stdout without one.
+int write(const std::string& text, const std::string& file, bool force) {
+  if (file.empty()) {
+    print(text);
+    return fine;
+  }
+  if (!force && std::filesystem::exists(file))
+    throw FileError("'" + file + "' is there already; --force writes over it");
+  std::ofstream stream(file, std::ios::binary);
+  stream << text << std::flush;
+  if (!stream) throw FileError("'" + file + "' cannot be written");
+  tell("wrote " + file, false);
+  return fine;
+}
+
+int act(const InitOptions& options) {
+  if (!options.file.empty() && !options.output.empty()) throw UsageError("FILE and -o: give one of them");
+  const auto file = options.file + options.output;
+  if (options.dna == "full-tree")
+    return write(makeFullTreeDna(static_cast<int>(naturalOption("--levels", options.levels, 1, 16))), file,
+                 options.force);
+  if (!options.dna.empty()) throw UsageError("--dna: '" + options.dna + "' is not known; needs full-tree");
+  std::string name = std::filesystem::path(file).stem().string();
+  for (auto& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '-';
+  return write(starterScenario(name.empty() || name[0] == '-' ? "my-organism" : name), file, options.force);
+}
+
+}  // namespace
+
+void addInit(CLI::App& app, Action& action) {
+  auto options = std::make_shared<InitOptions>();
+  auto* verb = app.add_subcommand("init", "Write a commented scenario, or DNA, to begin with");
+  verb->add_option("file", options->file, "Where to; default: standard output")->type_name("FILE");
+  verb->add_option("-o,--output", options->output, "The same")->type_name("FILE");
+  verb->add_option("--dna", options->dna,
+                   "DNA instead of a scenario; full-tree: every cell divides, all leaves differ")
+      ->type_name("NAME");
+  verb->add_option("--levels", options->levels,
+                   "Divisions from the egg to the leaves of the full tree, 1 to 16")
+      ->type_name("N")
+      ->capture_default_str();
+  verb->add_flag("--force", options->force, "Write over a file that is there");
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,87 @@
+// morula lineage: the tree of cells as text.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/simulate.h"
+#include "cli/stored.h"
+#include "cli/verbs.h"
+#include "store/store.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct LineageOptions {
+  std::string file, run;
+  OutputOptions output;
+};
+
+struct Tree {
+  std::string scenario;
+  RunResults results;  // only the lineage and the states' texts
+};
+
+Tree stored(const LineageOptions& options) {
+  auto store = Store::openForReading(options.file);
+  const auto run = store.find(options.run);
+  return {run.record.scenario, store.lineage(run.id)};
+}
+
+/// What the genes alone prescribe: without bodies a thousand cells take a moment.
+Tree prescribed(const LineageOptions& options) {
+  auto scenario = anyScenario(options.file, options.run);
+  scenario.scene.mechanics.reset();
+  Progress progress(scenario.scene.name, options.output.quiet);
+  auto run = simulate(scenario, makeScenarioWorld(scenario, {}), progress);
+  return {scenario.scene.name, std::move(run.results)};
+}
+
+std::string line(const LineageEntry& cell, const std::string& states) {
+  const auto path = cell.path.text();
+  return std::string(2 * path.size(), ' ') +
+         fmt::format("{}  {} {}{}  {}\n", path.empty() ? "egg" : path, name(cell.fate),
+                     cell.fate == Fate::alive ? "since " : fmt::format("{:.6g}–", cell.born),
+                     fmt::format("{:.6g}", cell.fate == Fate::alive ? cell.born : cell.ended), states);
+}
+
+int act(const LineageOptions& options) {
+  auto tree = isDatabase(options.file) ? stored(options) : prescribed(options);
+  auto& cells = tree.results.lineage;
+  // By path: a mother stands before her daughters, and a subtree is one block of lines.
+  std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+  Json list = Json::array();
+  for (const auto& cell : cells) {
+    const auto& state = tree.results.stateTexts[cell.state];
+    if (!options.output.json) {
+      print(line(cell, state));
+      continue;
+    }
+    list.push_back({{"path", cell.path.text()},
+                    {"parent", cell.path.isEgg() ? Json() : Json(cell.path.mother().text())},
+                    {"born", cell.born},
+                    {"ended", cell.fate == Fate::alive ? Json() : Json(cell.ended)},
+                    {"fate", name(cell.fate)},
+                    {"state", state}});
+  }
+  if (options.output.json) printJson({{"scenario", tree.scenario}, {"cells", list}});
+  return fine;
+}
+
+}  // namespace
+
+void addLineage(CLI::App& app, Action& action) {
+  auto options = std::make_shared<LineageOptions>();
+  auto* verb = app.add_subcommand("lineage", "Print the tree of cells of a scenario or a stored run");
+  verb->add_option("file", options->file, "A scenario or a database")->required()->type_name("FILE");
+  verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
+  add(*verb, options->output);
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,79 @@
+#include "cli/options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "cli/exit_codes.h"
+#include "scenario/numbers.h"
+
+namespace morula::cli {
+
+void add(CLI::App& verb, OutputOptions& options) {
+  verb.add_flag("--json", options.json, "One JSON object on standard output");
+  verb.add_flag("--quiet", options.quiet, "No remarks and no progress");
+}
+
+void add(CLI::App& verb, SceneOptions& options) {
+  verb.add_option("--set", options.set, "Change a parameter: --set physics.time_step=0.001; may repeat")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->take_all();
+  verb.add_option("--seed", options.seed, "Another seed than the scenario's")->type_name("N");
+}
+
+void add(CLI::App& verb, ExecutionOptions& options) {
+  verb.add_option("--threads", options.threads, "Compute with so many threads; changes no result")
+      ->type_name("N")
+      ->capture_default_str();
+  verb.add_option("--isa", options.isa, "Compute with scalar, narrow, avx2 or avx512; changes no result")
+      ->type_name("NAME");
+}
+
+std::vector<Override> overrides(const SceneOptions& options) {
+  std::vector<Override> list;
+  for (const auto& text : options.set) list.push_back(parseOverride(text));
+  if (!options.seed.empty()) list.push_back({"seed", options.seed, "--seed"});
+  return list;
+}
+
+Execution execution(const ExecutionOptions& options) {
+  Execution how;
+  how.threads = static_cast<int>(naturalOption("--threads", options.threads, 1, 1024));
+  try {
+    if (!options.isa.empty()) how.isa = parseIsa(options.isa);
+  } catch (const InputError& error) { throw UsageError(std::string("--isa: ") + error.what()); }
+  return how;
+}
+
+std::uint64_t naturalOption(const std::string& option, const std::string& text, std::uint64_t low,
+                            std::uint64_t high) {
+  const auto number = scenario::parseNatural(text);
+  const auto needs = "; needs a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  if (!number.wrong.empty()) throw UsageError(option + ": '" + text + "' " + number.wrong + needs);
+  if (number.value < low || number.value > high)
+    throw UsageError(option + ": " + text + " is out of range" + needs);
+  return number.value;
+}
+
+double positiveOption(const std::string& option, const std::string& text) {
+  const auto number = scenario::parseReal(text);
+  if (!number.wrong.empty())
+    throw UsageError(option + ": '" + text + "' " + number.wrong + "; needs a number > 0");
+  if (number.value <= 0) throw UsageError(option + ": " + text + " is out of range; needs a number > 0");
+  return number.value;
+}
+
+std::vector<std::uint64_t> seedRange(const std::string& text) {
+  const auto dots = text.find("..");
+  if (dots == text.npos)
+    throw UsageError("--seeds: '" + text + "' is not a range; needs FIRST..LAST, as 1..50");
+  const auto first = naturalOption("--seeds", text.substr(0, dots), 0, 9223372036854775807u);
+  const auto last = naturalOption("--seeds", text.substr(dots + 2), 0, 9223372036854775807u);
+  if (last < first) throw UsageError("--seeds: " + text + " runs backward; needs FIRST..LAST, as 1..50");
+  if (last - first >= 100'000) throw UsageError("--seeds: " + text + " are too many; at most 100000 at once");
+  std::vector<std::uint64_t> seeds;
+  for (auto seed = first; seed <= last; ++seed) seeds.push_back(seed);
+  return seeds;
+}
+
+}  // namespace morula::cli

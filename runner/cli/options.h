@@ -1,0 +1,48 @@
+#pragma once
+// Options that several verbs share. Numbers are taken as text and read strictly: CLI11 makes 2^64 − 1 of -1.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scenario/scenario.h"
+#include "simulation/world.h"
+
+namespace CLI {
+class App;
+}
+
+namespace morula::cli {
+
+struct OutputOptions {
+  bool json = false, quiet = false;
+};
+
+/// Changes of the scene.
+struct SceneOptions {
+  std::vector<std::string> set;
+  std::string seed;
+  bool empty() const { return set.empty() && seed.empty(); }
+};
+
+/// How to compute; changes no result.
+struct ExecutionOptions {
+  std::string threads = "1", isa;
+};
+
+void add(CLI::App& verb, OutputOptions& options);
+void add(CLI::App& verb, SceneOptions& options);
+void add(CLI::App& verb, ExecutionOptions& options);
+
+std::vector<Override> overrides(const SceneOptions& options);
+/// Throws UsageError.
+Execution execution(const ExecutionOptions& options);
+
+/// A whole number in [low, high]. Throws UsageError that names the option.
+std::uint64_t naturalOption(const std::string& option, const std::string& text, std::uint64_t low,
+                            std::uint64_t high);
+/// A number > 0. Throws UsageError.
+double positiveOption(const std::string& option, const std::string& text);
+/// "1..50": the numbers from 1 to 50. Throws UsageError.
+std::vector<std::uint64_t> seedRange(const std::string& text);
+
+}  // namespace morula::cli

@@ -1,0 +1,101 @@
+#include "cli/pictures.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "base/error.h"
+#include "simulation/measures.h"
+
+namespace morula::cli {
+
+namespace fs = std::filesystem;
+
+Colour Palette::colourOf(const std::string& substances) const {
+  std::istringstream words(substances);
+  std::vector<Colour> colours;
+  for (std::string substance; words >> substance;)
+    if (const auto colour = morula::colourOf(scenario_, substance)) colours.push_back(parseColour(*colour));
+  return mixColours(colours);
+}
+
+std::vector<LegendEntry> Palette::legend() const {
+  std::vector<LegendEntry> entries;
+  for (const auto& [substance, colour] : scenario_.colours)
+    entries.push_back({parseColour(colour), substance});
+  return entries;
+}
+
+OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
+  const Palette palette(scenario);
+  const auto& mechanics = *scenario.scene.mechanics;
+  OrganismPicture picture;
+  picture.faces = mechanics.mesh.faces;
+  for (std::size_t i = 0; i < world.cells.path.size(); ++i)
+    picture.cells.push_back({world.cells.path[i].text(), cellVertices(world, world.cells.path[i]),
+                             palette.colourOf(world.biology->describe(world.cells.state[i])), 1});
+  if (const auto& shell = mechanics.physics.shell)
+    picture.shell = Vector{shell->semiAxes[0], shell->semiAxes[1], shell->semiAxes[2]};
+  picture.title = scenario.scene.name;
+  picture.caption = fmt::format("time {:.4g}, {} cell{}", world.clock.time, world.cells.path.size(),
+                                world.cells.path.size() == 1 ? "" : "s");
+  picture.legend = palette.legend();
+  return picture;
+}
+
+TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
+  const Palette palette(scenario);
+  TreePicture picture;
+  for (const auto& entry : world.lineage.entries) {
+    const auto substances = world.biology->describe(entry.state);
+    picture.nodes.push_back({entry.path.text(), entry.born,
+                             entry.fate == Fate::alive ? world.clock.time : entry.ended, entry.fate,
+                             palette.colourOf(substances), substances});
+  }
+  picture.title = scenario.scene.name;
+  picture.caption = fmt::format("{} cells, {} of them alive at time {:.4g}", world.lineage.entries.size(),
+                                world.cells.path.size(), world.clock.time);
+  picture.legend = palette.legend();
+  return picture;
+}
+
+void FrameCollector::observe(const World& world) {
+  if (!every_ || !world.bodies || world.clock.time < static_cast<double>(next_) * *every_) return;
+  frames_.push_back(pictureOf(world, scenario_));
+  while (static_cast<double>(next_) * *every_ <= world.clock.time) ++next_;
+}
+
+void makeFolder(const fs::path& folder) {
+  if (folder.empty()) return;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw FileError("'" + folder.string() + "' cannot be made: " + error.message());
+}
+
+std::vector<std::string> writePictures(const World& world, const Scenario& scenario,
+                                       FrameCollector& collector, const fs::path& folder) {
+  std::vector<std::string> files;
+  const auto write = [&](const Image& image, const fs::path& name) {
+    files.push_back((folder / name).string());
+    writePng(image, files.back());
+  };
+  if (world.bodies) {
+    const auto picture = pictureOf(world, scenario);
+    write(drawOrganism(picture), "organism.png");
+    write(drawOrganism(picture, Style::wireframe), "wireframe.png");
+  }
+  write(drawLineage(lineagePictureOf(world, scenario)), "lineage.png");
+
+  auto& frames = collector.frames();
+  if (frames.empty()) return files;
+  fs::remove_all(folder / "sequence");  // of an earlier run, perhaps a longer one
+  makeFolder(folder / "sequence");
+  const auto framing = fitFraming(frames);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i].camera.framing = framing;
+    write(drawOrganism(frames[i]), fs::path("sequence") / fmt::format("{:04}.png", i));
+  }
+  return files;
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,58 @@
+#pragma once
+// From worlds to pictures: which colour a cell has, what stands beside it, which files are written.
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "render/lineage_tree.h"
+#include "render/organism.h"
+#include "scenario/scenario.h"
+#include "simulation/world.h"
+#include "store/records.h"
+
+namespace morula::cli {
+
+/// The colours of cells by their substances, as the scenario wants them.
+class Palette {
+ public:
+  explicit Palette(const Scenario& scenario) : scenario_(scenario) {}
+
+  /// The mixture of the colours of all coloured substances in "a0 a1 divide"; grey without any.
+  Colour colourOf(const std::string& substances) const;
+  /// The scenario's colours and the names or patterns that they stand for.
+  std::vector<LegendEntry> legend() const;
+
+ private:
+  const Scenario& scenario_;
+};
+
+/// The organism as it is now. The world has bodies.
+OrganismPicture pictureOf(const World& world, const Scenario& scenario);
+/// The lineage as far as it has come.
+TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
+
+/// Keeps the organism's shape at 0, every, 2·every, … for a sequence of pictures.
+class FrameCollector {
+ public:
+  FrameCollector(const Scenario& scenario, std::optional<double> every)
+      : scenario_(scenario), every_(every) {}
+  void observe(const World& world);
+  std::vector<OrganismPicture>& frames() { return frames_; }
+
+ private:
+  const Scenario& scenario_;
+  std::optional<double> every_;
+  std::uint64_t next_ = 0;
+  std::vector<OrganismPicture> frames_;
+};
+
+/// Writes organism.png, wireframe.png (with bodies), lineage.png and sequence/0000.png … into the folder.
+/// Returns the files.
+std::vector<std::string> writePictures(const World& world, const Scenario& scenario,
+                                       FrameCollector& collector, const std::filesystem::path& folder);
+
+/// Throws FileError.
+void makeFolder(const std::filesystem::path& folder);
+
+}  // namespace morula::cli

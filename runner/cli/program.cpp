@@ -1,0 +1,136 @@
+// The command line as a whole: verbs, help, mistakes, exit codes.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "base/did_you_mean.h"
+#include "base/error.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/verbs.h"
+#include "store/build_info.h"
+#include "store/store_error.h"
+
+namespace morula::cli {
+
+namespace {
+
+std::string typed;
+
+std::string versionText() {
+  const auto& build = buildInfo();
+  return "morula " + build.version + " (" + build.gitCommit + ", " + build.gitState + "; " + build.compiler +
+         ", " + build.target + ")";
+}
+
+std::vector<std::string> verbNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(verb->get_name());
+  return names;
+}
+
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// CLI11 says of a misspelt verb only that one is required, so look at it before CLI11 does.
+void checkVerb(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2) throw UsageError("no verb; one of " + join(verbNames(app)) + ", or --help");
+  const std::string word = argv[1];
+  if (word.starts_with("-")) return;
+  const auto names = verbNames(app);
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  if (word.ends_with(".yaml") || word.ends_with(".yml"))
+    throw UsageError("'" + word + "' is not a verb; did you mean morula run " + word + "?");
+  const auto near = closest(word, names);
+  throw UsageError("unknown verb '" + word + "'; " +
+                   (near.empty() ? "one of " + join(names) : "did you mean " + near + "?"));
+}
+
+/// What the verb did not expect, with the option that was probably meant.
+void checkLeftovers(const CLI::App& verb) {
+  const auto leftovers = verb.remaining();
+  if (leftovers.empty()) return;
+  const auto word = leftovers.front().substr(0, leftovers.front().find('='));
+  std::vector<std::string> options;
+  for (const auto* option : verb.get_options())
+    for (const auto& name : option->get_lnames()) options.push_back("--" + name);
+  const auto near = closest(word, options);
+  throw UsageError("morula " + verb.get_name() + ": '" + word + "' is not expected; " +
+                   (near.empty() ? "morula " + verb.get_name() + " --help lists the options"
+                                 : "did you mean " + near + "?"));
+}
+
+Action parse(int argc, char** argv) {
+  CLI::App app{"Morula grows organisms from one cell, the same bits every time.", "morula"};
+  app.footer(
+      "Exit codes: 0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 6 file or "
+      "database,\n"
+      "70 bug, 130 and 143 interrupted.");
+  app.set_version_flag("--version", versionText());
+  Action action;
+  addRun(app, action);
+  addCheck(app, action);
+  addReview(app, action);
+  addValidate(app, action);
+  addSchema(app, action);
+  addInit(app, action);
+  addRender(app, action);
+  addLineage(app, action);
+  for (auto* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->allow_extras();
+
+  checkVerb(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    std::cout << (chosen.empty() ? &app : chosen.front())->help();
+    return [] { return fine; };
+  } catch (const CLI::CallForVersion&) {
+    std::cout << versionText() << "\n";
+    return [] { return fine; };
+  } catch (const CLI::ParseError& error) {
+    const auto chosen = app.get_subcommands();
+    if (!chosen.empty()) checkLeftovers(*chosen.front());
+    throw UsageError(error.what());
+  }
+  for (const auto* verb : app.get_subcommands()) checkLeftovers(*verb);
+  if (!action) throw UsageError("no verb; one of " + join(verbNames(app)) + ", or --help");
+  return action;
+}
+
+}  // namespace
+
+std::string commandLine() { return typed; }
+
+int runProgram(int argc, char** argv) {
+  for (int i = 0; i < argc; ++i) typed += (i ? " " : "") + std::string(i ? argv[i] : "morula");
+  try {
+    const int code = parse(argc, argv)();
+    // What was promised on stdout must have arrived there: a full disk is no success.
+    if (std::cout.flush().fail()) throw FileError("standard output cannot be written");
+    return code;
+  } catch (const UsageError& error) {
+    tellError(error.what());
+    return usage;
+  } catch (const InputError& error) {
+    tellInputError(error.what());
+    return input;
+  } catch (const NumericalError& error) {
+    tellError(error.what());
+    return numerical;
+  } catch (const NondeterminismError& error) {
+    tellError(error.what());
+    return differs;
+  } catch (const FileError& error) {
+    tellError(error.what());
+    return file;
+  } catch (const std::exception& error) {
+    tellError(std::string("a bug of Morula's, please report it: ") + error.what());
+    return bug;
+  }
+}
+
+}  // namespace morula::cli

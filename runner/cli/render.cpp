@@ -1,0 +1,85 @@
+// morula render: one picture of a scenario, or of a stored run, at any time of its life.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "base/error.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/pictures.h"
+#include "cli/simulate.h"
+#include "cli/stored.h"
+#include "cli/verbs.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct RenderOptions {
+  std::string file, run, time, style = "solid", size = "900", output;
+  ExecutionOptions execution;
+  OutputOptions messages;
+};
+
+Image draw(const World& world, const Scenario& scenario, const RenderOptions& options) {
+  const int size = static_cast<int>(naturalOption("--size", options.size, 64, 8192));
+  if (options.style == "lineage") {
+    auto tree = lineagePictureOf(world, scenario);
+    if (options.size != "900") tree.width = size;
+    return drawLineage(tree);
+  }
+  auto picture = pictureOf(world, scenario);
+  picture.width = picture.height = size;
+  if (options.style == "both") return drawSolidAndWireframe(picture);
+  return drawOrganism(picture, options.style == "wireframe" ? Style::wireframe : Style::solid);
+}
+
+int act(const RenderOptions& options) {
+  const std::vector<std::string> styles{"solid", "wireframe", "both", "lineage"};
+  if (std::find(styles.begin(), styles.end(), options.style) == styles.end())
+    throw UsageError("--style: '" + options.style +
+                     "' is not known; needs solid, wireframe, both or lineage");
+  // Positions are not stored: the same bits come out of running again.
+  auto scenario = anyScenario(options.file, options.run);
+  if (!scenario.scene.mechanics && options.style != "lineage")
+    throw UsageError("--style: " + scenario.scene.name + " has no bodies; needs lineage");
+  if (!options.time.empty()) {
+    const double time = positiveOption("--time", options.time);
+    auto& stop = scenario.scene.stop.time;
+    stop = stop ? std::min(*stop, time) : time;
+  }
+  Progress progress(scenario.scene.name, options.messages.quiet);
+  const auto run = simulate(scenario, makeScenarioWorld(scenario, execution(options.execution)), progress);
+  if (run.signal) return signalled + run.signal;
+  if (run.end.status == RunStatus::failed) {
+    tellError(run.end.failure);
+    return numerical;
+  }
+  const auto file = options.output.empty() ? scenario.scene.name + ".png" : options.output;
+  writePng(draw(run.world, scenario, options), file);
+  if (options.messages.json)
+    printJson({{"scenario", scenario.scene.name}, {"time", run.end.time}, {"pictures", {file}}});
+  else print(file + "\n");
+  return fine;
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RenderOptions>();
+  auto* verb = app.add_subcommand("render", "Draw a scenario or a stored run, at its end or another time");
+  verb->add_option("file", options->file, "A scenario or a database")->required()->type_name("FILE");
+  verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
+  verb->add_option("--time", options->time, "When; default: at the end")->type_name("TIME");
+  verb->add_option("--style", options->style, "solid, wireframe, both or lineage")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb->add_option("--size", options->size, "Width in pixels")->type_name("N")->capture_default_str();
+  verb->add_option("-o,--output", options->output, "The PNG; default: the scenario's name")
+      ->type_name("FILE");
+  add(*verb, options->execution);
+  add(*verb, options->messages);
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli

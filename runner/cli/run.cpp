@@ -1,0 +1,123 @@
+// morula run: simulate, store, check, draw.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/check_run.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/run_scenario.h"
+#include "cli/verbs.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct RunOptions {
+  std::vector<std::string> scenarios;
+  SceneOptions scene;
+  ExecutionOptions execution;
+  OutputOptions output;
+  std::string seeds, database, out = "results";
+  bool dryRun = false, noCheck = false, noPictures = false;
+};
+
+struct Planned {
+  Scenario scenario;
+  RunSettings settings;
+};
+
+/// Everything that is to be run, read and checked before the first step of the first.
+std::vector<Planned> plan(const RunOptions& options) {
+  if (!options.seeds.empty() && !options.scene.seed.empty())
+    throw UsageError("--seed and --seeds: give one of them");
+  std::vector<std::string> seeds{options.scene.seed};
+  if (!options.seeds.empty()) {
+    seeds.clear();
+    for (const auto seed : seedRange(options.seeds)) seeds.push_back(std::to_string(seed));
+  }
+  std::vector<Planned> runs;
+  for (const auto& file : options.scenarios) {
+    for (const auto& seed : seeds) {
+      auto scene = options.scene;
+      scene.seed = seed;
+      Planned run{loadScenario(file, overrides(scene)), {}};
+      const auto name = run.scenario.scene.name + "-" + std::to_string(run.scenario.scene.seed);
+      run.settings = {.execution = execution(options.execution),
+                      .folder = std::filesystem::path(options.out) / name,
+                      .database = options.database,
+                      .changed = !scene.empty(),
+                      .check = !options.noCheck,
+                      .draw = !options.noPictures,
+                      .quiet = options.output.quiet};
+      if (options.database.empty()) run.settings.database = run.settings.folder / "run.db";
+      runs.push_back(std::move(run));
+    }
+  }
+  return runs;
+}
+
+Json describePlan(const Planned& run) {
+  const auto end = plannedEnd(run.scenario.scene);
+  return {{"scenario", run.scenario.scene.name},
+          {"seed", run.scenario.scene.seed},
+          {"status", "planned"},
+          {"until", end ? Json(*end) : Json()},
+          {"scenario_hash", run.scenario.meaning.text()},
+          {"db", run.settings.database.string()},
+          {"pictures", run.settings.draw ? Json(run.settings.folder.string()) : Json()}};
+}
+
+std::string describePlanForPeople(const Planned& run) {
+  const auto plan = describePlan(run);
+  return run.scenario.scene.name + "  seed " + std::to_string(run.scenario.scene.seed) + ": would run" +
+         (plan["until"].is_null() ? "" : " until time " + plan["until"].dump()) + "\n  results  " +
+         run.settings.database.string() + "\n";
+}
+
+int act(const RunOptions& options) {
+  auto runs = plan(options);
+  Json list = Json::array();
+  int code = fine;
+  for (const auto& run : runs) {
+    if (options.dryRun) {
+      makeScenarioWorld(run.scenario, run.settings.execution);  // its time step may be above the limit
+      if (options.output.json) list.push_back(describePlan(run));
+      else print(describePlanForPeople(run));
+      continue;
+    }
+    const auto outcome = runScenario(run.scenario, run.settings);
+    code = std::max(code, outcome.exitCode);
+    if (options.output.json) list.push_back(toJson(outcome, run.scenario, run.settings));
+    else print(describe(outcome, run.scenario, run.settings));
+    if (outcome.checks && !outcome.checks->passed() && options.output.json)
+      tell(describe(*outcome.checks), options.output.quiet);
+    if (!outcome.end.failure.empty()) tellError(outcome.end.failure);
+    if (outcome.exitCode > signalled) break;
+  }
+  if (options.output.json) printJson(runs.size() == 1 ? list[0] : Json{{"runs", list}});
+  return code;
+}
+
+}  // namespace
+
+void addRun(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RunOptions>();
+  auto* verb = app.add_subcommand("run", "Simulate a scenario, store, check and draw it");
+  verb->add_option("scenario", options->scenarios, "Scenario files")->required()->type_name("FILE");
+  add(*verb, options->scene);
+  verb->add_option("--seeds", options->seeds, "One run for each seed of a range: 1..50")
+      ->type_name("FIRST..LAST");
+  verb->add_option("--db", options->database, "Store in this file; default: run.db beside the pictures")
+      ->type_name("FILE");
+  verb->add_option("--out", options->out, "Folder for results, one folder in it per run")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  verb->add_flag("--no-pictures", options->noPictures, "Do not draw");
+  verb->add_flag("--no-check", options->noCheck, "Do not compare with the golden file");
+  verb->add_flag("--dry-run", options->dryRun, "Read and check everything, run nothing, write nothing");
+  add(*verb, options->execution);
+  add(*verb, options->output);
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,50 @@
+// What a run tells about itself.
+#include <fmt/format.h>
+
+#include "cli/check_run.h"
+#include "cli/run_scenario.h"
+
+namespace morula::cli {
+
+std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
+  const auto& end = outcome.end;
+  auto text = fmt::format("{}  seed {}: {}, {} cell{} at time {:.6g} after {} steps\n", scenario.scene.name,
+                          scenario.scene.seed, name(end.status), end.cells, end.cells == 1 ? "" : "s",
+                          end.time, end.steps);
+  if (!end.failure.empty()) text += "  failure  " + end.failure + "\n";
+  if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
+  if (outcome.checks && outcome.checks->passed())
+    text += fmt::format("  checks   all {} pass ({})\n", outcome.checks->results.size(),
+                        goldenFile(scenario).string());
+  else if (!outcome.checks && end.status == RunStatus::done)
+    text += "  checks   none: " + outcome.whyNotChecked + "\n";
+  text += "  results  " + settings.database.string() + " (run " + outcome.id + ")\n";
+  std::size_t frames = 0;
+  for (const auto& file : outcome.pictures) {
+    if (file.find("/sequence/") != file.npos) ++frames;
+    else text += "           " + file + "\n";
+  }
+  if (frames)
+    text += fmt::format("           {} ({} pictures)\n", (settings.folder / "sequence").string(), frames);
+  if (outcome.checks && !outcome.checks->passed()) text += describe(*outcome.checks);
+  return text;
+}
+
+Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
+  const auto& end = outcome.end;
+  Json json{{"run_id", outcome.id},
+            {"scenario", scenario.scene.name},
+            {"seed", scenario.scene.seed},
+            {"status", name(end.status)},
+            {"state_hash", end.stateHash ? Json(end.stateHash->text()) : Json()},
+            {"steps", end.steps},
+            {"cells", end.cells},
+            {"time", end.time},
+            {"db", settings.database.string()},
+            {"pictures", outcome.pictures},
+            {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()}};
+  if (!end.failure.empty()) json["failure"] = end.failure;
+  return json;
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,65 @@
+#include "cli/run_scenario.h"
+
+#include "cli/check_run.h"
+#include "cli/exit_codes.h"
+#include "cli/pictures.h"
+#include "cli/verbs.h"
+#include "store/store.h"
+
+namespace morula::cli {
+
+namespace {
+
+RunRecord recordOf(const Scenario& scenario, const RunSettings& settings) {
+  RunRecord record;
+  record.scenario = scenario.scene.name;
+  record.scenarioHash = scenario.meaning.text();
+  record.seed = scenario.scene.seed;
+  record.documents = {{"scenario", scenario.file, scenario.bytes}, {"resolved", "", scenario.resolved}};
+  for (const auto& file : scenario.files) record.documents.push_back({file.role, file.path, file.content});
+  record.command = commandLine();
+  record.isa = name(settings.execution.isa);
+  record.threads = settings.execution.threads;
+  return record;
+}
+
+void checkOutcome(const Scenario& scenario, const RunSettings& settings, const Simulation& run,
+                  RunOutcome& outcome) {
+  if (!settings.check) outcome.whyNotChecked = "as asked";
+  else if (settings.changed) outcome.whyNotChecked = "the scene was changed by --set or --seed";
+  else if (!std::filesystem::exists(goldenFile(scenario))) outcome.whyNotChecked = "there is no golden file";
+  else outcome.checks = check(scenario, run, false);
+}
+
+int exitCodeOf(const RunOutcome& outcome, int signal) {
+  if (outcome.end.status == RunStatus::killed) return signalled + signal;
+  if (outcome.end.status == RunStatus::failed) return numerical;
+  return outcome.checks && !outcome.checks->passed() ? differs : fine;
+}
+
+}  // namespace
+
+RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
+  auto world = makeScenarioWorld(scenario, settings.execution);
+  // Whatever could go wrong with files goes wrong before the first step.
+  if (settings.draw) makeFolder(settings.folder);
+  makeFolder(settings.database.parent_path());
+  auto store = Store::openForWriting(settings.database);
+
+  RunOutcome outcome;
+  outcome.id = store.begin(recordOf(scenario, settings));
+  FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
+  Progress progress(scenario.scene.name + " " + std::to_string(scenario.scene.seed), settings.quiet);
+  auto run = simulate(scenario, std::move(world), progress, [&](const World& w) { frames.observe(w); });
+
+  outcome.end = run.end;
+  const bool done = run.end.status == RunStatus::done;
+  if (done) checkOutcome(scenario, settings, run, outcome);
+  if (outcome.checks) run.results.checks = outcome.checks->results;
+  store.finish(outcome.id, run.end, run.results);
+  if (done && settings.draw) outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
+  outcome.exitCode = exitCodeOf(outcome, run.signal);
+  return outcome;
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,39 @@
+#pragma once
+// One run from end to end: simulate, store, check, draw.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/console.h"
+#include "cli/simulate.h"
+#include "golden/check_result.h"
+
+namespace morula::cli {
+
+struct RunSettings {
+  Execution execution;
+  std::filesystem::path folder;  // for pictures
+  std::filesystem::path database;
+  bool changed = false;  // by --set or --seed: its golden file does not apply
+  bool check = true, draw = true;
+  bool quiet = false;
+};
+
+struct RunOutcome {
+  std::string id;
+  RunEnd end;
+  std::optional<CheckReport> checks;
+  std::string whyNotChecked;  // against a golden
+  std::vector<std::string> pictures;
+  int exitCode = 0;
+};
+
+RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings);
+
+/// For people, on several lines.
+std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings);
+/// As the contract of `morula run --json` says.
+Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings);
+
+}  // namespace morula::cli

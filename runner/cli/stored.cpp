@@ -1,0 +1,38 @@
+#include "cli/stored.h"
+
+#include <fstream>
+
+#include "base/error.h"
+#include "cli/exit_codes.h"
+#include "store/store.h"
+
+namespace morula::cli {
+
+bool isDatabase(const std::string& file) {
+  const std::string magic = "SQLite format 3";
+  std::string head(magic.size(), '\0');
+  std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == magic;
+}
+
+Scenario storedScenario(const std::string& database, const std::string& run) {
+  auto store = Store::openForReading(database);
+  const auto stored = store.find(run);
+  std::string resolved;
+  std::vector<NamedFile> files;
+  for (const auto& document : store.documents(stored.id)) {
+    if (document.role == "resolved") resolved = document.content;
+    else if (document.role == "mesh") files.push_back({document.role, document.path, document.content});
+  }
+  if (resolved.empty())
+    throw FileError("'" + database + "': run " + stored.id + " has no scenario stored with it");
+  return readScenario(resolved, database, "", {}, files);
+}
+
+Scenario anyScenario(const std::string& file, const std::string& run) {
+  if (isDatabase(file)) return storedScenario(file, run);
+  if (!run.empty()) throw UsageError("--run chooses a run of a database; '" + file + "' is none");
+  return loadScenario(file);
+}
+
+}  // namespace morula::cli

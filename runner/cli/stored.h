@@ -1,0 +1,19 @@
+#pragma once
+// Where a verb's input comes from: a scenario file, or a run in a database.
+#include <string>
+
+#include "scenario/scenario.h"
+
+namespace morula::cli {
+
+/// True if the file begins as SQLite's do.
+bool isDatabase(const std::string& file);
+
+/// The scenario of a stored run, as it was run. `run`: its id or the beginning of it; "": the only or latest
+/// one.
+Scenario storedScenario(const std::string& database, const std::string& run);
+
+/// A scenario file, or the scenario of a stored run.
+Scenario anyScenario(const std::string& file, const std::string& run);
+
+}  // namespace morula::cli

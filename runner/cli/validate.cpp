@@ -1,0 +1,71 @@
+// morula validate: are these scenarios right?
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <sstream>
+
+#include "base/error.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/simulate.h"
+#include "cli/verbs.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct ValidateOptions {
+  std::vector<std::string> scenarios;
+  SceneOptions scene;
+  OutputOptions output;
+  bool resolved = false;
+};
+
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> list;
+  for (std::string line; std::getline(stream, line);) list.push_back(line);
+  return list;
+}
+
+int act(const ValidateOptions& options) {
+  int code = fine;
+  Json list = Json::array();
+  for (const auto& file : options.scenarios) {
+    try {
+      const auto scenario = loadScenario(file, overrides(options.scene));
+      makeScenarioWorld(scenario, {});  // the time step may be above the stability limit
+      list.push_back({{"file", file},
+                      {"valid", true},
+                      {"scenario", scenario.scene.name},
+                      {"scenario_hash", scenario.meaning.text()},
+                      {"errors", Json::array()}});
+      if (options.resolved && options.output.json) list.back()["resolved"] = Json::parse(scenario.resolved);
+      else if (options.resolved) print(scenario.resolved);
+      else if (!options.output.json)
+        print(file + ": fine; " + std::to_string(scenario.scene.dna.genes.size()) + " genes" +
+              (scenario.scene.mechanics ? "" : ", lineage only") + "\n");
+    } catch (const InputError& error) {
+      code = input;
+      tellInputError(error.what());
+      list.push_back({{"file", file}, {"valid", false}, {"errors", lines(error.what())}});
+    }
+  }
+  if (options.output.json) printJson({{"scenarios", list}});
+  return code;
+}
+
+}  // namespace
+
+void addValidate(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ValidateOptions>();
+  auto* verb = app.add_subcommand("validate", "Tell all mistakes in scenario files");
+  verb->add_option("scenario", options->scenarios, "Scenario files")->required()->type_name("FILE");
+  add(*verb, options->scene);
+  verb->add_flag("--resolved", options->resolved,
+                 "Print every parameter, defaults and changes included, as JSON");
+  add(*verb, options->output);
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli
