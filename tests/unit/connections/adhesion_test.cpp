@@ -14,7 +14,7 @@ struct Scene {
   Lab lab;
   Connections connections;
 
-  explicit Scene(const std::vector<Vector>& places) : lab({}, makeIcosphere(1), cellsAt(places)) {
+  explicit Scene(const std::vector<Vector>& places) : lab(softCell(), makeIcosphere(1), cellsAt(places)) {
     connections.parameters.strength = 0.2;
     std::fill(lab.bodies.acceleration.begin(), lab.bodies.acceleration.end(), 0.0);
   }

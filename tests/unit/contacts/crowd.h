@@ -47,7 +47,7 @@ struct Crowd {
 
 /// Mechanics of which only contact is left: a mesh without stiffness and gas.
 inline PhysicsParameters limp() {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane = {0, 0, 1};
   p.pressure = {0, 0};
   return p;
@@ -80,7 +80,7 @@ struct SeenVertex {
   int slot, v;
   Point x;
   Vector velocity, normal;
-  double radius;
+  double inverseRadiusSquared;
 };
 
 inline std::vector<SeenVertex> seen(const Bodies& b, const ContactParameters& c) {
@@ -99,13 +99,10 @@ inline std::vector<SeenVertex> seen(const Bodies& b, const ContactParameters& c)
     }
     for (int v = 0; v < b.vertexCount(); ++v) {
       const Vector n = normals[v] / norm(normals[v]);
+      const double radius = c.radius * meanLength * body.restScale;
+      const float inverseRadiusSquared = static_cast<float>(1 / (radius * radius));
       const float nx = static_cast<float>(n.x), ny = static_cast<float>(n.y), nz = static_cast<float>(n.z);
-      all.push_back({slot,
-                     v,
-                     body.position[v],
-                     body.velocity[v],
-                     {nx, ny, nz},
-                     static_cast<float>(c.radius * meanLength * body.restScale)});
+      all.push_back({slot, v, body.position[v], body.velocity[v], {nx, ny, nz}, inverseRadiusSquared});
     }
   }
   return all;

@@ -6,7 +6,7 @@ using namespace morula;
 
 TEST_CASE("All instruction sets move touching cells alike, at every step") {
   REQUIRE(availableIsas().size() >= 2);
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane = {40, 0.05, 1.26};
   p.pressure = {4, 0};
   const std::vector<ContactParameters> laws{{}, {ContactLaw::pair, 40, 0.05, 0.3}, {ContactLaw::thesis}};

@@ -115,7 +115,7 @@ TEST_CASE("Random moves, step after step: the list is right each time it is new"
 
 TEST_CASE("Forces do not depend on when the list was built: the same bits if it is built at each step") {
   const Mesh ball = makeIcosphere(1);
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane = {40, 0.05, 1.26};
   p.pressure = {4, 0};
   for (const ContactParameters& law :

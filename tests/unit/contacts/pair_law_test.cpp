@@ -9,23 +9,18 @@ namespace {
 /// The force of j on i, from the equations of pair_law_kernel.h.
 Vector pairForce(const SeenVertex& i, const SeenVertex& j, const ContactParameters& c) {
   const Vector d = i.x - j.x;
-  const double radius = 0.5 * (i.radius + j.radius);
-  if (dot(d, d) >= radius * radius) return {};
-  const Vector facing = j.normal - i.normal;
-  if (dot(facing, facing) <= 1e-12) return {};
-  const Vector n = facing / norm(facing);
-  const double height = dot(d, n);
-  // The smallest of the overlaps that the two planes and the one between them tell of.
-  const double gap = std::max({height, dot(d, j.normal), -dot(d, i.normal)});
-  const double alongSquare = dot(d, d) - height * height;
-  const double weight = (1 - alongSquare / (radius * radius)) * (1 - alongSquare / (radius * radius));
-  const double facingShare = dot(facing, facing) / 4;
-  const Vector relative = i.velocity - j.velocity;
-  const double push = -c.stiffness * gap - c.damping * dot(relative, n);
+  const double inverseSquare = (i.inverseRadiusSquared + j.inverseRadiusSquared) / 2;  // 1/R²
+  if (dot(d, d) * inverseSquare >= 1) return {};
+  const Vector h = (j.normal - i.normal) / 2.0, v = i.velocity - j.velocity;
+  const double gap = std::max(dot(d, j.normal), -dot(d, i.normal));
+  const double alongSquare = dot(d, d) - gap * gap;
+  const double weight = (1 - alongSquare * inverseSquare) * (1 - alongSquare * inverseSquare);
+  const double push = -c.stiffness * gap - c.damping * dot(v, h);
   if (push <= 0) return {};
-  const double size = weight * facingShare * push;
-  const Vector slip = relative - dot(relative, n) * n;
-  return size * n - (c.friction * size / std::max(norm(slip), c.slipSpeed)) * slip;
+  const Vector f = weight * push * h;
+  if (norm(h) == 0) return {};
+  const Vector n = h / norm(h), slip = v - dot(v, n) * n;
+  return f - (c.friction * norm(f) / std::max(norm(slip), c.slipSpeed)) * slip;
 }
 
 struct Case {

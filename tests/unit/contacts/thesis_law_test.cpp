@@ -10,18 +10,19 @@ namespace {
 constexpr double dt = 0x1p-9;
 const ContactParameters thesis{ContactLaw::thesis};
 
-/// The penetration vector of a vertex [Nilsson 2008, §4.3.1]: which way and how far it must go.
+/// The penetration vector of a vertex [Nilsson 2008, §4.3.1]: which way and how far it must go. Weighted by
+/// inverse distance, in influence radii.
 Vector penetration(const SeenVertex& i, const std::vector<SeenVertex>& all) {
   Vector sum;
   double weights = 0;
   for (const SeenVertex& j : all) {
     const Vector d = i.x - j.x;
-    const double radius = 0.5 * (i.radius + j.radius);
+    const double radius = 1 / std::sqrt((i.inverseRadiusSquared + j.inverseRadiusSquared) / 2);
     if (i.slot == j.slot || norm(d) >= radius || dot(i.normal, j.normal) >= 0) continue;
     const Vector fromJ = std::max(0.0, -dot(d, j.normal)) * j.normal,
                  fromI = std::max(0.0, dot(d, i.normal)) * i.normal;
-    sum += (0.5 / norm(d)) * (fromJ - fromI);
-    weights += 1 / norm(d);
+    sum += (0.5 * radius / norm(d)) * (fromJ - fromI);
+    weights += radius / norm(d);
   }
   return weights > 0 ? sum / weights : sum;
 }

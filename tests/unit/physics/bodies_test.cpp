@@ -14,7 +14,7 @@ TEST_CASE("What is set is taken, for full and for started blocks") {
       cells.back().restScale = 1 + 0.1 * i;
       cells.back().pressureConstant = 4 - 0.1 * i;
     }
-    Lab lab({}, mesh, cells);
+    Lab lab(softCell(), mesh, cells);
     CHECK(lab.bodies.count == count);
     CHECK(lab.bodies.blockCount() == (count + 7) / 8);
     for (int i = 0; i < count; ++i) {
@@ -30,7 +30,7 @@ TEST_CASE("What is set is taken, for full and for started blocks") {
 }
 
 TEST_CASE("The egg is the mesh as loaded, at rest") {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.cell.mass = 3;
   p.pressure.constant = 7;
   const Mesh mesh = zoo::torus(5, 4);
@@ -44,15 +44,15 @@ TEST_CASE("The egg is the mesh as loaded, at rest") {
 }
 
 TEST_CASE("A body with another number of vertices is a bug") {
-  Lab lab({}, makeIcosphere(1));
+  Lab lab(softCell(), makeIcosphere(1));
   CHECK_THROWS_AS(setBodies(lab.bodies, {shakenBody(makeIcosphere(0), 0, 0)}), BugError);
 }
 
 TEST_CASE("Lanes without a cell stay where they are") {
   const Mesh mesh = makeIcosphere(1);
   for (Isa isa : availableIsas()) {
-    Lab lab({}, mesh, {shakenBody(mesh, 0.1, 1), shakenBody(mesh, 0.1, 1, 1), shakenBody(mesh, 0.1, 1, 2)},
-            isa);
+    Lab lab(softCell(), mesh,
+            {shakenBody(mesh, 0.1, 1), shakenBody(mesh, 0.1, 1, 1), shakenBody(mesh, 0.1, 1, 2)}, isa);
     lab.start();
     for (int i = 0; i < 100; ++i) lab.step(0x1p-9);
     Worst farthest;

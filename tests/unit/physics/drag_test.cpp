@@ -5,7 +5,7 @@
 using namespace morula;
 
 TEST_CASE("Drag is −drag · m · v on each vertex") {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane = {0, 0, 1};
   p.drag = 0.25;
   const Mesh mesh = makeIcosphere(1);
@@ -22,7 +22,7 @@ TEST_CASE("Drag is −drag · m · v on each vertex") {
 }
 
 TEST_CASE("A body that only drag acts on slows down exponentially, to second order") {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.drag = 0.5;
   const Mesh mesh = makeIcosphere(1);
   const auto errorWith = [&](int steps) {
@@ -42,7 +42,7 @@ TEST_CASE("A body that only drag acts on slows down exponentially, to second ord
 }
 
 TEST_CASE("Without drag nothing slows down") {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   const Mesh mesh = makeIcosphere(1);
   Body body = shakenBody(mesh, 0, 0);
   for (Vector& u : body.velocity) u = {3, -2, 1};

@@ -10,7 +10,7 @@ using namespace morula;
 namespace {
 
 PhysicsParameters restingCell(double drag) {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane = {10, 0.05, 1.26};
   p.pressure = {8, 0};
   p.drag = drag;

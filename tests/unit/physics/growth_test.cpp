@@ -12,7 +12,7 @@ TEST_CASE("A step of growth multiplies mass and gas by 1 + rate·Δt and lengths
   body.mass = 42;
   body.pressureConstant = 4;
   body.restScale = 2;
-  Lab lab({}, mesh, {body, body});
+  Lab lab(softCell(), mesh, {body, body});
   grow(lab.bodies, 1, 0.5, 0.25);
   CHECK(lab.bodies.mass(0) == 42);
   CHECK(lab.bodies.pressureConstant[0] == 4);
@@ -23,7 +23,7 @@ TEST_CASE("A step of growth multiplies mass and gas by 1 + rate·Δt and lengths
 }
 
 TEST_CASE("A cell that grows to twice its contents rests at twice the volume; shrinking brings it back") {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.pressure = {4, 1};
   p.drag = 2;
   Lab lab(p, makeIcosphere(1));

@@ -12,7 +12,8 @@ struct Variant {
 };
 
 std::vector<Variant> variants() {
-  PhysicsParameters plain, undamped, thesis, sphere, ellipsoid;
+  const PhysicsParameters plain = softCell();
+  PhysicsParameters undamped = plain, thesis = plain, sphere = plain, ellipsoid = plain;
   undamped.membrane.damping = 0;
   thesis.integrator = Integrator::thesisVerlet;
   thesis.drag = 0.1;

@@ -8,7 +8,7 @@ using namespace morula;
 namespace {
 
 PhysicsParameters gasOnly() {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane.stiffness = 0;
   p.membrane.damping = 0;
   p.pressure = {4, 0.7};

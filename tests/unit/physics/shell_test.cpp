@@ -7,7 +7,7 @@ using namespace morula;
 namespace {
 
 PhysicsParameters inShell(double a, double b, double c) {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.shell = ShellParameters{{a, b, c}};
   return p;
 }
@@ -137,7 +137,7 @@ TEST_CASE("A vertex shot along the shell goes round it and keeps its speed") {
 TEST_CASE("Nothing happens to vertices inside: the same bits with and without a shell") {
   const Mesh mesh = zoo::crumpled(makeIcosphere(2), 0.1, 2);
   for (const ShellParameters& shell : {ShellParameters{{1.5, 1.5, 1.5}}, ShellParameters{{1.5, 1.6, 1.7}}}) {
-    PhysicsParameters p;
+    PhysicsParameters p = softCell();
     Lab free(p, mesh, {shakenBody(mesh, 0, 0.2)});
     p.shell = shell;
     Lab held(p, mesh, {shakenBody(mesh, 0, 0.2)});

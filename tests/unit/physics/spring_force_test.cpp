@@ -9,7 +9,7 @@ using namespace morula;
 namespace {
 
 PhysicsParameters springsOnly(double damping) {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane = {40, damping, 1.26};
   p.pressure = {0, 0};
   return p;

@@ -42,7 +42,7 @@ TEST_CASE("The springs' limit is where explosions begin, for either integrator, 
   for (Integrator integrator : {Integrator::velocityVerlet, Integrator::thesisVerlet})
     for (double damping : {0.0, 0.05, 0.5, 2.0}) {
       const Mesh mesh = makeIcosphere(2);
-      PhysicsParameters p;
+      PhysicsParameters p = softCell();
       p.integrator = integrator;
       p.cell.mass = 2;
       p.membrane = {40, damping, 1.26};
@@ -57,7 +57,7 @@ TEST_CASE("The springs' limit is where explosions begin, for either integrator, 
 
 TEST_CASE("Springs without stiffness have a limit by damping, and none without either") {
   const Mesh mesh = makeIcosphere(1);
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane = {0, 0.5, 1.26};
   CHECK(spring(p, mesh) == Approx(2 * (1.0 / 42 / 6) / (2 * 0.5)).epsilon(1e-14));
   CHECK(contactLimit(Integrator::velocityVerlet, 0, 0, 1) == std::numeric_limits<double>::infinity());
@@ -66,7 +66,7 @@ TEST_CASE("Springs without stiffness have a limit by damping, and none without e
 TEST_CASE("The gas' limit is where the breathing explodes") {
   const Mesh mesh = makeIcosphere(2);
   const double volume = measureVolume(mesh.vertices, mesh.faces);
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane = {4, 0, 1.26};
   p.pressure = {4000, 4000 / volume};
   const double limit = pressure(p, mesh);
@@ -77,7 +77,7 @@ TEST_CASE("The gas' limit is where the breathing explodes") {
 
 TEST_CASE("Limits fall with the root of the mass") {
   const Mesh mesh = makeIcosphere(1);
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane.damping = 0;
   Body heavy = shakenBody(mesh, 0, 0), light = heavy;
   heavy.pressureConstant = light.pressureConstant = 4;

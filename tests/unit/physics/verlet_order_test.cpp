@@ -9,7 +9,7 @@ namespace {
 
 /// Positions at time 1 of a blown-up cell, uneven and damped, so that nothing cancels.
 std::vector<Point> released(Integrator integrator, int steps, double drag) {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.integrator = integrator;
   p.membrane = {10, 0.02, 1.26};
   p.pressure = {8, 0};
@@ -56,7 +56,7 @@ TEST_CASE("The thesis' Verlet is first order") {
 }
 
 TEST_CASE("The thesis' Verlet is x' = 2x − x_prev + a Δt²") {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.integrator = Integrator::thesisVerlet;
   p.pressure = {8, 0};
   p.membrane.damping = 0;
@@ -78,7 +78,7 @@ TEST_CASE("The thesis' Verlet is x' = 2x − x_prev + a Δt²") {
 }
 
 TEST_CASE("Velocity Verlet without damping keeps the energy, up to a ripple that does not grow") {
-  PhysicsParameters p;
+  PhysicsParameters p = softCell();
   p.membrane = {10, 0, 1.26};
   p.pressure = {0, 0};
   const Mesh mesh = makeIcosphere(1);

@@ -9,7 +9,7 @@ using namespace morula;
 TEST_CASE("The rings give the volume that the faces give, for every mesh") {
   for (const auto& [name, mesh, handles] : zoo::all()) {
     INFO(name);
-    Lab lab({}, mesh);
+    Lab lab(softCell(), mesh);
     lab.evaluate();
     const double expected = measureVolume(mesh.vertices, mesh.faces);
     CHECK(lab.bodies.volume[0] == Approx(expected).epsilon(1e-13));
@@ -18,7 +18,7 @@ TEST_CASE("The rings give the volume that the faces give, for every mesh") {
 
 TEST_CASE("The rings give closed forms of volumes") {
   const auto volumeOf = [](const Mesh& m) {
-    Lab lab({}, m);
+    Lab lab(softCell(), m);
     lab.evaluate();
     return lab.bodies.volume[0];
   };
@@ -39,8 +39,8 @@ TEST_CASE("The rings give closed forms of volumes") {
 
 TEST_CASE("Where a cell lies and how it moves does not change its volume") {
   const Mesh mesh = zoo::crumpled(makeIcosphere(2), 0.2, 3);
-  Lab here({}, mesh, {shakenBody(mesh, 0, 0)}),
-      there({}, mesh, {shakenBody(zoo::moved(mesh, {512, -1024, 256}), 0, 7)});
+  Lab here(softCell(), mesh, {shakenBody(mesh, 0, 0)}),
+      there(softCell(), mesh, {shakenBody(zoo::moved(mesh, {512, -1024, 256}), 0, 7)});
   here.evaluate();
   there.evaluate();
   CHECK(there.bodies.volume[0] == Approx(here.bodies.volume[0]).epsilon(1e-11));
