@@ -53,7 +53,7 @@ struct OrganismPicture {
   std::string caption;  // one line under the title, for example time and cells
   std::vector<LegendEntry> legend;
   int width = 900, height = 900;  // [pixel] 16 to 8192
-  int samples = 2;  // supersampling: rays per pixel side, 1 to 4; higher: smoother edges, slower
+  int samples = 2;  // supersampling: rays per pixel side, 1 to 4; higher: smoother edges, slower, more memory
 };
 
 enum class Style {

@@ -1,18 +1,14 @@
+// The passes over solid cells and lines; the others are in organism_compose.cpp.
 #include "render/organism_renderer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "render/camera.h"
-#include "render/gl_objects.h"
-#include "render/shaders.h"
-#include "render/surface.h"
+#include "render/organism_passes.h"
 
 namespace morula {
 namespace {
-
-constexpr int maxLayers = 16;  // of translucent surfaces, one behind the other
 
 struct LineVertex {
   float here[3], there[3], side, light[3];
@@ -59,90 +55,35 @@ void setSpiral(const Program& program) {
   program.setPairs("turns", turns, 16);
 }
 
-void setPaper(const Program& program) {
-  program.set("paperLight", float(linearLight(paper.r)), float(linearLight(paper.g)),
-              float(linearLight(paper.b)));
+/// The depths from the eye that are kept: everything that is drawn, and the middle in any case.
+std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAxes& axes,
+                                     const Framing& framing) {
+  double nearest = framing.distance * 0.9, farthest = framing.distance * 1.1;
+  const auto keep = [&](const Point& p) {
+    const double depth = framing.distance - axes.of(p - framing.centre).z;
+    nearest = std::min(nearest, 0.98 * depth);
+    farthest = std::max(farthest, 1.02 * depth);
+  };
+  for (const CellShape& cell : picture.cells) std::for_each(cell.vertices.begin(), cell.vertices.end(), keep);
+  for (const LineMark& line : picture.lines) keep(line.from), keep(line.to);
+  return {std::max(nearest, 0.02 * framing.distance), farthest};
 }
 
 }  // namespace
 
-struct OrganismRenderer::Programs {
-  Program cell{cellVertexShader(), cellFragmentShader(false)};
-  Program peel{cellVertexShader(), cellFragmentShader(true)};
-  Program line{lineVertexShader(), lineFragmentShader()};
-  Program occlusion{screenVertexShader(), occlusionShader()};
-  Program blur{screenVertexShader(), occlusionBlurShader()};
-  Program layer{screenVertexShader(), layerShader()};
-  Program resolve{screenVertexShader(), resolveShader()};
-  VertexBuffer screen{nullptr, 0, 0, {}};  // the shader knows its three corners by number
-};
+void clearLayer(float eyeDistance) {
+  const float none[4] = {0, 0, 0, 0}, faraway[4] = {0, 0, 0, -20 * eyeDistance}, one = 1;
+  const GLuint nobody[4] = {0, 0, 0, 0};
+  glClearBufferfv(GL_COLOR, 0, none);
+  glClearBufferuiv(GL_COLOR, 1, nobody);
+  glClearBufferfv(GL_COLOR, 2, faraway);
+  glClearBufferfv(GL_DEPTH, 0, &one);
+}
 
-/// Everything that is as large as the picture or its sample grid.
-struct OrganismRenderer::Targets {
-  struct Layer {  // what the cells' shader writes; a veil needs no shapes, as it gets no ambient occlusion
-    Texture lights, owners, depth;
-    std::unique_ptr<Texture> shapes;
-    Framebuffer framebuffer;
-    Layer(int w, int h, bool shaped)
-        : lights(w, h, GL_RGBA32F),
-          owners(w, h, GL_R32UI),
-          depth(w, h, GL_DEPTH_COMPONENT32F),
-          shapes(shaped ? std::make_unique<Texture>(w, h, GL_RGBA32F) : nullptr),
-          framebuffer({&lights, &owners, shapes.get()}, &depth) {}
-  };
-  struct Veils {  // only with translucent cells
-    Layer first, second;
-    Texture sum;
-    Framebuffer framebuffer;
-    Veils(int w, int h)
-        : first(w, h, false), second(w, h, false), sum(w, h, GL_RGBA32F), framebuffer({&sum}, nullptr) {}
-  };
-
-  int width, height, samples;
-  Layer solid;
-  std::unique_ptr<Veils> veils;
-  Texture firstVisible, secondVisible, result;
-  Framebuffer firstVisibleBuffer, secondVisibleBuffer, resultBuffer;
-
-  Targets(int w, int h, int s)
-      : width(w),
-        height(h),
-        samples(s),
-        solid(w * s, h * s, true),
-        firstVisible(w, h, GL_R32F),
-        secondVisible(w, h, GL_R32F),
-        result(w, h, GL_RGBA8),
-        firstVisibleBuffer({&firstVisible}, nullptr),
-        secondVisibleBuffer({&secondVisible}, nullptr),
-        resultBuffer({&result}, nullptr) {}
-};
-
-struct OrganismRenderer::Frame {
-  const OrganismPicture& picture;
-  Style style;
-  EyeAxes axes;
-  Framing framing;
-  int width, height, samples;
-  Aperture aperture;
-  std::array<float, 16> matrix;
-  float pixel;  // [sample] the unit of line widths: a pixel of a 900-pixel picture
-  Surface surface;
-  const VertexBuffer* cells = nullptr;
-
-  int gridWidth() const { return width * samples; }
-  int gridHeight() const { return height * samples; }
-
-  /// What every shader knows.
-  void describe(const Program& program) const {
-    program.use();
-    program.setSize("size", gridWidth(), gridHeight());
-    program.set("aperture", float(aperture.x), float(aperture.y));
-    program.set("eyeDistance", float(framing.distance));
-    program.set("samples", samples);
-    program.set("outlineReach", std::max(1, int(std::lround(0.5f * pixel))));
-    program.setMatrix("projection", matrix.data());
-  }
-};
+void setPaper(const Program& program) {
+  program.set("paperLight", float(linearLight(paper.r)), float(linearLight(paper.g)),
+              float(linearLight(paper.b)));
+}
 
 OrganismRenderer::OrganismRenderer() : context_(new OffscreenContext), programs_(new Programs) {}
 
@@ -153,16 +94,7 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
   context_->makeCurrent();
   const EyeAxes axes = eyeAxes(picture.camera);
   const Aperture aperture = apertureOf(width, height);
-  double nearest = framing.distance * 0.9, farthest = framing.distance * 1.1;
-  const auto keep = [&](const Point& p) {
-    const double depth = framing.distance - axes.of(p - framing.centre).z;
-    nearest = std::min(nearest, 0.98 * depth);
-    farthest = std::max(farthest, 1.02 * depth);
-  };
-  for (const CellShape& cell : picture.cells) std::for_each(cell.vertices.begin(), cell.vertices.end(), keep);
-  for (const LineMark& line : picture.lines) keep(line.from), keep(line.to);
-  nearest = std::max(nearest, 0.02 * framing.distance);
-
+  const auto [nearest, farthest] = clipDepths(picture, axes, framing);
   Frame frame{.picture = picture,
               .style = style,
               .axes = axes,
@@ -194,19 +126,6 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
   const bool veiled = drawVeils(frame);
   return resolve(frame, veiled);
 }
-
-namespace {
-
-void clearLayer(float eyeDistance) {
-  const float none[4] = {0, 0, 0, 0}, faraway[4] = {0, 0, 0, -20 * eyeDistance}, one = 1;
-  const GLuint nobody[4] = {0, 0, 0, 0};
-  glClearBufferfv(GL_COLOR, 0, none);
-  glClearBufferuiv(GL_COLOR, 1, nobody);
-  glClearBufferfv(GL_COLOR, 2, faraway);
-  glClearBufferfv(GL_DEPTH, 0, &one);
-}
-
-}  // namespace
 
 void OrganismRenderer::fillScreen(const Framebuffer& target, int width, int height) {
   target.bind();
@@ -277,106 +196,6 @@ void OrganismRenderer::findOcclusion(const Frame& frame) {
   fillScreen(targets_->secondVisibleBuffer, frame.width, frame.height);
   targets_->secondVisible.bind(0);
   fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
-}
-
-bool OrganismRenderer::drawVeils(const Frame& frame) {
-  const std::size_t count = frame.surface.corners.size() - frame.surface.solid;
-  if (count == 0) return false;
-  // Depth peeling [Everitt 2001]: each turn draws the nearest surfaces behind those of the last turn, so
-  // whatever the cells' order and however they interpenetrate, each sample meets its surfaces from front to
-  // back.
-  if (!targets_->veils)
-    targets_->veils = std::make_unique<Targets::Veils>(frame.gridWidth(), frame.gridHeight());
-  Targets::Veils& veils = *targets_->veils;
-  const float none[4] = {0, 0, 0, 0}, zero = 0;
-  veils.framebuffer.bind();
-  glClearBufferfv(GL_COLOR, 0, none);
-  veils.second.framebuffer.bind();
-  glClearBufferfv(GL_DEPTH, 0, &zero);  // the first layer lies behind nothing
-  GLuint query = 0;
-  glGenQueries(1, &query);
-  for (int turn = 0; turn < maxLayers; ++turn) {
-    const Targets::Layer &here = turn % 2 ? veils.second : veils.first,
-                         &last = turn % 2 ? veils.first : veils.second;
-    here.framebuffer.bind();
-    glViewport(0, 0, frame.gridWidth(), frame.gridHeight());
-    clearLayer(float(frame.framing.distance));
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
-    programs_->peel.use();
-    programs_->peel.set("opaqueDepth", 0);
-    programs_->peel.set("lastDepth", 1);
-    targets_->solid.depth.bind(0);
-    last.depth.bind(1);
-    glBeginQuery(GL_SAMPLES_PASSED, query);
-    frame.cells->drawTriangles(frame.surface.solid, count);
-    glEndQuery(GL_SAMPLES_PASSED);
-    GLuint passed = 0;
-    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
-    if (passed == 0) break;
-    frame.describe(programs_->layer);
-    programs_->layer.set("lights", 0);
-    programs_->layer.set("owners", 1);
-    here.lights.bind(0);
-    here.owners.bind(1);
-    glEnable(GL_BLEND);  // under: only what the layers before let through
-    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    fillScreen(veils.framebuffer, frame.gridWidth(), frame.gridHeight());
-    glDisable(GL_BLEND);
-  }
-  glDeleteQueries(1, &query);
-  return true;
-}
-
-Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
-  const Program& program = programs_->resolve;
-  frame.describe(program);
-  setPaper(program);
-  program.set("lights", 0);
-  program.set("shapes", 1);
-  program.set("owners", 2);
-  program.set("visibles", 3);
-  program.set("veils", 4);
-  program.set("veiled", veiled ? 1 : 0);
-  program.set("shelled", frame.picture.shell ? 1 : 0);
-  targets_->solid.lights.bind(0);
-  targets_->solid.shapes->bind(1);
-  targets_->solid.owners.bind(2);
-  targets_->firstVisible.bind(3);
-  if (veiled) targets_->veils->sum.bind(4);
-  if (frame.picture.shell) {
-    // From eye space to the world and into units of the semi-axes, and for normals the way back (whose
-    // inverse transpose has the same factors).
-    const Vector rows[3] = {frame.axes.x, frame.axes.y, frame.axes.z};
-    const Vector wall = *frame.picture.shell * shellThickness;
-    const double semi[3] = {wall.x, wall.y, wall.z};
-    const Point& centre = frame.framing.centre;
-    const double middle[3] = {centre.x, centre.y, centre.z};
-    float toShell[16] = {}, fromNormal[16] = {};
-    for (int eye = 0; eye < 3; ++eye) {
-      const double parts[3] = {rows[eye].x, rows[eye].y, rows[eye].z};
-      for (int world = 0; world < 3; ++world) {
-        toShell[4 * eye + world] = float(parts[world] / semi[world]);
-        fromNormal[4 * world + eye] = float(parts[world] / semi[world]);
-      }
-    }
-    for (int world = 0; world < 3; ++world) toShell[12 + world] = float(middle[world] / semi[world]);
-    toShell[15] = fromNormal[15] = 1;
-    program.setMatrix("toShell", toShell);
-    program.setMatrix("fromNormal", fromNormal);
-  }
-  fillScreen(targets_->resultBuffer, frame.width, frame.height);
-
-  std::vector<std::uint8_t> rgba(std::size_t(4) * frame.width * frame.height);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, frame.width, frame.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-  Image image(frame.width, frame.height, paper);
-  for (int y = 0; y < frame.height; ++y) {
-    const std::uint8_t* row =
-        &rgba[std::size_t(4) * frame.width * (frame.height - 1 - y)];  // OpenGL counts upward
-    for (int x = 0; x < frame.width; ++x) image.at(x, y) = {row[4 * x], row[4 * x + 1], row[4 * x + 2]};
-  }
-  return image;
 }
 
 }  // namespace morula

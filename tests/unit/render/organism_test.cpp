@@ -260,7 +260,7 @@ TEST_CASE("pictures that cannot be are refused by name", "[organism]") {
   refused([](auto& p) { p.width = -900; }, "16 to 8192");
   refused([](auto& p) { p.samples = 0; }, "samples");
   refused([](auto& p) { p.samples = 5; }, "samples");
-  refused([](auto& p) { p.samples = 4, p.width = 5000; }, "16384");
+  refused([](auto& p) { p.samples = 4, p.width = p.height = 2000; }, "50000000");
   refused([](auto& p) { p.cells[0].vertices.pop_back(); }, "'AB' has 161");
   refused([](auto& p) { p.cells[0].vertices[3].y = NAN; }, "'AB'");
   refused([](auto& p) { p.cells[0].vertices[3].y = INFINITY; }, "not finite");
