@@ -1,0 +1,137 @@
+#pragma once
+// Scenes that several kinds of tests share. All numbers are written out, so that better defaults do not
+// change them.
+#include <string>
+#include <vector>
+
+#include "mesh/measures.h"
+#include "simulation/world.h"
+
+namespace morula::scenes {
+
+inline const std::string everybodyDivides = "START: a0\ng1(a0|a0)\ng2(divide|a0)\n";
+
+// Four leaves [Nilsson 2008, §5.2.1].
+inline const std::string uniqueFour =
+    "START: a0\n"
+    "g1(a1|a0)\ng2(divide|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a1)\ng6(a4|a2,A)\ng7(a5|a2,B)\ng8(a6|a3,A)"
+    "\n"
+    "g9(a7|a3,B)\ng10(a4|a4)\ng11(a5|a5)\ng12(a6|a6)\ng13(a7|a7)\n";
+
+// Everything a cell can want: seven cells, then a death, growth, shrinkage, and connections made and released
+// by gene.
+inline const std::string eventful =
+    "START: a0\n"
+    "g1(a1|a0)\ng2(divide|a0)\n"
+    "g3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a1)\ng6(connect|a1)\n"
+    "g7(a4|a2,A)\ng8(a5|a2,B)\ng9(a6|a3,A)\ng10(a7|a3,B)\ng11(divide|a2,A)\ng12(divide|a3,B)\ng13(divide|a2,"
+    "B)\n"
+    "g14(connect|a3)\ng15(grow|a4)\ng16(shrink|a6)\ng17(release|a5)\ng18(die|a6)\n"
+    "g19(a4|a4)\ng20(a5|a5)\ng21(a7|a7)\ng22(connect|a7)\n";
+
+inline Mesh scaled(Mesh mesh, double radius) {
+  for (Point& v : mesh.vertices) v *= radius;
+  return mesh;
+}
+
+inline Mesh cube() {
+  Mesh m;
+  for (int i = 0; i < 8; ++i) m.vertices.push_back({i & 1 ? 1. : -1., i & 2 ? 1. : -1., i & 4 ? 1. : -1.});
+  for (const Face& f : std::vector<Face>{{0, 2, 3},
+                                         {0, 3, 1},
+                                         {4, 5, 7},
+                                         {4, 7, 6},
+                                         {0, 1, 5},
+                                         {0, 5, 4},
+                                         {2, 6, 7},
+                                         {2, 7, 3},
+                                         {0, 4, 6},
+                                         {0, 6, 2},
+                                         {1, 3, 7},
+                                         {1, 7, 5}})
+    m.faces.push_back(f);
+  return scaled(m, 0.55);
+}
+
+inline Scene lineageOnly(const std::string& dna, std::uint64_t cycles) {
+  Scene s;
+  s.name = "lineage-only";
+  s.seed = 1;
+  s.dna = parseDna(dna, "test.dna");
+  s.stop.cycles = cycles;
+  return s;
+}
+
+/// Cells without shell, contact and connections, whose egg is at rest.
+inline Scene withBodies(const std::string& dna, std::uint64_t cycles,
+                        const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
+  Scene s = lineageOnly(dna, cycles);
+  s.name = "with-bodies";
+  MechanicsScene m;
+  m.mesh = egg;
+  m.physics.cell.mass = 1;
+  m.physics.membrane = {10, 0.02, 1.26};
+  m.physics.pressure = {200, 200 / measureVolume(egg.vertices, egg.faces)};
+  m.division = {DivisionPlane::longest, {1, 0, 0}};
+  s.mechanics = m;
+  return s;
+}
+
+inline const ContactParameters pairContact{ContactLaw::pair, 30, 0.02, 0, 0.01, 1};
+inline const ContactParameters pairContactWithFriction{ContactLaw::pair, 30, 0.02, 0.3, 0.01, 1};
+inline const ContactParameters thesisContact{ContactLaw::thesis, 30, 0.02, 0, 0.01, 1};
+
+/// Sixteen cells that touch each other in a spherical shell.
+inline Scene packed() {
+  Scene s = withBodies(everybodyDivides, 5);
+  s.name = "packed";
+  s.mechanics->physics.shell = ShellParameters{{1, 1, 1}};
+  s.mechanics->contact = pairContact;
+  s.stop.time = 4.5;
+  return s;
+}
+
+/// Eight cells in an ellipsoid, with friction and drag, random planes, and sisters that stay connected.
+inline Scene ellipsoid() {
+  Scene s = withBodies(everybodyDivides, 3);
+  s.name = "ellipsoid";
+  s.mechanics->physics.shell = ShellParameters{{1.2, 1, 0.96}};
+  s.mechanics->physics.drag = 0.5;
+  s.mechanics->contact = pairContactWithFriction;
+  s.mechanics->division.plane = DivisionPlane::random;
+  s.mechanics->connections =
+      ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, {}};
+  s.stop.time = 3.5;
+  s.stop.cycles.reset();
+  return s;
+}
+
+/// The thesis' integrator and contact law, a fixed step and a fixed axis.
+inline Scene thesis() {
+  Scene s = withBodies(uniqueFour, 4);
+  s.name = "thesis";
+  PhysicsParameters& p = s.mechanics->physics;
+  p.integrator = Integrator::thesisVerlet;
+  p.timeStep = 0x1p-7;
+  p.pressure = {8, p.pressure.outside / 25};
+  p.drag = 1;
+  p.shell = ShellParameters{{1, 1, 1}};
+  s.mechanics->contact = thesisContact;
+  s.mechanics->division = {DivisionPlane::axis, {1, 2, 3}};
+  return s;
+}
+
+/// Odd numbers of cells, births and deaths, growth, genes that connect: what lanes and slots must stand.
+inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
+  Scene s = withBodies(eventful, 6, egg);
+  s.name = "life";
+  PhysicsParameters& p = s.mechanics->physics;
+  p.drag = 0.3;
+  p.growth = GrowthParameters{0.1};
+  s.mechanics->contact = pairContactWithFriction;
+  s.mechanics->connections =
+      ConnectionParameters{MakeConnections::both, ConnectionsOnDivision::both, 0.2, 1.6};
+  return s;
+}
+
+}  // namespace morula::scenes

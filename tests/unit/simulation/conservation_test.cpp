@@ -1,0 +1,94 @@
+// Without shell and drag nothing from outside acts on the cells: momentum stays, through collisions with
+// friction too.
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+Vector momentumOf(const Bodies& b, int slot) {
+  Vector sum;
+  for (int v = 0; v < b.vertexCount(); ++v) sum += b.vertexMass[slot] * b.read(b.velocity, slot, v);
+  return sum;
+}
+
+Vector momentum(const World& world) {
+  Vector sum;
+  for (int slot = 0; slot < world.bodies->count; ++slot) sum += momentumOf(*world.bodies, slot);
+  return sum;
+}
+
+double sizeOfMomenta(const World& world) {
+  double sum = 0;
+  for (int slot = 0; slot < world.bodies->count; ++slot) sum += norm(momentumOf(*world.bodies, slot));
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("Two to eight cells collide, with friction, and their momentum drifts by no more than 1e-12") {
+  for (const ContactParameters& contact : {scenes::pairContact, scenes::pairContactWithFriction})
+    for (int count : {2, 3, 5, 8}) {
+      Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
+      scene.mechanics->contact = contact;
+      World world = worldOf(scene, flyingCells(scene.mechanics->mesh, count, 2.3, 1), {bestIsa(), 1});
+      const Vector before = momentum(world);
+      const double size = sizeOfMomenta(world);
+      std::vector<Vector> each;
+      for (int slot = 0; slot < count; ++slot) each.push_back(momentumOf(*world.bodies, slot));
+      Worst drift, exchanged;
+      bool touched = false;
+      while (world.clock.time < 1) {
+        step(world);
+        drift.see(norm(momentum(world) - before) / size);
+        touched = touched || world.contacts->list.pairs > 0;
+      }
+      for (int slot = 0; slot < count; ++slot)
+        exchanged.see(norm(momentumOf(*world.bodies, slot) - each[slot]));
+      CAPTURE(count, contact.friction, world.clock.step);
+      CHECK(touched);
+      CHECK(exchanged > 0.3);
+      CHECK(drift <= 1e-12);
+    }
+}
+
+TEST_CASE("A division keeps mass and momentum, and adhesion too") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
+  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->division.plane = DivisionPlane::random;
+  scene.mechanics->connections = ConnectionParameters{};
+  World world = makeWorld(scene, {bestIsa(), 1});
+  Bodies& b = *world.bodies;
+  for (int v = 0; v < b.vertexCount(); ++v) {
+    double* u = &b.velocity[b.at(0, v)];
+    u[0] = 0.3 + 0.1 * noise(static_cast<std::uint32_t>(v));
+    u[blockLanes] = -0.2;
+  }
+  const Vector before = momentum(world);
+  Worst drift, massDrift;
+  while (!finished(world)) {
+    step(world);
+    drift.see(norm(momentum(world) - before) / norm(before));
+    double mass = 0;
+    for (int slot = 0; slot < b.count; ++slot) mass += b.mass(slot);
+    massDrift.see(std::abs(mass - 1));
+  }
+  CHECK(world.cells.path.size() == 8);
+  CHECK(drift <= 1e-12);
+  CHECK(massDrift <= 1e-14);
+}
+
+TEST_CASE("A collision takes energy and never gives any") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(2));
+  scene.mechanics->contact = scenes::pairContact;
+  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 2, 2.3, 0.5), {bestIsa(), 1});
+  const double before = measureWorld(world).kineticEnergy;
+  Worst largest;
+  while (world.clock.time < 4) {
+    step(world);
+    largest.see(measureWorld(world).kineticEnergy);
+  }
+  CHECK(measureWorld(world).kineticEnergy < before);
+  CHECK(largest < 1.1 * before);  // some is lent by gas and springs, which begin close to rest
+}

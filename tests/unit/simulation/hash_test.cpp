@@ -1,0 +1,112 @@
+// A hash is worth what it notices: each single field of the state changes it.
+#include <functional>
+#include <set>
+
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+World lived() {
+  World world = makeWorld(scenes::life(), {Isa::scalar, 1});
+  while (world.clock.time < 3.1) step(world);
+  return world;
+}
+
+void nudge(double& x) { x = std::nextafter(x, 1e300); }
+
+struct Change {
+  const char* what;
+  std::function<void(World&)> make;
+};
+
+}  // namespace
+
+TEST_CASE("A change of any field changes the hash, and no two changes give the same one") {
+  const std::vector<Change> changes{
+      {"nothing", [](World&) {}},
+      {"time", [](World& w) { nudge(w.clock.time); }},
+      {"step", [](World& w) { ++w.clock.step; }},
+      {"time step", [](World& w) { nudge(w.clock.timeStep); }},
+      {"epoch's time", [](World& w) { nudge(w.clock.epochTime); }},
+      {"epoch's step", [](World& w) { ++w.clock.epochStep; }},
+      {"x of the first vertex", [](World& w) { nudge(w.bodies->position[0]); }},
+      {"z of a later one", [](World& w) { nudge(w.bodies->position[w.bodies->at(2, 41) + 2 * blockLanes]); }},
+      {"the sign of a zero velocity",
+       [](World& w) { w.bodies->velocity[w.bodies->at(0, 0)] = -w.bodies->velocity[w.bodies->at(0, 0)]; }},
+      {"velocity", [](World& w) { nudge(w.bodies->velocity[w.bodies->at(1, 7)]); }},
+      {"acceleration", [](World& w) { nudge(w.bodies->acceleration[w.bodies->at(1, 7) + blockLanes]); }},
+      {"mass", [](World& w) { nudge(w.bodies->vertexMass[1]); }},
+      {"rest scale", [](World& w) { nudge(w.bodies->restScale[1]); }},
+      {"gas", [](World& w) { nudge(w.bodies->pressureConstant[1]); }},
+      {"two cells change places",
+       [](World& w) {
+         std::vector<Body> cells;
+         for (int i = 0; i < w.bodies->count; ++i) cells.push_back(takeBody(*w.bodies, i));
+         std::swap(cells[0], cells[1]);
+         setBodies(*w.bodies, cells);
+       }},
+      {"two vertices change places",
+       [](World& w) {
+         std::swap(w.bodies->position[w.bodies->at(0, 3)], w.bodies->position[w.bodies->at(0, 4)]);
+       }},
+      {"path", [](World& w) { w.cells.path[0] = w.cells.path[0].daughter(true); }},
+      {"state", [](World& w) { w.cells.state[0] = w.cells.state[1]; }},
+      {"last cycle", [](World& w) { nudge(w.cells.lastCycle[0]); }},
+      {"growth", [](World& w) { nudge(w.cells.growth[0]); }},
+      {"a cell is gone", [](World& w) { w.cells.path.pop_back(); }},
+      {"a connection's time", [](World& w) { nudge(w.connections->history[0].made); }},
+      {"a connection's end", [](World& w) { nudge(w.connections->history[0].released); }},
+      {"its cause", [](World& w) { w.connections->history[0].cause = "another"; }},
+      {"its cell", [](World& w) { w.connections->history[0].a = CellPath::parse("BBBB"); }},
+      {"its other cell", [](World& w) { w.connections->history[0].b = CellPath::parse("BBBB"); }},
+      {"a connection is gone", [](World& w) { w.connections->history.pop_back(); }},
+      {"there are no connections", [](World& w) { w.connections.reset(); }},
+      {"a birth", [](World& w) { nudge(w.lineage.entries[2].born); }},
+      {"an end", [](World& w) { nudge(w.lineage.entries[0].ended); }},
+      {"a birth's step", [](World& w) { ++w.lineage.entries[2].bornStep; }},
+      {"an end's step", [](World& w) { ++w.lineage.entries[0].endedStep; }},
+      {"a fate", [](World& w) { w.lineage.entries[0].fate = Fate::died; }},
+      {"a past state", [](World& w) { w.lineage.entries[0].state = w.cells.state[0]; }},
+      {"a past path", [](World& w) { w.lineage.entries[2].path = CellPath::parse("BBBB"); }},
+      {"an entry is gone", [](World& w) { w.lineage.entries.pop_back(); }},
+  };
+  World reference = lived();
+  REQUIRE(reference.connections->history.size() > 1);
+  REQUIRE(reference.cells.state[0] != reference.cells.state[1]);
+  std::set<std::string> hashes;
+  for (const auto& [what, make] : changes) {
+    World world = lived();
+    make(world);
+    CAPTURE(what);
+    CHECK(hashes.insert(stateHash(world).text()).second);
+  }
+}
+
+TEST_CASE("The hash changes with every step") {
+  World world = makeWorld(scenes::life(), {Isa::scalar, 1});
+  std::set<std::string> hashes{stateHash(world).text()};
+  for (int i = 0; i < 200; ++i) {
+    step(world);
+    CHECK(hashes.insert(stateHash(world).text()).second);
+  }
+}
+
+TEST_CASE("What is only speed or scratch is not in the hash") {
+  World world = lived();
+  const Hash before = stateHash(world);
+  world.contacts->listIsValid = false;
+  world.contacts->rebuilds += 5;
+  world.bodies->scratch[0].gradient[0] = 1;
+  world.bodies->volume[0] = 7;
+  world.bodies->position[world.bodies->position.size() - 1] = 9;  // of a lane without a cell
+  CHECK(stateHash(world) == before);
+}
+
+TEST_CASE("A state that holds no number is a failed run, not a hash") {
+  World world = lived();
+  world.bodies->velocity[world.bodies->at(0, 0)] = std::nan("");
+  CHECK_THROWS_AS(stateHash(world), BugError);
+}

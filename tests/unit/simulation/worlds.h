@@ -1,0 +1,81 @@
+#pragma once
+// Worlds for tests: of a scene, or of cells put together by hand.
+#include <cmath>
+
+#include "scenes.h"
+#include "simulation/measures.h"
+#include "simulation/population.h"
+#include "simulation/stages.h"
+#include "unit/physics/lab.h"
+
+namespace morula {
+
+inline void runToEnd(World& world) {
+  while (!finished(world)) step(world);
+}
+
+inline World ranToEnd(const Scene& scene, const Execution& execution = {Isa::scalar, 1}) {
+  World world = makeWorld(scene, execution);
+  runToEnd(world);
+  return world;
+}
+
+/// A world in which the given bodies live, under paths of equal length, and never run a cell cycle.
+inline World worldOf(const Scene& scene, const std::vector<Body>& bodies,
+                     const Execution& execution = {Isa::scalar, 1}) {
+  World world = makeWorld(scene, execution);
+  const StateId state = world.cells.state[0];
+  world.cells = {};
+  world.lineage.entries.clear();
+  int letters = 0;
+  while ((1u << letters) < bodies.size()) ++letters;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    CellPath path;
+    for (int k = letters - 1; k >= 0; --k) path = path.daughter(i >> k & 1);
+    world.cells.path.push_back(path);
+    world.cells.state.push_back(state);
+    world.cells.lastCycle.push_back(0);
+    world.cells.growth.push_back(0);
+    world.cells.entry.push_back(i);
+    world.lineage.entries.push_back({path, 0, 0, 0, 0, Fate::alive, state});
+  }
+  world.clock.nextCycle = INFINITY;
+  setBodies(*world.bodies, bodies);
+  beginWithBodies(world);
+  return world;
+}
+
+/// Balls on a cubic lattice of 2 × 2 × n with the given distance of their centres, each flying towards the
+/// middle and a little past it.
+inline std::vector<Body> flyingCells(const Mesh& ball, int count, double distance, double speed) {
+  std::vector<Body> cells;
+  for (int i = 0; i < count; ++i) {
+    const Point place = distance * Vector{(i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5};
+    Body b = shakenBody(ball, 0, 0.01, static_cast<std::uint32_t>(i));
+    b.mass = 1 + 0.1 * i;
+    b.pressureConstant = 200;
+    for (Point& x : b.position) x += place;
+    const Vector towards = -1.0 * place + 0.3 * noiseVector(static_cast<std::uint32_t>(i), 9);
+    for (Vector& u : b.velocity) u += (speed / norm(towards)) * towards;
+    cells.push_back(b);
+  }
+  return cells;
+}
+
+inline std::vector<std::string> pathsOf(const World& world) {
+  std::vector<std::string> texts;
+  for (const CellPath& p : world.cells.path) texts.push_back(p.text());
+  return texts;
+}
+
+inline int slotOf(const World& world, const char* path) {
+  for (std::size_t i = 0; i < world.cells.path.size(); ++i)
+    if (world.cells.path[i].text() == path) return static_cast<int>(i);
+  return -1;
+}
+
+inline Point centreOf(const World& world, const char* path) {
+  return measureCentroid(cellVertices(world, CellPath::parse(path)));
+}
+
+}  // namespace morula
