@@ -11,6 +11,12 @@ namespace morula::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr int sequenceSize = 600;  // [pixel] many of them, so smaller than the picture of the end
+
+}  // namespace
+
 Colour Palette::colourOf(const std::string& substances) const {
   std::istringstream words(substances);
   std::vector<Colour> colours;
@@ -93,6 +99,7 @@ std::vector<std::string> writePictures(const World& world, const Scenario& scena
   const auto framing = fitFraming(frames);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     frames[i].camera.framing = framing;
+    frames[i].width = frames[i].height = sequenceSize;
     write(drawOrganism(frames[i]), fs::path("sequence") / fmt::format("{:04}.png", i));
   }
   return files;

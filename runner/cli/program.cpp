@@ -58,7 +58,7 @@ void checkLeftovers(const CLI::App& verb) {
   for (const auto* option : verb.get_options())
     for (const auto& name : option->get_lnames()) options.push_back("--" + name);
   const auto near = closest(word, options);
-  throw UsageError("morula " + verb.get_name() + ": '" + word + "' is not expected; " +
+  throw UsageError(verb.get_name() + ": '" + word + "' is not expected; " +
                    (near.empty() ? "morula " + verb.get_name() + " --help lists the options"
                                  : "did you mean " + near + "?"));
 }
@@ -94,7 +94,7 @@ Action parse(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const auto chosen = app.get_subcommands();
     if (!chosen.empty()) checkLeftovers(*chosen.front());
-    throw UsageError(error.what());
+    throw UsageError((chosen.empty() ? "" : chosen.front()->get_name() + ": ") + error.what());
   }
   for (const auto* verb : app.get_subcommands()) checkLeftovers(*verb);
   if (!action) throw UsageError("no verb; one of " + join(verbNames(app)) + ", or --help");

@@ -11,7 +11,6 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   auto text = fmt::format("{}  seed {}: {}, {} cell{} at time {:.6g} after {} steps\n", scenario.scene.name,
                           scenario.scene.seed, name(end.status), end.cells, end.cells == 1 ? "" : "s",
                           end.time, end.steps);
-  if (!end.failure.empty()) text += "  failure  " + end.failure + "\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
   if (outcome.checks && outcome.checks->passed())
     text += fmt::format("  checks   all {} pass ({})\n", outcome.checks->results.size(),

@@ -15,7 +15,15 @@ constexpr std::uint64_t stepsPerHash = 64;
 World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
   try {
     return makeWorld(scenario.scene, execution);
-  } catch (const InputError& error) { throw InputError(scenario.file + ": " + error.what()); }
+  } catch (const InputError& error) {
+    // The simulator knows parameters, but not where they were written: "physics.time_step 0.02 is above …".
+    const std::string what = error.what();
+    const auto path = what.substr(0, what.find(' '));
+    const auto place = scenario.places.find(path);
+    if (place == scenario.places.end()) throw InputError(scenario.file + ": " + what);
+    throw InputError(place->second + ": " + (place->second.ends_with(path) ? "" : path + ": ") +
+                     what.substr(path.size() + 1));
+  }
 }
 
 Simulation simulate(const Scenario& scenario, World world, Progress& progress,

@@ -28,10 +28,13 @@ int takeNumber(std::string_view& text) {
 
 }  // namespace
 
+std::string placeText(const std::string& file, const Place& place) {
+  if (!place.option.empty()) return place.option;
+  return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
 void Problems::add(const Place& place, std::string_view path, std::string what, std::string right) {
-  std::string text = place.option.empty()
-                         ? file_ + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)
-                         : place.option;
+  std::string text = placeText(file_, place);
   text += ": ";
   if (!path.empty() && !saysPath(place.option, path)) text += std::string(path) + ": ";
   text += what;

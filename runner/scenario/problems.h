@@ -12,12 +12,10 @@ struct Place {
   std::string option;  // "--set physics.time_step"; not empty: line and column mean nothing
 };
 
-/// A mistake: "<place>: <path>: <what>; <right>". Path and right may be empty.
-struct Problem {
-  Place place;
-  std::string path, what, right;
-};
+/// "file:line:column", or the option.
+std::string placeText(const std::string& file, const Place& place);
 
+/// Collects mistakes: "<place>: <path>: <what>; <right>". Path and right may be empty.
 class Problems {
  public:
   explicit Problems(std::string file) : file_(std::move(file)) {}

@@ -23,6 +23,12 @@ void applyOverrides(Node& root, const std::vector<Override>& overrides, Problems
   }
 }
 
+void notePlaces(const Node& node, const std::string& path, Scenario& scenario) {
+  if (!path.empty()) scenario.places[path] = placeText(scenario.file, node.place);
+  for (const auto& member : node.members)
+    notePlaces(member.value, path.empty() ? member.key : path + "." + member.key, scenario);
+}
+
 }  // namespace
 
 Override parseOverride(const std::string& text) {
@@ -54,6 +60,7 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
   crossCheck(result, reading, root);
   problems.throwIfAny();
 
+  notePlaces(root, "", result);
   result.resolved = writeJson(resolve(result));
   result.meaning = hashMeaning(result);
   return result;

@@ -42,6 +42,8 @@ struct Scenario {
   RecordParameters record;
 
   std::vector<NamedFile> files;
+  /// Where each value was written, for messages about them: "file:line:column" or "--set path", by path.
+  std::map<std::string, std::string> places;
 
   std::string file;   // as given by the user
   std::string bytes;  // the file, byte by byte

@@ -1,0 +1,103 @@
+#include "launch.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace morula::test {
+
+namespace {
+
+/// In the child: becomes the program.
+[[noreturn]] void become(const std::vector<std::string>& arguments, const Environment& environment, int out,
+                         int err) {
+  dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+  dup2(out, STDOUT_FILENO);
+  dup2(err, STDERR_FILENO);
+  for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+  std::vector<char*> argv{const_cast<char*>("morula")};
+  for (const auto& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  if (chdir(MORULA_SOURCE_DIR) == 0) execv(MORULA_PROGRAM, argv.data());
+  _exit(127);
+}
+
+int waitFor(int process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {}
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+Launched launch(const std::vector<std::string>& arguments, const Environment& environment,
+                const std::function<void(int)>& meanwhile) {
+  const TemporaryFolder folder;
+  const auto outFile = folder / "out", errFile = folder / "err";
+  const int out = open(outFile.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+  const int err = open(errFile.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+  const int process = fork();
+  if (process < 0) throw std::runtime_error("fork failed");
+  if (process == 0) become(arguments, environment, out, err);
+  close(out);
+  close(err);
+  if (meanwhile) meanwhile(process);
+  const int code = waitFor(process);
+  return {code, readWhole(outFile), readWhole(errFile)};
+}
+
+Launched launch(const std::vector<std::string>& arguments, const Environment& environment) {
+  return launch(arguments, environment, {});
+}
+
+Launched launchOnTerminal(const std::vector<std::string>& arguments, const Environment& environment) {
+  const TemporaryFolder folder;
+  const auto outFile = folder / "out";
+  const int out = open(outFile.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+  const int master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0)
+    throw std::runtime_error("no terminal to be had");
+  const int terminal = open(ptsname(master), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  const int process = fork();
+  if (process < 0) throw std::runtime_error("fork failed");
+  if (process == 0) become(arguments, environment, out, terminal);
+  close(out);
+  close(terminal);
+  Launched result;
+  char buffer[4096];
+  for (ssize_t n; (n = read(master, buffer, sizeof buffer)) > 0 || (n < 0 && errno == EINTR);)
+    if (n > 0) result.err.append(buffer, static_cast<std::size_t>(n));
+  close(master);
+  result.code = waitFor(process);
+  result.out = readWhole(outFile);
+  return result;
+}
+
+TemporaryFolder::TemporaryFolder() {
+  auto pattern = (std::filesystem::temp_directory_path() / "morula-test-XXXXXX").string();
+  if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder to be had");
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string readWhole(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void writeWhole(const std::string& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+}  // namespace morula::test

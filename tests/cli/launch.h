@@ -1,0 +1,44 @@
+#pragma once
+// Runs the built program as users do: its own process, arguments, exit code, stdout and stderr apart.
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace morula::test {
+
+struct Launched {
+  int code = -1;  // exit code, or 128 + the signal that killed it
+  std::string out, err;
+};
+
+using Environment = std::map<std::string, std::string>;
+
+/// Runs `morula arguments…` in the source folder and waits for its end.
+Launched launch(const std::vector<std::string>& arguments, const Environment& environment = {});
+
+/// The same; calls `meanwhile` with the process's id while it runs.
+Launched launch(const std::vector<std::string>& arguments, const Environment& environment,
+                const std::function<void(int)>& meanwhile);
+
+/// The same with stderr on a terminal, which `err` holds what was written to.
+Launched launchOnTerminal(const std::vector<std::string>& arguments, const Environment& environment = {});
+
+/// An empty folder that goes away with its owner.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+std::string readWhole(const std::string& file);
+void writeWhole(const std::string& file, const std::string& text);
+
+}  // namespace morula::test

@@ -1,0 +1,148 @@
+// check, review, validate, schema, init, render, lineage.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string four = "scenarios/thesis/unique-four.yaml";
+
+Json jsonOf(const std::vector<std::string>& arguments, int code = 0) {
+  const auto run = launch(arguments);
+  INFO(run.err);
+  REQUIRE(run.code == code);
+  const auto json = Json::parse(run.out);
+  CHECK(json["morula"] == 1);
+  return json;
+}
+
+const std::string small = "morula: 1\nname: small\ndna: 'START: a0'\nstop: {cycles: 2}\n";
+
+}  // namespace
+
+TEST_CASE("validate tells all files' mistakes, and passes good ones") {
+  const auto good = jsonOf({"validate", four, "scenarios/thesis/elegans-1024.yaml", "--json"});
+  CHECK(good["scenarios"][0]["valid"] == true);
+  CHECK(good["scenarios"][0]["scenario"] == "unique-four");
+  CHECK(good["scenarios"][1]["valid"] == true);
+  const auto bad = jsonOf({"validate", "tests/bad_scenarios/octal.yaml", four, "--json"}, 3);
+  CHECK(bad["scenarios"][0]["valid"] == false);
+  CHECK(bad["scenarios"][0]["errors"].size() == 1);
+  CHECK(bad["scenarios"][1]["valid"] == true);
+}
+
+TEST_CASE("validate --resolved leaves nothing to defaults") {
+  const auto run = launch({"validate", four, "--resolved", "--set", "physics.drag=0.25"});
+  REQUIRE(run.code == 0);
+  const auto resolved = Json::parse(run.out);
+  CHECK(resolved["physics"]["drag"] == 0.25);
+  CHECK(resolved["physics"]["integrator"] == "velocity-verlet");
+}
+
+TEST_CASE("schema is JSON, and its tables are the ones in the repository") {
+  CHECK(Json::parse(launch({"schema"}).out)["properties"].contains("physics"));
+  CHECK(launch({"schema", "--markdown"}).out == readWhole("scenarios/PARAMETERS.md"));
+}
+
+TEST_CASE("a full disk is no success") {
+  CHECK(system((std::string(MORULA_PROGRAM) + " schema > /dev/full 2> /dev/null").c_str()) >> 8 == 6);
+}
+
+TEST_CASE("init writes a scenario that is right, and nothing over a file that is there") {
+  const TemporaryFolder folder;
+  const auto file = folder / "my first.yaml";
+  CHECK(launch({"init", file}).code == 0);
+  CHECK(jsonOf({"validate", file, "--json"})["scenarios"][0]["scenario"] == "my-first");
+  const auto again = launch({"init", file});
+  CHECK(again.code == 6);
+  CHECK(again.err.find("is there already") != std::string::npos);
+  CHECK(launch({"init", file, "--force"}).code == 0);
+  CHECK(launch({"init"}).out.find("name: my-organism") != std::string::npos);
+}
+
+TEST_CASE("the worm-sized DNA is what the documented command writes") {
+  const auto run = launch({"init", "--dna", "full-tree", "--levels", "10"});
+  CHECK(run.code == 0);
+  CHECK(run.out == readWhole("scenarios/thesis/elegans-1024.dna"));
+}
+
+TEST_CASE("lineage: the same tree from the scenario and from the database") {
+  const TemporaryFolder folder;
+  const auto run = launch({"run", four, "--db", folder / "four.db", "--no-pictures"});
+  REQUIRE(run.code == 0);
+  const auto prescribed = launch({"lineage", four});
+  CHECK(prescribed.code == 0);
+  CHECK(prescribed.out == launch({"lineage", folder / "four.db"}).out);
+  const auto json = jsonOf({"lineage", four, "--json"});
+  REQUIRE(json["cells"].size() == 7);
+  CHECK(json["cells"][0]["path"] == "");
+  CHECK(json["cells"][0]["parent"].is_null());
+  CHECK(json["cells"][6]["path"] == "BB");
+  CHECK(json["cells"][6]["parent"] == "B");
+  CHECK(json["cells"][6]["state"] == "a7");
+  CHECK(json["cells"][6]["fate"] == "alive");
+  CHECK(jsonOf({"lineage", "scenarios/thesis/elegans-1024.yaml", "--json"})["cells"].size() == 2047);
+}
+
+TEST_CASE("render draws a scenario and a stored run alike") {
+  const TemporaryFolder folder;
+  REQUIRE(launch({"run", four, "--db", folder / "four.db", "--no-pictures"}).code == 0);
+  const auto a = jsonOf({"render", four, "--time", "1.5", "--size", "200", "-o", folder / "a.png", "--json"});
+  CHECK(a["pictures"][0] == folder / "a.png");
+  CHECK(a["time"] == 1.5);
+  const auto b =
+      launch({"render", folder / "four.db", "--time", "1.5", "--size", "200", "-o", folder / "b.png"});
+  CHECK(b.code == 0);
+  CHECK(b.out == folder / "b.png" + "\n");
+  CHECK(readWhole(folder / "a.png") == readWhole(folder / "b.png"));
+  CHECK(readWhole(folder / "a.png").substr(1, 3) == "PNG");
+  const auto bodiless = launch({"render", "scenarios/thesis/elegans-1024.yaml"});
+  CHECK(bodiless.code == 2);
+  CHECK(bodiless.err.find("needs lineage") != std::string::npos);
+}
+
+TEST_CASE("review accepts with a reason, and check then passes until something changes") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "small.yaml";
+  writeWhole(scenario, small);
+  const auto missing = jsonOf({"check", scenario, "--json"}, 1);
+  CHECK(missing["results"][0]["passed"] == false);
+  CHECK(launch({"review", scenario, "--accept", "--by", "tests"}).code == 2);
+  const auto accepted =
+      launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}});
+  INFO(accepted.err);
+  REQUIRE(accepted.code == 0);
+  CHECK(fs::exists(folder / "small.golden"));
+
+  const auto json = jsonOf({"check", scenario, "--json"});
+  REQUIRE(!json["results"].empty());
+  for (const auto& result : json["results"]) {
+    CHECK(result["passed"] == true);
+    for (const auto* member :
+         {"scenario", "check", "kind", "class", "first_step", "cell", "field", "share_of_tolerance"})
+      CHECK(result.contains(member));
+  }
+  CHECK(launch({"run", scenario, "--out", folder.path()}).code == 0);
+
+  writeWhole(scenario, small + "seed: 7\n");
+  CHECK(launch({"check", scenario}).code == 1);
+  const auto run = launch({"run", scenario, "--out", folder.path()});
+  CHECK(run.code == 1);
+  CHECK(run.out.find("FAIL") != std::string::npos);
+  CHECK(launch({"run", scenario, "--out", folder.path(), "--no-check"}).code == 0);
+}
+
+TEST_CASE("with CI set nobody accepts") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "small.yaml", small);
+  const auto run =
+      launch({"review", folder / "small.yaml", "--accept", "--by", "tests", "--why", "no"}, {{"CI", "true"}});
+  CHECK(run.code == 3);
+  CHECK(!fs::exists(folder / "small.golden"));
+}
