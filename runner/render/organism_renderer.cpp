@@ -43,7 +43,7 @@ double meanCellSize(const OrganismPicture& picture) {
 
 /// The directions in which the occlusion shader looks: steps of the golden angle, and sixteen turns of them.
 void setSpiral(const Program& program) {
-  constexpr int taps = 14;  // as in the shader
+  constexpr int taps = 18;  // as in the shader
   float spiral[2 * taps], turns[2 * 16];
   for (int i = 0; i < taps; ++i)
     spiral[2 * i] = float(std::cos(2.399963 * i)), spiral[2 * i + 1] = float(std::sin(2.399963 * i));
@@ -180,7 +180,7 @@ void OrganismRenderer::findOcclusion(const Frame& frame) {
   frame.describe(programs_->occlusion);
   // As far as a cell is large, but not so far that the taps would lie too thin in the picture.
   const double radius =
-      std::min(0.8 * meanCellSize(frame.picture), 0.25 * frame.framing.distance * frame.aperture.y);
+      std::min(0.8 * meanCellSize(frame.picture), 0.4 * frame.framing.distance * frame.aperture.y);
   programs_->occlusion.set("radius", float(radius));
   setSpiral(programs_->occlusion);
   programs_->occlusion.set("shapes", 0);

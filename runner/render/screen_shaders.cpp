@@ -45,10 +45,10 @@ uniform sampler2D shapes;
 uniform usampler2D owners;
 uniform int samples;
 uniform float radius;
-uniform vec2 spiral[14];  // directions of the taps
+uniform vec2 spiral[18];  // directions of the taps
 uniform vec2 turns[16];   // cosine and sine of each pixel's turn
 layout(location = 0) out vec4 visible;
-const int taps = 14;
+const int taps = 18;
 const int spread[16] = int[16](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);  // [Bayer 1973]
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
