@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/maths.h"
+#include "base/number_text.h"
 #include "division/unfold.h"
 
 namespace morula {
@@ -26,7 +27,7 @@ CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double 
   const double volume = volumeA + volumeB;
   if (!(volumeA >= 0.1 * volume && volumeB >= 0.1 * volume)) {
     result.failure = "the plane through its centre of mass would cut its volume into " +
-                     std::to_string(volumeA) + " and " + std::to_string(volumeB);
+                     numberText(volumeA) + " and " + numberText(volumeB);
     return result;
   }
   const double shareA = volumeA / volume;

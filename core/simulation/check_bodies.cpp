@@ -1,5 +1,6 @@
 // What makes the physics stop. A number that is finite and wrong is a failure too.
 #include "base/error.h"
+#include "base/number_text.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -12,9 +13,9 @@ void checkBodies(const World& world) {
     if (volume > 0 && volume < 1e300 && b.pressure[slot] < 1e300) continue;
     throw NumericalError(
         world.cells.path[slot].text(), world.clock.step,
-        volume <= 0 ? "its volume is " + std::to_string(volume) + ": the cell is inside out"
+        volume <= 0 ? "its volume is " + numberText(volume) + ": the cell is inside out"
                     : "its volume is not finite",
-        "lower physics.time_step (now " + std::to_string(world.clock.timeStep) +
+        "lower physics.time_step (now " + exactText(world.clock.timeStep) +
             ") or the stiffness that drives it: physics.membrane.stiffness, physics.pressure.constant, "
             "physics.contact.stiffness");
   }

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/maths.h"
+#include "base/number_text.h"
 #include "physics/stability.h"
 #include "simulation/stages.h"
 
@@ -39,9 +40,9 @@ void refuseAbove(double limit, const char* mode, const World& world, int slot, d
   if (timeStep <= 0.8 * limit) return;
   throw NumericalError(
       world.cells.path[slot].text(), world.clock.step,
-      "physics.time_step " + std::to_string(timeStep) + " is above 0.8 of the stability limit " +
-          std::to_string(limit) + " of its " + mode,
-      "use physics.time_step: auto, or at most " + std::to_string(powerOfTwoBelow(0.8 * limit)));
+      "physics.time_step " + exactText(timeStep) + " is above 0.8 of the stability limit " +
+          numberText(limit) + " of its " + mode,
+      "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(0.8 * limit)));
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ void chooseTimeStep(World& world) {
     timeStep = powerOfTwoBelow(0.8 * combined);
   }
   Clock& clock = world.clock;
-  if (timeStep == clock.timeStep) return;
+  if (timeStep == clock.timeStep && !world.timeSteps.empty()) return;
   clock.timeStep = timeStep;
   clock.epochTime = clock.time;
   clock.epochStep = clock.step;

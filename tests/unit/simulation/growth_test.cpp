@@ -1,0 +1,37 @@
+// Cells that want to grow or shrink do, from one cell cycle to the next.
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+TEST_CASE("grow and shrink act at the scene's rate, and where there is no growth block they do nothing") {
+  for (const auto& [gene, sign] : {std::pair{"grow", 1.0}, std::pair{"shrink", -1.0}})
+    for (bool withGrowth : {true, false}) {
+      const std::string dna = std::string("START: a0\ng1(a0|a0)\ng2(") + gene + "|a0)\n";
+      Scene scene = scenes::withBodies(dna, 9);
+      if (withGrowth) scene.mechanics->physics.growth = GrowthParameters{0.25};
+      scene.mechanics->physics.drag = 1;
+      World world = makeWorld(scene);
+      const double volume = world.bodies->volume[0];
+      while (world.clock.time < 1) step(world);
+      CHECK(world.bodies->mass(0) == Approx(1).epsilon(1e-14));  // a cell begins when its cycle has run
+      while (world.clock.time < 3) step(world);
+      const double expected = withGrowth ? std::exp(sign * 0.25 * 2) : 1;
+      CAPTURE(gene, withGrowth);
+      CHECK(world.bodies->mass(0) == Approx(expected).epsilon(0.01));
+      CHECK(world.bodies->pressureConstant[0] == Approx(200 * expected).epsilon(0.01));
+      CHECK(world.bodies->volume[0] / volume == Approx(expected).epsilon(0.05));
+      CHECK(world.cells.growth[0] == sign);
+    }
+}
+
+TEST_CASE("A cell whose gene falls silent stops growing") {
+  Scene scene = scenes::withBodies("START: a0\ng1(a1|a0)\ng2(grow|a0)\n", 9);
+  scene.mechanics->physics.growth = GrowthParameters{0.25};
+  World world = makeWorld(scene);
+  while (world.clock.time < 2) step(world);
+  const double mass = world.bodies->mass(0);
+  CHECK(mass > 1.2);
+  while (world.clock.time < 3) step(world);
+  CHECK(world.bodies->mass(0) == mass);
+}

@@ -1,0 +1,127 @@
+// The time step: the scene's own, checked against the limits, or the largest dyadic one that is stable.
+#include "base/maths.h"
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+TEST_CASE("auto is a power of two, changes at divisions and deaths only, and each change is on record") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 5);
+  scene.mechanics->contact = scenes::pairContact;
+  World world = makeWorld(scene, {bestIsa(), 1});
+  REQUIRE(world.timeSteps.size() == 1);
+  CHECK(world.timeSteps[0].time == 0);
+  CHECK(world.timeSteps[0].step == 0);
+  CHECK(world.timeSteps[0].timeStep == world.clock.timeStep);
+  while (!finished(world)) {
+    const double before = world.clock.timeStep, time = world.clock.time;
+    const std::size_t cells = world.cells.path.size();
+    step(world);
+    CHECK(world.clock.time == time + before);  // dyadic: not a bit is lost
+    if (world.clock.timeStep == before) continue;
+    CHECK(world.cells.path.size() != cells);
+    CHECK(world.timeSteps.back().time == world.clock.time);
+    CHECK(world.timeSteps.back().step == world.clock.step);
+    CHECK(world.timeSteps.back().timeStep == world.clock.timeStep);
+  }
+  CHECK(world.timeSteps.size() > 2);
+  for (std::size_t i = 0; i < world.timeSteps.size(); ++i) {
+    const double dt = world.timeSteps[i].timeStep;
+    CHECK(powerOfTwoBelow(dt) == dt);
+    if (i > 0) CHECK(dt < world.timeSteps[i - 1].timeStep);  // smaller cells, shorter steps
+  }
+}
+
+TEST_CASE("When the small cells die the step may grow again") {
+  World world =
+      makeWorld(scenes::withBodies("START: "
+                                   "a0\ng1(divide|a0)\ng2(a1|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a2)"
+                                   "\ng6(die|a3,A)\ng7(a3|a3)\ng8(a4|a2)\n"
+                                   "g9(divide|a1,A)\ng10(divide|a2,A)\ng11(divide|a2,B)\ng12(die|a4)\n",
+                                   9));
+  while (!finished(world)) step(world);
+  bool grew = false;
+  for (std::size_t i = 1; i < world.timeSteps.size(); ++i)
+    grew = grew || world.timeSteps[i].timeStep > world.timeSteps[i - 1].timeStep;
+  CHECK(grew);
+}
+
+TEST_CASE("A fixed step is used as it is, and on record from the start") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 2);
+  scene.mechanics->physics.timeStep = 0.001;
+  World world = makeWorld(scene);
+  CHECK(world.clock.timeStep == 0.001);
+  REQUIRE(world.timeSteps.size() == 1);
+  CHECK(world.timeSteps[0].timeStep == 0.001);
+  for (int i = 0; i < 1500; ++i) step(world);
+  CHECK(world.clock.time == Approx(1.5).epsilon(1e-15));  // a product, not a sum of rounded steps
+  CHECK(world.timeSteps.size() == 1);
+  CHECK(world.cells.path.size() == 2);
+}
+
+TEST_CASE("An automatic step of 1 is on record like any other") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 2);
+  PhysicsParameters& p = scene.mechanics->physics;
+  p.membrane.stiffness = 1e-4;
+  p.membrane.damping = 0;
+  p.pressure = {1e-3, 1e-3 / 4};
+  for (double mass : {0.001, 0.002, 0.004, 0.008, 0.016, 0.032, 0.064, 0.128}) {
+    p.cell.mass = mass;
+    const World world = makeWorld(scene);
+    REQUIRE(world.timeSteps.size() == 1);
+    CHECK(world.timeSteps[0].timeStep == world.clock.timeStep);
+  }
+}
+
+TEST_CASE(
+    "A fixed step above a limit is the scene's mistake, and the message names the limit and a step that is "
+    "fine") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 3);
+  scene.mechanics->physics.timeStep = 0.5;
+  try {
+    makeWorld(scene);
+    FAIL("it was accepted");
+  } catch (const InputError& e) {
+    CHECK_THAT(e.what(), ContainsSubstring("physics.time_step"));
+    CHECK_THAT(e.what(), ContainsSubstring("stability limit"));
+    CHECK_THAT(e.what(), ContainsSubstring("springs") || ContainsSubstring("pressure"));
+    CHECK_THAT(e.what(), ContainsSubstring("auto"));
+    const std::string text = e.what();
+    const double fine = std::stod(text.substr(text.rfind("at most ") + 8));
+    scene.mechanics->physics.timeStep = fine;
+    CHECK_NOTHROW(makeWorld(scene));
+  }
+}
+
+TEST_CASE("Limits far below 1 are named by digits, not by zeros") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 3);
+  scene.mechanics->physics.cell.mass = 1e-14;
+  scene.mechanics->physics.membrane.damping = 0;
+  scene.mechanics->physics.timeStep = 1e-3;
+  CHECK_THROWS_WITH(makeWorld(scene), !ContainsSubstring("0.000") && ContainsSubstring("e-"));
+}
+
+TEST_CASE("A fixed step that only the daughters do not bear stops the run at the division") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 9);
+  Scene automatic = scene;
+  const double first = makeWorld(automatic).clock.timeStep;
+  // Just below what the egg bears: the daughters, half as heavy, do not.
+  double dt = 2 * first;
+  for (scene.mechanics->physics.timeStep = dt;; dt *= 0.95) {
+    scene.mechanics->physics.timeStep = dt;
+    try {
+      makeWorld(scene);
+      break;
+    } catch (const InputError&) {}
+  }
+  World world = makeWorld(scene);
+  try {
+    runToEnd(world);
+    FAIL("it went on");
+  } catch (const NumericalError& e) {
+    CHECK(e.cell != "");
+    CHECK(e.step == world.clock.step);
+    CHECK(world.cells.path.size() >= 2);
+    CHECK_THAT(e.what(), ContainsSubstring("stability limit"));
+  }
+}
