@@ -7,12 +7,6 @@ namespace morula {
 
 namespace {
 
-Point centre(const Bodies& bodies, int slot) {
-  Vector sum;
-  for (int v = 0; v < bodies.vertexCount(); ++v) sum += bodies.vertex(slot, v);
-  return sum / static_cast<double>(bodies.vertexCount());
-}
-
 void addToVertices(Bodies& bodies, int slot, const Vector& force) {
   for (int v = 0; v < bodies.vertexCount(); ++v) {
     double* f = &bodies.acceleration[bodies.at(slot, v)];
@@ -30,7 +24,7 @@ void addConnectionForces(const Connections& c, const std::vector<CellPath>& path
   };
   for (std::size_t i : c.active) {
     const int a = slotOf(c.history[i].a), b = slotOf(c.history[i].b);
-    const Vector between = centre(bodies, b) - centre(bodies, a);
+    const Vector between = measureCentre(bodies, b) - measureCentre(bodies, a);
     const double distance = norm(between);
     if (!(distance > 0)) continue;  // concentric: no direction, no force
     const Vector force = (c.parameters.strength / (distance * bodies.vertexCount())) * between;

@@ -57,6 +57,12 @@ Body takeBody(const Bodies& b, int slot) {
   return cell;
 }
 
+Point measureCentre(const Bodies& b, int slot) {
+  Vector sum;
+  for (int v = 0; v < b.vertexCount(); ++v) sum += b.vertex(slot, v);
+  return sum / static_cast<double>(b.vertexCount());
+}
+
 void setBodies(Bodies& b, const std::vector<Body>& cells) {
   b.count = static_cast<int>(cells.size());
   const std::size_t lanes = std::size_t(b.blockCount()) * blockLanes, size = b.blockCount() * b.blockSize();

@@ -73,6 +73,9 @@ Body makeEgg(const Bodies& bodies);
 
 Body takeBody(const Bodies& bodies, int slot);
 
+/// The mean of a cell's vertices, which carry its mass. [length]
+Point measureCentre(const Bodies& bodies, int slot);
+
 /// Replaces all cells. Accelerations are zero until the next force evaluation.
 void setBodies(Bodies& bodies, const std::vector<Body>& cells);
 

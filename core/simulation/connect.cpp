@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "base/maths.h"
-#include "mesh/measures.h"
 #include "simulation/body_unit.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
@@ -53,14 +52,12 @@ void releaseConnections(World& world) {
   Connections& c = *world.connections;
   const Bodies& bodies = *world.bodies;
   const auto& paths = world.cells.path;
-  const auto active = c.active;  // release changes the list
-  for (std::size_t i : active) {
-    const CellPath a = c.history[i].a, b = c.history[i].b;
+  for (std::size_t k = c.active.size(); k-- > 0;) {  // from behind, for release takes the pair out of the list
+    const CellPath a = c.history[c.active[k]].a, b = c.history[c.active[k]].b;
     const int slotA = static_cast<int>(std::lower_bound(paths.begin(), paths.end(), a) - paths.begin());
     const int slotB = static_cast<int>(std::lower_bound(paths.begin(), paths.end(), b) - paths.begin());
     const double limit = *c.parameters.releaseDistance * (radius(bodies, slotA) + radius(bodies, slotB));
-    if (norm(measureCentroid(takeBody(bodies, slotA).position) -
-             measureCentroid(takeBody(bodies, slotB).position)) > limit)
+    if (norm(measureCentre(bodies, slotA) - measureCentre(bodies, slotB)) > limit)
       release(c, a, b, world.clock.time, "distance");
   }
 }

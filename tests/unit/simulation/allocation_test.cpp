@@ -1,0 +1,103 @@
+// A steady step allocates nothing. The operators below count for this whole program.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "catch.h"
+#include "worlds.h"
+
+namespace {
+
+std::atomic<std::uint64_t> allocations = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  const std::size_t whole = (size + alignment - 1) / alignment * alignment;
+  void* p = alignment <= alignof(std::max_align_t) ? std::malloc(size) : std::aligned_alloc(alignment, whole);
+  if (p == nullptr) throw std::bad_alloc();
+  return p;
+}
+
+}  // namespace
+
+// All other forms of the standard library end in these.
+void* operator new(std::size_t size) { return counted(size, 1); }
+void* operator new(std::size_t size, std::align_val_t line) {
+  return counted(size, static_cast<std::size_t>(line));
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+using namespace morula;
+
+namespace {
+
+std::uint64_t allocationsOf(World& world, int steps) {
+  const std::uint64_t before = allocations;
+  for (int i = 0; i < steps; ++i) step(world);
+  return allocations - before;
+}
+
+Scene crowdedScene() {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
+  scene.mechanics->physics.drag = 2;
+  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->physics.growth = GrowthParameters{0.01};
+  scene.mechanics->connections =
+      ConnectionParameters{MakeConnections::both, ConnectionsOnDivision::both, 0.2, 3.0};
+  return scene;
+}
+
+/// Seventeen cells that touch, come to rest, are connected and grow.
+World crowd(const Scene& scene, int threads) {
+  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 17, 2, 0.1), {bestIsa(), threads});
+  if (world.connections) connect(*world.connections, world.cells.path[0], world.cells.path[1], 0);
+  world.cells.growth[3] = 1;
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("The counter counts") {
+  const std::uint64_t before = allocations;
+  std::vector<int> some(10);
+  AlignedVector<double> aligned(10);
+  CHECK(allocations == before + 2);
+}
+
+TEST_CASE("A steady step allocates nothing, with contact, connections and growth, on one thread") {
+  World world = crowd(crowdedScene(), 1);
+  allocationsOf(world, 2000);  // to rest
+  CHECK(allocationsOf(world, 200) == 0);
+}
+
+TEST_CASE("A step that builds the neighbour list anew allocates nothing, once there is room") {
+  World world = crowd(crowdedScene(), 1);
+  allocationsOf(world, 2000);
+  const auto rebuilds = world.contacts->rebuilds;
+  std::uint64_t count = 0;
+  for (int i = 0; i < 50; ++i) {
+    world.contacts->listIsValid = false;
+    count += allocationsOf(world, 1);
+  }
+  CHECK(world.contacts->rebuilds == rebuilds + 50);
+  CHECK(count == 0);
+}
+
+TEST_CASE("Threads allocate nothing of ours either; what TBB takes, it takes from itself") {
+  for (int threads : {2, 3}) {
+    World world = crowd(crowdedScene(), threads);
+    allocationsOf(world, 2000);
+    CHECK(allocationsOf(world, 200) == 0);
+  }
+}
+
+TEST_CASE("Bodies without contact or connections, in a shell, allocate nothing") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
+  scene.mechanics->physics.shell = ShellParameters{{3, 3, 3.5}};
+  World world = crowd(scene, 1);
+  CHECK(allocationsOf(world, 1) == 0);
+  CHECK(allocationsOf(world, 200) == 0);
+}

@@ -1,0 +1,163 @@
+// Connections in a living world: who makes them, who inherits them, and what ends them.
+#include <set>
+
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+Scene connecting(const std::string& dna, const ConnectionParameters& parameters) {
+  Scene scene = scenes::withBodies(dna, 9);
+  scene.mechanics->contact = scenes::pairContact;
+  scene.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
+  scene.mechanics->connections = parameters;
+  scene.mechanics->physics.drag = 5;  // sisters that round off must not fly apart
+  return scene;
+}
+
+/// In a shell, which keeps neighbours in touch.
+World inShell(Scene scene) {
+  scene.mechanics->physics.shell = ShellParameters{{1, 1, 1}};
+  return makeWorld(scene);
+}
+
+ConnectionParameters withPolicy(MakeConnections make, ConnectionsOnDivision onDivision) {
+  ConnectionParameters p;
+  p.make = make;
+  p.onDivision = onDivision;
+  p.strength = 0.05;
+  return p;
+}
+
+void runTo(World& world, double time) {
+  while (world.clock.time < time) step(world);
+}
+
+std::set<std::string> pairsOf(const World& world) {
+  std::set<std::string> pairs;
+  for (std::size_t i : world.connections->active) {
+    const ConnectionRecord& r = world.connections->history[i];
+    pairs.insert(r.a.text() + "-" + r.b.text());
+  }
+  return pairs;
+}
+
+const std::set<std::string> none;
+
+}  // namespace
+
+TEST_CASE("At division sisters are connected, from their birth on") {
+  World world = makeWorld(
+      connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
+  CHECK(pairsOf(world) == none);
+  runTo(world, 1.01);
+  CHECK(pairsOf(world) == std::set<std::string>{"A-B"});
+  CHECK(world.connections->history[0].made == world.lineage.entries[1].born);
+}
+
+TEST_CASE("The plane decides: a connection goes to the daughter on the other cell's side") {
+  World world = makeWorld(
+      connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
+  runTo(world, 2.02);
+  // Along x: AA AB | BA BB, for A lies on the +x side and within it AA.
+  REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA", "BB"});
+  CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA", "BA-BB"});
+  CHECK(std::string(world.connections->history[0].cause) == "divided");
+  CHECK(world.connections->history[0].released == world.lineage.entries[1].ended);
+}
+
+TEST_CASE("Both keep: each daughter has every connection of her mother") {
+  World world = makeWorld(
+      connecting(scenes::uniqueFour, withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)));
+  runTo(world, 2.02);
+  CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AA-BA", "AA-BB", "AB-BA", "AB-BB", "BA-BB"});
+}
+
+TEST_CASE("What both keep is released where the cells are too far apart, and the cause is on record") {
+  ConnectionParameters p = withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both);
+  p.releaseDistance = 1.3;  // in sums of radii: neighbours are at about 1, the next but one at 2
+  World world = makeWorld(connecting(scenes::uniqueFour, p));
+  runTo(world, 2.8);
+  const auto left = pairsOf(world);
+  CHECK(left.count("AA-AB") == 1);
+  CHECK(left.count("BA-BB") == 1);
+  CHECK(left.count("AA-BB") == 0);
+  int byDistance = 0;
+  for (const ConnectionRecord& r : world.connections->history)
+    byDistance += std::string(r.cause) == "distance";
+  CHECK(byDistance >= 1);
+}
+
+TEST_CASE("By gene: neighbours that want to connect do, at their cell cycle, and no others") {
+  const std::string dna = "START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\ng5(connect|a1)\n";
+  World world = inShell(connecting(dna, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane)));
+  runTo(world, 1.9);
+  CHECK(pairsOf(world) == none);  // not at division
+  runTo(world, 2.02);
+  REQUIRE(pairsOf(world) == std::set<std::string>{"A-B"});
+  CHECK(world.connections->history[0].made == Approx(2).margin(0.02));
+
+  Scene apart = connecting(dna, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane));
+  apart.mechanics->contact.reset();
+  World strangers = inShell(apart);
+  runTo(strangers, 2.02);
+  CHECK(pairsOf(strangers) == none);  // without contact nobody is a neighbour
+}
+
+TEST_CASE("By gene: the two cells' wishes are added") {
+  const auto after = [](const std::string& ofA, const std::string& ofB) {
+    const std::string dna =
+        "START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\ng5(" + ofA + "|A)\ng6(" + ofB + "|B)\n";
+    World world = inShell(connecting(dna, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane)));
+    runTo(world, 2.02);
+    return pairsOf(world).size();
+  };
+  CHECK(after("connect", "connect") == 1);
+  CHECK(after("connect", "a3") == 1);
+  CHECK(after("connect", "release") == 0);
+  CHECK(after("a3", "a4") == 0);
+}
+
+TEST_CASE("By gene: a release ends what division made") {
+  World world =
+      inShell(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\ng5(release|A)\n",
+                         withPolicy(MakeConnections::both, ConnectionsOnDivision::plane)));
+  runTo(world, 1.5);
+  CHECK(pairsOf(world) == std::set<std::string>{"A-B"});
+  runTo(world, 2.02);
+  CHECK(pairsOf(world) == none);
+  CHECK(std::string(world.connections->history[0].cause) == "gene");
+}
+
+TEST_CASE("A cell that dies is released from all") {
+  World world = makeWorld(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(a1|a1)\n",
+                                     withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane)));
+  runTo(world, 2.02);
+  CHECK(pathsOf(world) == std::vector<std::string>{"B"});
+  CHECK(pairsOf(world) == none);
+  CHECK(std::string(world.connections->history[0].cause) == "died");
+  CHECK(world.connections->history[0].released == Approx(2).margin(0.02));
+}
+
+TEST_CASE("A cell that divides while its partner dies takes nothing over") {
+  World world =
+      makeWorld(connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(die|A)\ng4(divide|B)\ng5(a1|a1)\n",
+                           withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::both)));
+  runTo(world, 2.02);
+  CHECK(pathsOf(world) == std::vector<std::string>{"BA", "BB"});
+  CHECK(pairsOf(world) == std::set<std::string>{"BA-BB"});
+}
+
+TEST_CASE("Connected cells stay closer than unconnected ones") {
+  const auto distance = [](double strength) {
+    ConnectionParameters p = withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane);
+    p.strength = strength;
+    Scene scene = connecting("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a1|a1)\n", p);
+    World world = makeWorld(scene);
+    runTo(world, 6);
+    return norm(centreOf(world, "A") - centreOf(world, "B"));
+  };
+  CHECK(distance(2) < 0.98 * distance(0.02));
+}

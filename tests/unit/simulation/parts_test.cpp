@@ -1,0 +1,74 @@
+// A part that a scene does not name does not exist: no structure, no search, no rows.
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+TEST_CASE("A lineage-only scene has no bodies and nothing that goes with them") {
+  World world = makeWorld(scenes::lineageOnly(scenes::uniqueFour, 3));
+  CHECK_FALSE(world.bodies);
+  CHECK_FALSE(world.contacts);
+  CHECK_FALSE(world.connections);
+  CHECK(world.divisionPolicy == nullptr);
+  CHECK(world.timeSteps.empty());
+  runToEnd(world);
+  CHECK(world.cells.path.size() == 4);
+  CHECK(world.clock.timeStep == 0);
+  CHECK(measureCells(world).empty());
+  CHECK(measureContacts(world).empty());
+  CHECK(measureMeanOverlap(world) == 0);
+  CHECK(cellVertices(world, CellPath::parse("AA")).empty());
+  CHECK(measureWorld(world).volume == 0);
+}
+
+TEST_CASE("Without a contact block cells pass through each other and no neighbour structure is built") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
+  const auto cells = flyingCells(makeIcosphere(1), 2, 2.5, 1);
+  World without = worldOf(scene, cells);
+  CHECK_FALSE(without.contacts);
+  CHECK_FALSE(without.connections);
+  scene.mechanics->contact = scenes::pairContact;
+  World with = worldOf(scene, cells);
+  REQUIRE(with.contacts);
+  CHECK(with.contacts->rows.size() > 0);
+  const Vector apart = centreOf(without, "B") - centreOf(without, "A");
+  while (without.clock.time < 3) step(without);
+  while (with.clock.time < 3) step(with);
+  CHECK(dot(centreOf(without, "B") - centreOf(without, "A"), apart) < 0);
+  CHECK(dot(centreOf(with, "B") - centreOf(with, "A"), apart) > 0);
+  CHECK(measureContacts(without).empty());
+  CHECK(measureCells(without)[0].neighbours == 0);
+}
+
+TEST_CASE("A scene without drag, damping or shell calls no kernel for them") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
+  const World plain = makeWorld(scene);
+  CHECK(plain.stages.keepInShell == nullptr);
+  CHECK(plain.stages.slideOnShell == nullptr);
+  const PhysicsKernels& k = physicsKernels(plain.execution.isa);
+  CHECK(plain.stages.addPressureForces == k.addPressureForces);
+  CHECK(plain.stages.findSpringCoefficients == k.findDampedSpringCoefficients);
+  scene.mechanics->physics.membrane.damping = 0;
+  scene.mechanics->physics.drag = 1;
+  scene.mechanics->physics.shell = ShellParameters{{1, 1, 1}};
+  const World other = makeWorld(scene);
+  CHECK(other.stages.findSpringCoefficients == k.findSpringCoefficients);
+  CHECK(other.stages.addPressureForces == k.addPressureAndDragForces);
+  CHECK(other.stages.keepInShell == k.keepInSphere);
+}
+
+TEST_CASE("Contact of a cell that is alone changes nothing") {
+  Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
+  World without = makeWorld(scene, {Isa::scalar, 1});
+  scene.mechanics->contact = scenes::pairContactWithFriction;
+  World with = makeWorld(scene, {Isa::scalar, 1});
+  for (int i = 0; i < 100; ++i) {
+    without.bodies->velocity[0] += 0.01;
+    with.bodies->velocity[0] += 0.01;
+    // The time steps differ, for contact has a limit of its own.
+    movePhysics(without, 0x1p-8);
+    movePhysics(with, 0x1p-8);
+  }
+  CHECK(with.bodies->position == without.bodies->position);
+  CHECK(with.contacts->list.pairs == 0);
+}
