@@ -1,0 +1,113 @@
+// When cell cycles run and when a run is over, with and without bodies.
+#include "biology/physical_unit.h"
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+std::vector<std::string> leafStates(const World& world) {
+  std::vector<std::string> states;
+  for (StateId s : world.cells.state) states.push_back(world.biology->describe(s));
+  return states;
+}
+
+}  // namespace
+
+TEST_CASE("The thesis' four unique cells, from cycle to cycle") {
+  World world = makeWorld(scenes::lineageOnly(scenes::uniqueFour, 6));
+  step(world);
+  CHECK(world.clock.time == 1);
+  CHECK(pathsOf(world) == std::vector<std::string>{"A", "B"});
+  step(world);
+  step(world);
+  CHECK(world.clock.time == 3);
+  CHECK(leafStates(world) == std::vector<std::string>{"a4", "a5", "a6", "a7"});
+  CHECK_FALSE(finished(world));
+  runToEnd(world);
+  CHECK(world.clock.time == 6);
+  CHECK(world.clock.step == 6);
+  CHECK(leafStates(world) == std::vector<std::string>{"a4", "a5", "a6", "a7"});
+}
+
+TEST_CASE("A cycle of another length, from a substance on") {
+  Scene scene =
+      scenes::lineageOnly("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(slow|A)\ng4(a1|a1)\ng5(slow|slow)\n", 1);
+  scene.cycle.length = 0.5;
+  scene.cycle.perSubstance = {{"slow", 0.25}};
+  scene.stop = {};
+  scene.stop.time = 2;
+  World world = makeWorld(scene);
+  std::vector<double> times;
+  while (!finished(world)) {
+    step(world);
+    times.push_back(world.clock.time);
+  }
+  CHECK(times == std::vector<double>{0.5, 1, 1.25, 1.5, 1.75, 2});
+}
+
+TEST_CASE("The first stop condition that holds ends the run") {
+  for (bool withBodies : {false, true}) {
+    Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
+    if (!withBodies) scene.mechanics.reset();
+    const auto endOf = [&](StopParameters stop) {
+      scene.stop = stop;
+      return ranToEnd(scene, {bestIsa(), 1});
+    };
+    CAPTURE(withBodies);
+    CHECK(endOf({3, {}, {}}).cells.path.size() == 8);
+    CHECK(endOf({{}, 2.5, {}}).cells.path.size() == 4);
+    CHECK(endOf({{}, {}, 5}).cells.path.size() == 8);
+    CHECK(endOf({3, 1.5, {}}).cells.path.size() == 2);
+    CHECK(endOf({3, 2.5, 2}).cells.path.size() == 2);
+    if (withBodies) {
+      CHECK(endOf({{}, 2.5, {}}).clock.time == Approx(2.5).margin(0.01));
+      CHECK(endOf({3, {}, {}}).clock.time == Approx(3).margin(0.01));
+    }
+  }
+}
+
+TEST_CASE("The end is planned from what is known: times and cycles, not numbers of cells") {
+  Scene scene = scenes::lineageOnly(scenes::uniqueFour, 4);
+  scene.cycle.length = 0.5;
+  CHECK(plannedEnd(scene) == 2.0);
+  scene.stop.time = 1.75;
+  CHECK(plannedEnd(scene) == 1.75);
+  scene.stop.time = 3;
+  CHECK(plannedEnd(scene) == 2.0);
+  scene.stop = {{}, {}, 100};
+  CHECK_FALSE(plannedEnd(scene));
+}
+
+TEST_CASE("A hundred cycles of a tenth are a hundred cycles, though their sum is rounded") {
+  Scene scene = scenes::lineageOnly("START: a0\ng1(a0|a0)\n", 100);
+  scene.cycle.length = 0.1;
+  CHECK(ranToEnd(scene).clock.step == 100);
+}
+
+TEST_CASE("Another biology may control the cells") {
+  struct Once final : BiologicalUnit {
+    StateId startState() const override { return 0; }
+    double cycleLength(StateId) const override { return 0.5; }
+    StateId runCellCycle(const CellView& cell) override {
+      seesBody = cell.physical != nullptr && cell.physical->getVolume() > 0 && cell.physical->getMass() > 0;
+      return cell.state + 1;
+    }
+    bool wantsToDivide(const CellView& cell) const override { return cell.state == 1; }
+    bool wantsToDie(const CellView& cell) const override { return cell.state == 3; }
+    double wantsToGrow(const CellView&) const override { return 0; }
+    double wantsToConnect(const CellView&) const override { return 0; }
+    StateId daughterState(StateId mother, bool) override { return mother; }
+    std::string describe(StateId state) const override { return std::to_string(state); }
+    bool seesBody = false;
+  };
+  auto unit = std::make_unique<Once>();
+  const Once& once = *unit;
+  World world = makeWorld(scenes::withBodies(scenes::uniqueFour, 9), std::move(unit), {});
+  runToEnd(world);
+  CHECK(once.seesBody);
+  CHECK(world.lineage.entries.size() == 3);
+  CHECK(world.cells.path.empty());
+  CHECK(world.clock.time == Approx(1.5).margin(0.02));
+}
