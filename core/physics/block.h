@@ -13,9 +13,11 @@ namespace morula {
 constexpr int blockLanes = 8;
 constexpr int vertexStride = 3 * blockLanes;  // doubles from one vertex to the next
 
-/// One step from vertex i around its ring: a neighbour and the edge that leads to it.
+/// One step from a vertex around its ring: where a neighbour stands in a [vertex][xyz][lane] array, and where
+/// the edge that leads to it stands in [edge][lane]. Offsets instead of numbers: the kernels' innermost loops
+/// add nothing up.
 struct RingStep {
-  std::int32_t vertex, edge;
+  std::int32_t vertexOffset, edgeOffset;
 };
 
 /// A mesh template as the kernels walk it. Rings run counter-clockwise seen from outside and have even

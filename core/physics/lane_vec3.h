@@ -8,10 +8,14 @@ namespace morula::MORULA_ISA {
 
 using Vec = Vec3<Lanes>;
 
-/// The vectors of `width` cells, from lane `lane` on, at vertex `v` of a [vertex][3][lane] array.
-MORULA_INLINE Vec loadVec(const double* array, int v, int lane) {
-  const double* p = array + v * vertexStride + lane;
+/// The vectors of `width` cells, from the first lane that `p` points to.
+MORULA_INLINE Vec loadVec(const double* p) {
   return {load(p), load(p + blockLanes), load(p + 2 * blockLanes)};
+}
+
+/// The same from lane `lane` on, at vertex `v` of a [vertex][3][lane] array.
+MORULA_INLINE Vec loadVec(const double* array, int v, int lane) {
+  return loadVec(array + v * vertexStride + lane);
 }
 
 MORULA_INLINE void storeVec(double* array, int v, int lane, const Vec& a) {

@@ -23,8 +23,9 @@ MeshTemplate makeTemplate(const Mesh& mesh) {
   for (int v = 0; v < c.vertexCount; ++v) {
     t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
     for (int k = c.ringStart[v]; k < c.ringStart[v + 1]; ++k)
-      t.ring.push_back({c.ringVertex[k], c.ringEdge[k]});
-    if ((c.ringStart[v + 1] - c.ringStart[v]) % 2 == 1) t.ring.push_back({t.ring.back().vertex, c.edgeCount});
+      t.ring.push_back({c.ringVertex[k] * vertexStride, c.ringEdge[k] * blockLanes});
+    if ((c.ringStart[v + 1] - c.ringStart[v]) % 2 == 1)
+      t.ring.push_back({t.ring.back().vertexOffset, c.edgeCount * blockLanes});
   }
   t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
   return t;

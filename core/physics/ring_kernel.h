@@ -16,21 +16,23 @@
 namespace morula::MORULA_ISA {
 
 template <int valence>  // 0: as long as the ring says
-MORULA_INLINE void gatherRing(const BlockView& b, const RingStep* ring, int steps, int lane, const Vec& x,
-                              Vec& force, Vec& gradient) {
+MORULA_INLINE void gatherRing(const double* __restrict position, const double* __restrict coefficient,
+                              const RingStep* ring, int steps, const Vec& x, Vec& force, Vec& gradient) {
   const int n = valence > 0 ? valence : steps;
-  const Vec first = loadVec(b.position, ring[0].vertex, lane) - x;
-  force = load(b.coefficient + ring[0].edge * blockLanes + lane) * first;
+  const auto towards = [&](int k) { return loadVec(position + ring[k].vertexOffset) - x; };
+  const auto pull = [&](int k, const Vec& d) { return load(coefficient + ring[k].edgeOffset) * d; };
+  const Vec first = towards(0);
+  force = pull(0, first);
   gradient = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
   Vec before = first;
 #pragma GCC unroll 3
   for (int k = 1; k < n; k += 2) {
-    const Vec odd = loadVec(b.position, ring[k].vertex, lane) - x;
-    force += load(b.coefficient + ring[k].edge * blockLanes + lane) * odd;
+    const Vec odd = towards(k);
+    force += pull(k, odd);
     Vec after = first;
     if (k + 1 < n) {
-      after = loadVec(b.position, ring[k + 1].vertex, lane) - x;
-      force += load(b.coefficient + ring[k + 1].edge * blockLanes + lane) * after;
+      after = towards(k + 1);
+      force += pull(k + 1, after);
     }
     gradient += cross(odd, after - before);
     before = after;
@@ -39,22 +41,27 @@ MORULA_INLINE void gatherRing(const BlockView& b, const RingStep* ring, int step
 
 /// acceleration ← spring force, gradient ← 6∇V, volume ← V.
 inline void gatherRings(const TemplateView& mesh, const BlockView& b, const KernelParameters&) {
+  const double* __restrict position = b.position;
+  const double* __restrict coefficient = b.coefficient;
+  double* __restrict forces = b.acceleration;
+  double* __restrict gradients = b.gradient;
+  const int liveLanes = b.liveLanes;
   Lanes volume[blockLanes / width];
   for (Lanes& v : volume) v = Lanes(0.0);
   for (int v = 0; v < mesh.vertexCount; ++v) {
     const RingStep* ring = mesh.ring + mesh.ringStart[v];
     const int steps = mesh.ringStart[v + 1] - mesh.ringStart[v];
-    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
-      const Vec x = loadVec(b.position, v, lane);
+    for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
+      const Vec x = loadVec(position, v, lane);
       Vec force, gradient;
-      if (steps == 6) gatherRing<6>(b, ring, steps, lane, x, force, gradient);
-      else gatherRing<0>(b, ring, steps, lane, x, force, gradient);
-      storeVec(b.acceleration, v, lane, force);
-      storeVec(b.gradient, v, lane, gradient);
-      volume[group] += dot(gradient, x - loadVec(b.position, 0, lane));
+      if (steps == 6) gatherRing<6>(position + lane, coefficient + lane, ring, steps, x, force, gradient);
+      else gatherRing<0>(position + lane, coefficient + lane, ring, steps, x, force, gradient);
+      storeVec(forces, v, lane, force);
+      storeVec(gradients, v, lane, gradient);
+      volume[group] += dot(gradient, x - loadVec(position, 0, lane));
     }
   }
-  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
+  for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group)
     store(b.volume + lane, volume[group] / 18.0);
 }
 
