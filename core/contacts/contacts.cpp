@@ -6,16 +6,11 @@
 
 namespace morula {
 
-namespace {
-
-constexpr double skinShare =
-    0.15;  // of the smallest influence radius: the measured optimum between list length and rebuilds
-
-}  // namespace
-
-Contacts makeContacts(const ContactParameters& parameters, Isa isa) {
+Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search) {
   Contacts c;
   c.parameters = parameters;
+  c.skinShare = search.skinShare;
+  c.list = makeNeighbourList(search.method, isa);
   c.kernels = &contactKernels(isa);
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
                 : parameters.friction > 0            ? c.kernels->addPairForcesWithFriction
@@ -33,7 +28,7 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies) {
     c.inverseRadiusSquared[slot] = 1 / (radius * radius);
     smallest = std::min(smallest, radius);
   }
-  c.list.skin = bodies.count > 0 ? skinShare * smallest : 0;
+  c.list.skin = bodies.count > 0 ? c.skinShare * smallest : 0;
   c.listIsValid = false;
 }
 
@@ -59,7 +54,7 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   // Not `<=`: a NaN must lead to a rebuild, never to a stale list.
   const bool still = std::all_of(c.farthest.begin(), c.farthest.end(), [&](double f) { return f < limit; });
   if (c.listIsValid && still) return;
-  buildNeighbourList(c.list, *c.kernels, bodies, c.radius, threads);
+  buildNeighbourList(c.list, bodies, c.radius, threads);
   c.listIsValid = true;
   ++c.rebuilds;
 }

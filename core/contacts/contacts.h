@@ -17,6 +17,7 @@ struct Contacts {
   ContactParameters parameters;
   const ContactKernels* kernels = nullptr;
   ContactKernels::AddForces addForces = nullptr;  // of the scene's law
+  double skinShare = 0;                           // [SearchSettings]
 
   // State between rebuilds; nothing of it is part of the result
   AlignedVector<double> radius;                // [slot] influence radius [length]
@@ -31,7 +32,7 @@ struct Contacts {
   std::uint64_t pairEvaluations = 0;
 };
 
-Contacts makeContacts(const ContactParameters& parameters, Isa isa);
+Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search = {});
 
 /// To be called when the set of cells has changed: new radii, room for the rows, and the list is void.
 void resetContacts(Contacts& contacts, const Bodies& bodies);

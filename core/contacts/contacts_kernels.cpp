@@ -1,7 +1,6 @@
 // Compiled once per instruction set (core/CMakeLists.txt); see contacts_dispatch.cpp for the choice.
 #include "contacts/contacts_kernels.h"
 
-#include "contacts/near_kernel.h"
 #include "contacts/pair_law_kernel.h"
 #include "contacts/rows_kernel.h"
 #include "contacts/thesis_law_kernel.h"
@@ -9,7 +8,7 @@
 namespace morula::MORULA_ISA {
 
 extern const ContactKernels contacts;
-const ContactKernels contacts = {findNear, takeSnapshot, addPairForces<false>, addPairForces<true>,
+const ContactKernels contacts = {takeSnapshot, addPairForces<false>, addPairForces<true>,
                                  addThesisForces};
 
 }  // namespace morula::MORULA_ISA

@@ -1,5 +1,5 @@
 #pragma once
-// The kernels of contact, one table per instruction set.
+// The kernels of contact, one table per instruction set. Those that search: search_kernels.h.
 #include "base/isa.h"
 #include "contacts/snapshot.h"
 #include "physics/block.h"
@@ -21,20 +21,7 @@ struct ContactConstants {
   std::int32_t vertices;  // number of rows, and the number of the far row behind them
 };
 
-/// Points in rows, and what of them is near: closer than the reach, and not of the asking cell.
-struct NearQuery {
-  const double *x, *y, *z, *slot;  // readable for eight beyond the last row
-  struct Row {
-    std::int32_t first, last;
-  } row[9];
-  int rows;
-  double px, py, pz, ownSlot, reachSquared;
-};
-
 struct ContactKernels {
-  /// Writes the numbers of the points that are near, row by row; returns how many. `out` has room for all.
-  std::int32_t (*findNear)(const NearQuery&, std::int32_t* out);
-
   /// Writes the rows of a block's vertices from position, predicted and gradient. Returns the largest squared
   /// distance of a vertex from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
   double (*takeSnapshot)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,

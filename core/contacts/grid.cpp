@@ -4,60 +4,50 @@
 
 namespace morula {
 
-void fillGrid(Grid& grid, const Bodies& bodies, double binSize) {
-  const int vertices = bodies.vertexCount(), total = bodies.count * vertices;
-  Point low = bodies.vertex(0, 0), high = low;
-  for (int slot = 0; slot < bodies.count; ++slot)
-    for (int v = 0; v < vertices; ++v) {
-      const Point x = bodies.vertex(slot, v);
-      low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
-      high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
-    }
-  const Vector extent = high - low;
+void prepare(GridSearch& grid, const SearchInput& input) {
+  const Box box = boundingBox(input.bodies);
+  const Vector extent = box.high - box.low;
+  double binSize = safeBinSize(input.largestReach());
   // At most four bins per vertex: doubling the bins' size divides their number by up to eight.
+  const double most = 4.0 * input.bodies.count * input.bodies.vertexCount() + 64;
   const auto bins = [&](double size) {
     return (extent.x / size + 1) * (extent.y / size + 1) * (extent.z / size + 1);
   };
-  while (bins(binSize) > 4.0 * total + 64) binSize *= 2;
-  grid.low = low;
+  while (bins(binSize) > most) binSize *= 2;
+  grid.low = box.low;
   grid.inverseBin = 1 / binSize;
   grid.nx = static_cast<int>(extent.x / binSize) + 1;
   grid.ny = static_cast<int>(extent.y / binSize) + 1;
   grid.nz = static_cast<int>(extent.z / binSize) + 1;
+  sortIntoBins(
+      grid.points, grid.start, grid.binOf, std::size_t(grid.nx) * grid.ny * grid.nz, input,
+      [&](const Point& x) {
+        return (grid.column(x.z, grid.low.z, grid.nz) * grid.ny + grid.column(x.y, grid.low.y, grid.ny)) *
+                   grid.nx +
+               grid.column(x.x, grid.low.x, grid.nx);
+      });
+}
 
-  grid.start.assign(std::size_t(grid.nx) * grid.ny * grid.nz + 1, 0);
-  grid.binOf.resize(total);
-  for (auto* a : {&grid.x, &grid.y, &grid.z, &grid.slot}) a->resize(total + blockLanes);
-  grid.vertex.resize(total);
-  // In order of vertex numbers: block, vertex, lane.
-  const auto forEachVertex = [&](auto&& body) {
-    int i = 0;
-    for (int block = 0; block < bodies.blockCount(); ++block)
-      for (int v = 0; v < vertices; ++v)
-        for (int lane = 0; lane < bodies.liveLanes(block); ++lane, ++i) body(i, block, v, lane);
-  };
-  forEachVertex([&](int i, int block, int v, int lane) {
-    const Point x = bodies.vertex(block * blockLanes + lane, v);
-    const int bin =
-        (grid.column(x.z, low.z, grid.nz) * grid.ny + grid.column(x.y, low.y, grid.ny)) * grid.nx +
-        grid.column(x.x, low.x, grid.nx);
-    grid.binOf[i] = bin;
-    ++grid.start[bin + 1];
-  });
-  for (std::size_t bin = 1; bin < grid.start.size(); ++bin) grid.start[bin] += grid.start[bin - 1];
-  forEachVertex([&](int i, int block, int v, int lane) {
-    const int slot = block * blockLanes + lane;
-    const Point x = bodies.vertex(slot, v);
-    const std::int32_t at = grid.start[grid.binOf[i]]++;
-    grid.x[at] = x.x;
-    grid.y[at] = x.y;
-    grid.z[at] = x.z;
-    grid.vertex[at] = (block * vertices + v) * blockLanes + lane;
-    grid.slot[at] = slot;
-  });
-  // Each start has moved to its bin's end: move them back.
-  for (std::size_t bin = grid.start.size() - 1; bin > 0; --bin) grid.start[bin] = grid.start[bin - 1];
-  grid.start[0] = 0;
+void searchBlock(const GridSearch& grid, const SearchInput& input, int block, BlockLists& lists) {
+  const Bodies& bodies = input.bodies;
+  // Cell by cell: what lies around one cell stays in the nearest cache.
+  for (int lane = 0; lane < bodies.liveLanes(block); ++lane)
+    for (int v = 0; v < bodies.vertexCount(); ++v) {
+      const int slot = block * blockLanes + lane;
+      const Point x = bodies.vertex(slot, v);
+      const int cx = grid.column(x.x, grid.low.x, grid.nx), cy = grid.column(x.y, grid.low.y, grid.ny),
+                cz = grid.column(x.z, grid.low.z, grid.nz);
+      const int left = std::max(cx - 1, 0), right = std::min(cx + 1, grid.nx - 1);
+      NearQuery::Row rows[9];
+      int count = 0;
+      for (int z = std::max(cz - 1, 0); z <= std::min(cz + 1, grid.nz - 1); ++z)
+        for (int y = std::max(cy - 1, 0); y <= std::min(cy + 1, grid.ny - 1); ++y) {
+          const int bin = (z * grid.ny + y) * grid.nx;
+          rows[count++] = {grid.start[bin + left], grid.start[bin + right + 1]};
+        }
+      lists.counters.binVisits += count * (right - left + 1);
+      findNeighbours(lists, input, grid.points, rows, count, slot, v * blockLanes + lane, x);
+    }
 }
 
 }  // namespace morula

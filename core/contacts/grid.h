@@ -1,34 +1,26 @@
 #pragma once
-// A uniform grid over the bounding box of all vertices, filled by a counting sort: bin after bin, the
-// vertices of a bin in rising order of number.
-#include <cstdint>
-#include <vector>
-
-#include "base/aligned.h"
-#include "contacts/snapshot.h"
-#include "physics/bodies.h"
+// A uniform grid over the bounding box of all vertices. Bins along x stand side by side, so that the 27 bins
+// around a vertex are nine rows.
+#include "contacts/point_table.h"
 
 namespace morula {
 
-struct Grid {
-  Point low;          // corner of bin 0
-  double inverseBin;  // [1/length]
-  int nx, ny, nz;
+struct GridSearch {
+  Point low;              // corner of bin 0
+  double inverseBin = 0;  // [1/length]
+  int nx = 0, ny = 0, nz = 0;
+  std::vector<std::int32_t> start;  // [bin + 1] into points
+  PointTable points;
+  std::vector<std::int32_t> binOf;  // scratch
 
-  std::vector<std::int32_t> start;  // [bin + 1]
-  // The vertices, bin after bin: [start[bin] … start[bin + 1]); filled up so that whole lanes can be read.
-  AlignedVector<double> x, y, z, slot;
-  std::vector<VertexNumber> vertex;
-  std::vector<std::int32_t> binOf;  // scratch, [slot · vertexCount + vertex]
-
+  /// Along one axis. Everything outside, and what is not a number, belongs to a bin at the border.
   int column(double a, double lowest, int n) const {
-    const int i = static_cast<int>((a - lowest) * inverseBin);
-    return i < 0 ? 0 : i >= n ? n - 1 : i;
+    const double i = (a - lowest) * inverseBin;
+    return i >= n ? n - 1 : i > 0 ? static_cast<int>(i) : 0;
   }
 };
 
-/// Bins are at least `binSize` wide, wider where the box is so large that more than a few bins per vertex
-/// would stand empty. Positions must be finite.
-void fillGrid(Grid& grid, const Bodies& bodies, double binSize);
+void prepare(GridSearch& grid, const SearchInput& input);
+void searchBlock(const GridSearch& grid, const SearchInput& input, int block, BlockLists& lists);
 
 }  // namespace morula

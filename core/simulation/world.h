@@ -20,6 +20,7 @@ namespace morula {
 struct Execution {
   Isa isa = bestIsa();
   int threads = 1;
+  SearchSettings search = {};
 };
 
 /// The living cells, by lineage path. Cell number i is slot i of the bodies, and so of everything physical.

@@ -1,0 +1,124 @@
+#include "contacts/aabb_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace morula {
+
+namespace {
+
+constexpr int leafSize = 6;  // the fastest of 1 … 16 for packed cells of 162 vertices
+
+Box around(const Box& a, const Box& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
+}
+
+/// From the leaves up: daughters stand behind their mothers.
+void refit(TreeSearch& tree, const SearchInput& input, int slot) {
+  const Bodies& bodies = input.bodies;
+  const int vertices = bodies.vertexCount(), base = slot * vertices;
+  const VertexNumber firstNumber = slot / blockLanes * vertices * blockLanes + slot % blockLanes;
+  for (int i = 0; i < vertices; ++i) {
+    const int v = tree.shape.order[i];
+    tree.points.set(base + i, bodies.vertex(slot, v), firstNumber + v * blockLanes, slot,
+                    input.halfReach[slot]);
+  }
+  Box* boxes = &tree.boxes[std::size_t(slot) * tree.shape.nodes.size()];
+  for (std::size_t n = tree.shape.nodes.size(); n-- > 0;) {
+    const TreeNode& node = tree.shape.nodes[n];
+    if (node.leaf < 0) {
+      boxes[n] = around(boxes[n + 1], boxes[node.second]);
+      continue;
+    }
+    // What is not a number compares with nothing, and so is left out.
+    Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (std::int32_t i = base + node.first; i < base + node.last; ++i) {
+      const Point x{tree.points.x[i], tree.points.y[i], tree.points.z[i]};
+      box = around(box, {x, x});
+    }
+    boxes[n] = box;
+  }
+}
+
+/// The square of the distance of two boxes. Rounds as the square of the distance of two points does,
+/// operation by operation, so that it is never larger than that of any two points in the boxes.
+double distanceSquared(const Box& a, const Box& b) {
+  const auto gap = [](double lowA, double highA, double lowB, double highB) {
+    return std::max(0.0, std::max(lowB - highA, lowA - highB));
+  };
+  const Vector d{gap(a.low.x, a.high.x, b.low.x, b.high.x), gap(a.low.y, a.high.y, b.low.y, b.high.y),
+                 gap(a.low.z, a.high.z, b.low.z, b.high.z)};
+  return dot(d, d);
+}
+
+/// Goes down both trees at once, the one with more vertices first, and notes which leaves of `other` are near
+/// which leaves of `own`.
+void descend(const TreeSearch& tree, TreeSearch::Scratch& scratch, int own, int other, int vertices,
+             double reachSquared, SearchCounters& counters) {
+  const std::vector<TreeNode>& nodes = tree.shape.nodes;
+  const Box *ownBoxes = &tree.boxes[std::size_t(own) * nodes.size()],
+            *otherBoxes = &tree.boxes[std::size_t(other) * nodes.size()];
+  auto& open = scratch.open;
+  open.clear();
+  open.push_back({0, 0});
+  ++counters.rootTests;
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    ++counters.boxTests;
+    if (!(distanceSquared(ownBoxes[a], otherBoxes[b]) < reachSquared)) continue;
+    const TreeNode &p = nodes[a], &q = nodes[b];
+    if (p.leaf >= 0 && q.leaf >= 0) {
+      scratch.rows[p.leaf].push_back({other * vertices + q.first, other * vertices + q.last});
+    } else if (q.leaf >= 0 || (p.leaf < 0 && p.last - p.first >= q.last - q.first)) {
+      open.push_back({p.second, b});
+      open.push_back({a + 1, b});
+    } else {
+      open.push_back({a, q.second});
+      open.push_back({a, b + 1});
+    }
+  }
+}
+
+}  // namespace
+
+void prepare(TreeSearch& tree, const SearchInput& input, int threads) {
+  const Bodies& bodies = input.bodies;
+  tree.preparation = {};
+  if (static_cast<int>(tree.shape.order.size()) != bodies.vertexCount()) {
+    tree.shape = makeTreeShape(bodies.mesh.mesh.vertices, leafSize);
+    ++tree.preparation.treesBuilt;
+  }
+  tree.scratch.resize(threads);
+  for (auto& s : tree.scratch) s.rows.resize(tree.shape.leaves);
+  tree.boxes.resize(bodies.count * tree.shape.nodes.size());
+  tree.points.resize(bodies.count * bodies.vertexCount());
+  parallelFor(bodies.count, threads, [&](int slot) { refit(tree, input, slot); });
+  tree.preparation.boxesRefitted = tree.boxes.size();
+}
+
+void searchBlock(const TreeSearch& tree, const SearchInput& input, int block, BlockLists& lists) {
+  const Bodies& bodies = input.bodies;
+  const int vertices = bodies.vertexCount();
+  TreeSearch::Scratch& scratch = tree.scratch[threadNumber()];
+  for (int lane = 0; lane < bodies.liveLanes(block); ++lane) {
+    const int slot = block * blockLanes + lane;
+    for (auto& rows : scratch.rows) rows.clear();
+    for (int other = 0; other < bodies.count; ++other) {
+      const double reach = input.reach(slot, other);
+      if (other != slot) descend(tree, scratch, slot, other, vertices, reach * reach, lists.counters);
+    }
+    for (const TreeNode& node : tree.shape.nodes)
+      for (std::int32_t i = node.first; node.leaf >= 0 && i < node.last; ++i) {
+        const auto& rows = scratch.rows[node.leaf];
+        const int v = tree.shape.order[i];
+        findNeighbours(lists, input, tree.points, rows.data(), static_cast<int>(rows.size()), slot,
+                       v * blockLanes + lane, bodies.vertex(slot, v));
+      }
+  }
+}
+
+}  // namespace morula

@@ -1,0 +1,47 @@
+#pragma once
+// One tree of axis-aligned boxes per cell, cell against cell [van den Bergen 1997; Nilsson 2008, §3.6.2,
+// §4.3.1].
+//
+// All cells of a mesh template share the tree's shape, and only boxes belong to a cell: the template's
+// vertices are halved again and again along the longest side of their box, so a leaf is a patch of the
+// surface, and stays one however the cell deforms. So a tree is built once per template, and when cells move
+// its boxes are refitted, from the leaves up. There is no broad phase, as the thesis names none: each cell
+// asks all others' roots.
+#include "contacts/point_table.h"
+
+namespace morula {
+
+/// In order of a walk that visits mothers before daughters; the first daughter follows her mother at once.
+struct TreeNode {
+  std::int32_t first, last;  // the vertices below: [first, last) of TreeShape::order
+  std::int32_t second;       // the second daughter, or 0 for a leaf
+  std::int32_t leaf;         // number of the leaf, or −1
+};
+
+struct TreeShape {
+  std::vector<TreeNode> nodes;
+  std::vector<std::int32_t> order;  // vertices of the template
+  int leaves = 0;
+};
+
+/// Leaves hold at most `leafSize` vertices.
+TreeShape makeTreeShape(const std::vector<Point>& vertices, int leafSize);
+
+struct TreeSearch {
+  TreeShape shape;
+  std::vector<Box> boxes;  // [slot][node]
+  PointTable points;       // [slot][place in shape.order]
+
+  /// Scratch of one thread: which leaves of other cells are near a leaf.
+  struct Scratch {
+    std::vector<std::vector<NearQuery::Row>> rows;  // [leaf]
+    std::vector<std::pair<std::int32_t, std::int32_t>> open;
+  };
+  mutable std::vector<Scratch> scratch;
+  SearchCounters preparation;
+};
+
+void prepare(TreeSearch& tree, const SearchInput& input, int threads);
+void searchBlock(const TreeSearch& tree, const SearchInput& input, int block, BlockLists& lists);
+
+}  // namespace morula

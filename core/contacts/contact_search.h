@@ -1,0 +1,31 @@
+#pragma once
+// How pairs of vertices within reach are found. All ways find the same pairs, so none changes a bit of the
+// result; they are here to be compared (README.md beside this file).
+#include <span>
+#include <string_view>
+
+namespace morula {
+
+enum class ContactSearch {
+  grid,         // a uniform grid over the bounding box: the fastest for cells of like size
+  aabbTree,     // a tree of boxes per cell, cell against cell [van den Bergen 1997; Nilsson 2008, §4.3.1]
+  spatialHash,  // the cells of an endless grid, hashed [Teschner et al. 2003]
+  bruteForce,   // all vertices against all: the oracle
+};
+
+/// Changes speed, never a bit of the result.
+struct SearchSettings {
+  ContactSearch method = ContactSearch::grid;
+  /// Of the smallest influence radius: how much farther than it to look, so that what is found is good until
+  /// a vertex has moved half as far. More: longer lists, fewer searches; 0.15 is the measured optimum. 0: a
+  /// search at every step, for measurements.
+  double skinShare = 0.15;
+};
+
+std::span<const ContactSearch> allContactSearches();
+/// As on the command line: grid, aabb-tree, spatial-hash, brute-force.
+const char* name(ContactSearch search);
+/// Throws InputError for another word.
+ContactSearch parseContactSearch(std::string_view word);
+
+}  // namespace morula

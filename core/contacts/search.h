@@ -1,0 +1,76 @@
+#pragma once
+// What every way of searching is asked, and what it answers. Each is a struct with the memory that it keeps,
+// and two functions: `prepare` once per search, then `searchBlock` for each block of cells, on any thread.
+//
+// The answer is fixed, so that it does not matter who gives it: the neighbours of vertex i are the vertices j
+// of other cells with |x_j − x_i|² < reach², in these roundings and in rising order of their numbers.
+#include <cstdint>
+#include <vector>
+
+#include "base/aligned.h"
+#include "contacts/search_kernels.h"
+#include "contacts/snapshot.h"
+#include "physics/bodies.h"
+
+namespace morula {
+
+struct SearchInput {
+  const SearchKernels& kernels;
+  const Bodies&
+      bodies;  // a vertex whose position is not finite has no neighbours; the run ends after this step
+  const AlignedVector<double>& halfReach;  // [slot] [length]
+  double largestHalfReach, skin;           // [length]
+
+  double reach(int a, int b) const { return (halfReach[a] + halfReach[b]) + skin; }
+  double largestReach() const { return (largestHalfReach + largestHalfReach) + skin; }
+};
+
+/// How much work searches were: the same on every machine, thread count and instruction set.
+struct SearchCounters {
+  std::uint64_t searches = 0;
+  std::uint64_t pairs = 0;          // neighbours found, each pair from both sides
+  std::uint64_t distanceTests = 0;  // vertex against vertex
+  std::uint64_t binVisits = 0;      // grid and hash: bins looked up
+  std::uint64_t rootTests = 0;      // trees: cell against cell
+  std::uint64_t boxTests = 0;       // trees: box against box, roots included
+  std::uint64_t boxesRefitted = 0;  // trees
+  std::uint64_t treesBuilt = 0;
+
+  SearchCounters& operator+=(const SearchCounters& other) {
+    searches += other.searches, pairs += other.pairs, distanceTests += other.distanceTests;
+    binVisits += other.binVisits, rootTests += other.rootTests, boxTests += other.boxTests;
+    boxesRefitted += other.boxesRefitted, treesBuilt += other.treesBuilt;
+    return *this;
+  }
+};
+
+/// The neighbours of one block's vertices; vertex v of lane l is row v·blockLanes + l. Memory is kept between
+/// searches, so that a steady run allocates nothing.
+struct BlockLists {
+  std::vector<std::int32_t> begin, length;  // [row] into neighbours
+  std::vector<VertexNumber> neighbours;     // longer than used
+  std::int32_t used = 0;
+  std::vector<std::int32_t> order, place;  // rows by length, longest first; scratch of the ordering
+  SearchCounters counters;                 // of this search
+
+  void clear(int rows) {
+    begin.assign(rows, 0);
+    length.assign(rows, 0);
+    used = 0;
+    counters = {};
+  }
+  /// Where the next list goes, with room for so many numbers.
+  VertexNumber* room(std::int64_t numbers) {
+    const std::size_t needed = std::size_t(used) + numbers;
+    if (neighbours.size() < needed) neighbours.resize(needed + needed / 4);
+    return neighbours.data() + used;
+  }
+  void add(int row, std::int32_t count) {
+    begin[row] = used;
+    length[row] = count;
+    used += count;
+    counters.pairs += count;
+  }
+};
+
+}  // namespace morula
