@@ -93,7 +93,7 @@ void checkEnd(const Lines& lines, std::string_view line, const GoldenData& data)
     lines.fail(
         "the items above are not those that were accepted: somebody has edited them; restore the file from "
         "git, "
-        "or accept the present result with `morula check --accept --why \"…\"`");
+        "or accept the present result with `morula review --accept --why \"…\"`");
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ Golden readGoldenFile(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file))
     throw InputError(file.string() +
                      ": there is no golden file; look at the result and, if it is right, accept it with "
-                     "`morula check --accept --why \"…\"`");
+                     "`morula review --accept --why \"…\"`");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw FileError(file.string() + ": cannot be read; are its permissions right?");
   return readGolden({std::istreambuf_iterator<char>(stream), {}}, file.string());

@@ -333,6 +333,10 @@ TEST_CASE("tolerances: the share that is used is told, the last matching rule ho
     CHECK_THAT(find(report, "values final/*/volume").message,
                ContainsSubstring("tolerance abs 0.5, used 2 times (example.golden:9)"));
   }
+  SECTION("at the edge, and one representable number beyond") {
+    CHECK(compareWith(golden, [](GoldenFacts& f) { f.cells[0].volume = 2.5; }).passed());
+    CHECK_FALSE(compareWith(golden, [](GoldenFacts& f) { f.cells[0].volume = up(2.5); }).passed());
+  }
   SECTION("what no rule matches must be exact") {
     CHECK(failedChecks(compareWith(golden, [](GoldenFacts& f) { f.samples[0].volume = up(2); })) ==
           Checks{"values"});

@@ -81,6 +81,17 @@ TEST_CASE("plain SQL reads what was stored") {
   REQUIRE(first(f.db, "SELECT shell_fill IS NULL AND volume > 4 FROM sample WHERE time = 0") == "1");
 }
 
+TEST_CASE("a query keeps the values it was started with") {
+  Filled f;
+  Statement s(f.db, "SELECT ?");
+  std::string value = "long enough to live on the heap, not in the object";
+  const std::string before = value;
+  s.start(value);
+  value.replace(0, 4, "LONG");
+  REQUIRE(s.next());
+  REQUIRE(s.text(0) == before);
+}
+
 TEST_CASE("the tables refuse what they are not made for") {
   Filled f;
   configure(f.db);

@@ -78,12 +78,24 @@ TEST_CASE("a sample that falls on the end is taken once") {
   CHECK(run.recorder.take(run.world).samples.size() == 4);
 }
 
-TEST_CASE("a long step skips samples rather than repeating them") {
+TEST_CASE("a step over several multiples gives one sample") {
   Run run(fourCells(false),
           {.every = 0.03125, .hashEvery = {}});  // lineage only: from cycle to cycle, 0.125 each
   const RunResults results = run.recorder.take(run.world);
   CHECK(results.samples.size() == run.world.clock.step + 1);
   CHECK(results.samples.back().cells.empty());
+}
+
+TEST_CASE("after a long step the next sample is due at the next multiple") {
+  World world = makeWorld(fourCells(false));
+  Recorder recorder({.every = 0.25, .hashEvery = {}});
+  std::vector<double> sampled;
+  for (const double time : {0.0, 1.05, 1.1, 1.2, 1.25, 1.4, 1.6}) {
+    world.clock.time = time;
+    recorder.observe(world);
+    if (recorder.sampled()) sampled.push_back(time);
+  }
+  CHECK(sampled == std::vector{0.0, 1.05, 1.25, 1.6});
 }
 
 TEST_CASE("state hashes at the steps that were asked for") {
