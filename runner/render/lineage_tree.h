@@ -11,7 +11,7 @@
 
 namespace morula {
 
-struct TreeNode {
+struct LineageNode {
   std::string path;  // '' the egg, then A/B letters
   double born = 0;   // [time]
   double ended = 0;  // [time]; for cells alive: the present
@@ -21,7 +21,7 @@ struct TreeNode {
 };
 
 struct TreePicture {
-  std::vector<TreeNode> nodes;  // in any order; each path once
+  std::vector<LineageNode> nodes;  // in any order; each path once
   std::string title, caption;   // UTF-8
   std::vector<LegendEntry> legend;
   int width = 0, height = 0;  // [pixel] 64 to 16384; 0: what suits the number of leaves

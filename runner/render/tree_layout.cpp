@@ -9,7 +9,7 @@
 namespace morula {
 namespace {
 
-void check(const TreeNode& node) {
+void check(const LineageNode& node) {
   if (node.path.find_first_not_of("AB") != std::string::npos)
     throw InputError("'" + node.path + "' is not a lineage path; it must be made of the letters A and B");
   if (!std::isfinite(node.born) || !std::isfinite(node.ended))
@@ -19,9 +19,9 @@ void check(const TreeNode& node) {
 
 }  // namespace
 
-TreeLayout layoutTree(const std::vector<TreeNode>& nodes) {
+TreeLayout layoutTree(const std::vector<LineageNode>& nodes) {
   TreeLayout layout;
-  for (const TreeNode& node : nodes) {
+  for (const LineageNode& node : nodes) {
     check(node);
     layout.places.push_back({.node = &node});
   }

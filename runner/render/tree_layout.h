@@ -11,7 +11,7 @@ namespace morula {
 /// A cell's place. Leaves stand side by side, in the order of their paths, at x = 0.5, 1.5, …; a mother
 /// stands midway between her daughters, or above the only one that is given.
 struct TreePlace {
-  const TreeNode* node = nullptr;
+  const LineageNode* node = nullptr;
   double x = 0;                         // [leaf]
   int mother = -1;                      // index of a place; −1: its mother is not given
   std::array<int, 2> daughter{-1, -1};  // A, B; −1: not given
@@ -27,7 +27,7 @@ struct TreeLayout {
 
 /// Checks the nodes and places them. The nodes must outlive the layout. Throws InputError as drawLineage
 /// does.
-TreeLayout layoutTree(const std::vector<TreeNode>& nodes);
+TreeLayout layoutTree(const std::vector<LineageNode>& nodes);
 
 /// Round numbers (1, 2 or 5 times a power of ten apart) from low to high, about `wanted` of them.
 std::vector<double> axisTicks(double low, double high, int wanted);

@@ -101,7 +101,7 @@ TEST_CASE("few leaves are labelled, many are not", "[lineage]") {
     TreePicture tree = fullTree(depth);
     tree.width = 1600, tree.height = 900;
     const Image image = drawLineage(tree);
-    for (TreeNode& node : tree.nodes)
+    for (LineageNode& node : tree.nodes)
       if (node.label == fmt::format("s{}", depth)) node.label = "X9";
     const bool font =
         !findFont(false).empty();  // without one there are no labels, and both pictures are equal

@@ -13,7 +13,7 @@ namespace morula {
 namespace {
 
 /// A tree in which each cell divides or not by lot.
-void grow(std::vector<TreeNode>& nodes, const std::string& path, double born, std::uint64_t seed) {
+void grow(std::vector<LineageNode>& nodes, const std::string& path, double born, std::uint64_t seed) {
   const std::uint32_t lot = randomWords({seed, CellPath::parse(path), 0, Purpose::test}, 0)[0];
   const bool divides = path.size() < 7 && lot % 4 != 0;
   const Fate fate = divides ? Fate::divided : lot % 8 ? Fate::alive : Fate::died;
@@ -24,7 +24,7 @@ void grow(std::vector<TreeNode>& nodes, const std::string& path, double born, st
   grow(nodes, path + "B", end, seed);
 }
 
-TreeNode cell(const char* path, double born = 0, double ended = 1) {
+LineageNode cell(const char* path, double born = 0, double ended = 1) {
   return {path, born, ended, Fate::alive, red, ""};
 }
 
@@ -32,7 +32,7 @@ TreeNode cell(const char* path, double born = 0, double ended = 1) {
 
 TEST_CASE("leaves stand side by side, A left of B, mothers between their daughters", "[tree]") {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    std::vector<TreeNode> nodes;
+    std::vector<LineageNode> nodes;
     grow(nodes, "", 0, seed);
     std::rotate(nodes.begin(), nodes.begin() + nodes.size() / 3, nodes.end());
     const TreeLayout layout = layoutTree(nodes);
@@ -63,14 +63,14 @@ TEST_CASE("leaves stand side by side, A left of B, mothers between their daughte
 }
 
 TEST_CASE("cells without a mother in the list hang alone", "[tree]") {
-  const std::vector<TreeNode> nodes{cell("AB"), cell("ABBA", 0, 2), cell("B")};
+  const std::vector<LineageNode> nodes{cell("AB"), cell("ABBA", 0, 2), cell("B")};
   const TreeLayout layout = layoutTree(nodes);
   REQUIRE(layout.leaves == 3);
   for (const TreePlace& place : layout.places) REQUIRE(place.mother == -1);
 }
 
 TEST_CASE("an only daughter hangs straight down", "[tree]") {
-  const std::vector<TreeNode> nodes{cell(""), cell("B")};
+  const std::vector<LineageNode> nodes{cell(""), cell("B")};
   const TreeLayout layout = layoutTree(nodes);
   REQUIRE(layout.leaves == 1);
   REQUIRE(layout.places[0].x == layout.places[1].x);
@@ -82,7 +82,7 @@ TEST_CASE("no cells, no tree", "[tree]") {
 }
 
 TEST_CASE("trees that cannot be are refused", "[tree]") {
-  const auto refused = [](const std::vector<TreeNode>& nodes, const char* word) {
+  const auto refused = [](const std::vector<LineageNode>& nodes, const char* word) {
     REQUIRE_THROWS_AS(layoutTree(nodes), InputError);
     REQUIRE_THROWS_WITH(layoutTree(nodes), ContainsSubstring(word));
   };
