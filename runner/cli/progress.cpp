@@ -57,7 +57,9 @@ std::string Progress::line(const World& world, double stepsPerSecond, double tim
     if (terminal_) text += fmt::format("  [{:=<{}}{:<{}}]", "", full, "", barWidth - full);
     text += fmt::format("  {:.0f} %", 100 * share);
   }
-  text += fmt::format("  {} cells  time {:.4g}", world.cells.path.size(), world.clock.time);
+  text += fmt::format("  {} cells", world.cells.path.size());
+  if (const auto& most = world.model.stop.cells) text += fmt::format(" of {}", *most);
+  text += fmt::format("  time {:.4g}", world.clock.time);
   if (end) text += fmt::format(" of {:.4g}", *end);
   text += fmt::format("  {:.0f} steps/s", stepsPerSecond);
   if (end && timePerSecond > 0)

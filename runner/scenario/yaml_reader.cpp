@@ -16,6 +16,12 @@ constexpr std::size_t maxDepth = 32;
 
 struct TooDeep {};
 
+/// The last parameter of OnMapStart, which is EmitterStyle::value up to yaml-cpp 0.8 and EmitterStyle after
+/// it.
+template <class Style>
+Style styleOf(void (YAML::EventHandler::*)(const YAML::Mark&, const std::string&, YAML::anchor_t, Style));
+using Style = decltype(styleOf(&YAML::EventHandler::OnMapStart));
+
 /// Builds the tree from events, and knows the path that it is at, for messages.
 class TreeBuilder : public YAML::EventHandler {
  public:
@@ -67,13 +73,12 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value) override {
+                       Style) override {
     open(put(node(Node::Kind::sequence, mark, tag, anchor)));
   }
   void OnSequenceEnd() override { open_.pop_back(); }
 
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value) override {
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Style) override {
     open(put(node(Node::Kind::map, mark, tag, anchor)));
   }
   void OnMapEnd() override { open_.pop_back(); }
