@@ -1,0 +1,73 @@
+#include "baseline/bullet_body.h"
+
+namespace morula {
+
+namespace {
+
+btVector3 toBullet(const Point& a) { return {a.x, a.y, a.z}; }
+
+void configure(btSoftBody& body, const BulletScene& scene) {
+  btSoftBody::Config& c = body.m_cfg;
+  c.piterations = 1;
+  c.viterations = c.diterations = c.citerations = 0;
+  c.m_psequence.clear();
+  c.m_vsequence.clear();
+  c.m_dsequence.clear();
+  if (scene.contact) c.m_psequence.push_back(btSoftBody::ePSolver::SContacts);
+  if (scene.baseline == Baseline::b2) c.m_psequence.push_back(btSoftBody::ePSolver::Linear);
+  c.collisions = scene.contact ? btSoftBody::fCollision::VF_SS : 0;
+  c.kSHR = 1;  // contacts are resolved wholly in the step that finds them
+  c.kDF = 0;   // no friction
+  // Bullet takes the share kDP of the velocity away each step; ours drags by −drag·v, and B1 adds that force.
+  c.kDP = scene.baseline == Baseline::b2 ? scene.physics.drag * scene.timeStep : 0;
+  body.getCollisionShape()->setMargin(scene.margin);
+  body.setActivationState(DISABLE_DEACTIVATION);
+}
+
+}  // namespace
+
+std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTemplate& mesh, const Body& cell,
+                                         btSoftBodyWorldInfo& info) {
+  std::vector<btVector3> places;
+  for (const Point& x : cell.position) places.push_back(toBullet(x));
+  const double vertexMass = cell.mass / mesh.vertexCount();
+  const std::vector<btScalar> masses(places.size(), vertexMass);
+  auto body =
+      std::make_unique<btSoftBody>(&info, static_cast<int>(places.size()), places.data(), masses.data());
+  for (std::size_t v = 0; v < cell.velocity.size(); ++v)
+    body->m_nodes[static_cast<int>(v)].m_v = toBullet(cell.velocity[v]);
+
+  // A link moves its ends by kLST (l² − L0²)/(2 (l² + L0²)) of its length per iteration; one iteration is as
+  // stiff as k_s if kLST = k_s Δt² (1/m + 1/m).
+  const double dt = scene.timeStep, inverseMasses = 2 / vertexMass;
+  btSoftBody::Material* material = body->appendMaterial();
+  material->m_kLST = scene.physics.membrane.stiffness * dt * dt * inverseMasses;
+  for (int e = 0; e < mesh.edgeCount(); ++e)
+    body->appendLink(mesh.edges[2 * e], mesh.edges[2 * e + 1], material);
+  for (const Face& f : mesh.mesh.faces) body->appendFace(f[0], f[1], f[2], material);
+
+  configure(*body, scene);
+  // Appending makes Bullet's next step take every length as it finds it for the rest length. So that step is
+  // told that all is up to date, and what it would have set is set here.
+  body->updateConstants();
+  body->m_bUpdateRtCst = false;
+  for (int e = 0; e < mesh.edgeCount(); ++e) body->m_links[e].m_rl = mesh.restLengths[e] * cell.restScale;
+  body->updateLinkConstants();
+  for (int e = 0; e < mesh.edgeCount(); ++e) {
+    btSoftBody::Link& link = body->m_links[e];
+    link.m_c1 = link.m_rl * link.m_rl;
+  }
+  body->initializeFaceTree();
+  body->updateNormals();
+  return body;
+}
+
+void setPressure(btSoftBody& body, double pressureConstant, double outside) {
+  body.updateArea(false);  // Bullet would keep the areas of the first step
+  // (k_p/V − P_0) = (k_p − P_0 V)/V; halved, for Bullet's areas are twice the true ones.
+  body.m_cfg.kPR = 0.5 * (pressureConstant - outside * body.getVolume());
+}
+
+double volumeOf(const btSoftBody& body) { return body.getVolume(); }
+
+}  // namespace morula
