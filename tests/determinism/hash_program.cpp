@@ -1,0 +1,69 @@
+// Runs a fixed list of scenes and prints one line for each: its name, steps, cells, and a hash over the whole
+// run. Any build, on any machine, prints the same lines (core/README.md, "Same bits").
+//
+//   hash_program [--isa NAME] [--threads N] [--comma]
+#include <clocale>
+#include <cstring>
+#include <iostream>
+#include <locale>
+
+#include "scenes.h"
+#include "simulation/measures.h"
+
+using namespace morula;
+
+namespace {
+
+/// A country whose numbers have a decimal comma, also where its locale is not installed.
+struct Comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+/// More cells than one block holds, and so than one thread.
+Scene packed() {
+  Scene scene = scenes::packed();
+  scene.stop.time = 4.25;
+  return scene;
+}
+
+Scene cubes() {
+  Scene scene = scenes::life(scenes::cube());
+  scene.name = "life-of-a-cube";
+  return scene;
+}
+
+void run(const Scene& scene, const Execution& execution) {
+  World world = makeWorld(scene, execution);
+  Hash chain = stateHash(world);
+  while (!finished(world)) {
+    step(world);
+    if (world.clock.step % 8 == 0) chain = Hasher().add(chain).add(stateHash(world)).digest();
+  }
+  chain = Hasher().add(chain).add(stateHash(world)).digest();
+  std::cout << scene.name << ' ' << std::to_string(world.clock.step) << ' '
+            << std::to_string(world.cells.path.size()) << ' ' << chain.text() << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::setlocale(LC_ALL, "");  // as the environment says
+  Execution execution;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--isa") == 0 && i + 1 < argc) execution.isa = parseIsa(argv[++i]);
+    else if (std::strcmp(argv[i], "--threads") == 0 && i + 1 < argc) execution.threads = std::atoi(argv[++i]);
+    else if (std::strcmp(argv[i], "--comma") == 0) std::locale::global(std::locale(std::locale(), new Comma));
+    else if (std::strcmp(argv[i], "--isas") == 0) {
+      for (Isa isa : availableIsas()) std::cout << name(isa) << '\n';
+      return 0;
+    } else {
+      std::cerr << "hash_program [--isas] [--isa NAME] [--threads N] [--comma]\n";
+      return 2;
+    }
+  }
+  for (const Scene& scene : {packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), cubes(),
+                             scenes::lineageOnly(scenes::eventful, 12)})
+    run(scene, execution);
+}
