@@ -9,8 +9,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   string(JOIN " " flags ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${rules})
   pkg_check_modules(XXHASH QUIET libxxhash)
   set(libraries "")
-  foreach(library IN ITEMS "CLI11=${CLI11_VERSION}" "Eigen=${Eigen3_VERSION}" "FreeType=${FREETYPE_VERSION}"
-          "OSMesa=${OSMESA_VERSION}" "SQLite=${SQLite3_VERSION}" "fmt=${fmt_VERSION}" "libpng=${PNG_VERSION_STRING}"
+  foreach(library IN ITEMS "Bullet=${BULLET_VERSION}" "CLI11=${CLI11_VERSION}" "Eigen=${Eigen3_VERSION}"
+          "FreeType=${FREETYPE_VERSION}" "OSMesa=${OSMESA_VERSION}" "SQLite=${SQLite3_VERSION}" "fmt=${fmt_VERSION}" "libpng=${PNG_VERSION_STRING}"
           "nlohmann_json=${nlohmann_json_VERSION}" "oneTBB=${TBB_VERSION}" "xxHash=${XXHASH_VERSION}"
           "yaml-cpp=${yaml-cpp_VERSION}")
     string(REPLACE "=" "\", \"" pair "${library}")
@@ -39,8 +39,8 @@ cmake_minimum_required(VERSION 3.22)
 include(${FACTS})
 
 # The sources' digest: of their names and contents, in order of name.
-file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/core/*.h ${SOURCE}/core/*.cpp ${SOURCE}/core/CMakeLists.txt
-     ${SOURCE}/runner/*.h ${SOURCE}/runner/*.cpp ${SOURCE}/runner/*.cmake ${SOURCE}/runner/CMakeLists.txt
+file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/core/*.h ${SOURCE}/core/*.cpp ${SOURCE}/core/*.cmake
+     ${SOURCE}/core/CMakeLists.txt ${SOURCE}/runner/*.h ${SOURCE}/runner/*.cpp ${SOURCE}/runner/*.cmake ${SOURCE}/runner/CMakeLists.txt
      ${SOURCE}/CMakeLists.txt)
 list(FILTER files INCLUDE REGEX "^(core/|runner/|CMakeLists.txt$)")
 list(SORT files)

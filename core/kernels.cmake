@@ -1,0 +1,34 @@
+# Code that is compiled once per instruction set.
+
+# The instruction sets of this architecture, the number of doubles side by side in each, and how to ask for it.
+# Never -mfma and never -march=native: a fused multiply-add changes results.
+option(MORULA_PORTABLE "Leave the AVX kernels out: only what every machine of the architecture has" OFF)
+set(MORULA_ISAS scalar narrow)
+set(MORULA_WIDTH_scalar 1)
+set(MORULA_WIDTH_narrow 2)  # SSE2 on x86-64, NEON on aarch64: what every machine has
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT MORULA_PORTABLE)
+  target_compile_definitions(morula_flags INTERFACE MORULA_WITH_AVX)
+  list(APPEND MORULA_ISAS avx2 avx512)
+  set(MORULA_WIDTH_avx2 4)
+  set(MORULA_OPTIONS_avx2 -mavx2)
+  set(MORULA_WIDTH_avx512 8)
+  set(MORULA_OPTIONS_avx512 -mavx512f -mavx512vl -mavx512dq -mprefer-vector-width=512)
+endif()
+
+# Every *_kernels.cpp of a folder goes into the target once per instruction set, each into a namespace of its own
+# (core/base/isa.h).
+function(morula_kernels target folder)
+  file(GLOB kernels CONFIGURE_DEPENDS ${folder}/*_kernels.cpp)
+  if(NOT kernels)
+    return()
+  endif()
+  foreach(isa ${MORULA_ISAS})
+    add_library(${target}_${isa} OBJECT ${kernels})
+    target_include_directories(${target}_${isa} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${morula_SOURCE_DIR}/core)
+    target_link_libraries(${target}_${isa} PUBLIC morula_flags)
+    target_compile_definitions(${target}_${isa} PRIVATE MORULA_ISA=${isa} MORULA_WIDTH=${MORULA_WIDTH_${isa}})
+    target_compile_options(${target}_${isa} PRIVATE ${MORULA_OPTIONS_${isa}} -fno-math-errno -fno-trapping-math
+                           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # gcc 12 misreads its own vector intrinsics
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_${isa}>)
+  endforeach()
+endfunction()
