@@ -14,7 +14,7 @@
 namespace morula {
 
 /// Where the egg's mesh comes from: exactly one of the two.
-struct MeshSource {
+struct EggMesh {
   std::optional<std::uint64_t> icosphere = 2;  // level 0 to 4: 12, 42, 162, 642, 2562 vertices
   std::optional<std::string> file;             // a Wavefront OBJ, relative to the scenario file
 };
@@ -36,7 +36,7 @@ struct Scenario {
   std::uint64_t format = 1;
   std::string summary;
   Scene scene;  // ready for makeWorld: DNA parsed, mesh built and scaled
-  MeshSource mesh;
+  EggMesh mesh;
   /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
   RecordParameters record;
