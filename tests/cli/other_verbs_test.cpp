@@ -138,6 +138,31 @@ TEST_CASE("review accepts with a reason, and check then passes until something c
   CHECK(launch({"run", scenario, "--out", folder.path(), "--no-check"}).code == 0);
 }
 
+TEST_CASE(
+    "a golden with physics holds for any instruction set and number of threads, and sees a changed default") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "bodies.yaml";
+  const std::string text =
+      "morula: 1\nname: bodies\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.25}\n"
+      "physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, shell: {sphere: 1}, contact: {}}\n"
+      "record: {every: 0.25}\n";
+  writeWhole(scenario, text);
+  const auto accepted =
+      launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}});
+  INFO(accepted.err);
+  REQUIRE(accepted.code == 0);
+  CHECK(launch({"check", scenario}).code == 0);
+  CHECK(launch({"check", scenario, "--isa", "scalar", "--threads", "2"}).code == 0);
+
+  writeWhole(scenario, text + "division: {plane: {axis: [0, 1, 0]}}\n");
+  const auto json = jsonOf({"check", scenario, "--json"}, 1);
+  bool named = false;
+  for (const auto& result : json["results"])
+    named = named || (result["passed"] == false && result["first_step"].is_number() &&
+                      result["share_of_tolerance"] > 1);
+  CHECK(named);
+}
+
 TEST_CASE("with CI set nobody accepts") {
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", small);
