@@ -9,7 +9,7 @@ namespace morula {
 
 namespace {
 
-constexpr int leafSize = 6;  // the fastest of 1 … 16 for packed cells of 162 vertices
+constexpr int leafSize = 12;  // the fastest of 4 … 21 for packed cells of 162 vertices
 
 Box around(const Box& a, const Box& b) {
   return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},

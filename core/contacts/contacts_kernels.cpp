@@ -8,7 +8,6 @@
 namespace morula::MORULA_ISA {
 
 extern const ContactKernels contacts;
-const ContactKernels contacts = {takeSnapshot, addPairForces<false>, addPairForces<true>,
-                                 addThesisForces};
+const ContactKernels contacts = {takeSnapshot, addPairForces<false>, addPairForces<true>, addThesisForces};
 
 }  // namespace morula::MORULA_ISA

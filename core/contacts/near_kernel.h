@@ -1,37 +1,25 @@
 #pragma once
-// Which points of the rows around a vertex are near. Hits are too irregular to be guessed by the processor,
-// so nothing branches on them: all lanes' numbers are written, and the end of the list moves on by the hits.
+// Which points of the rows around a vertex are near. Rows are short, and hits too irregular for the processor
+// to guess: eight points at a time, all their places are written, and the list's end moves on by the hits, so
+// that nothing branches on them.
 #include "base/lanes.h"
 #include "contacts/search_kernels.h"
 
 namespace morula::MORULA_ISA {
 
-/// For each set of four hits: which of the four they are, and how many.
-struct Hits {
-  std::int32_t which[4];
-  std::int32_t count;
-};
-constexpr Hits hitsOf[16] = {{{}, 0},     {{0}, 1},       {{1}, 1},       {{0, 1}, 2},
-                             {{2}, 1},    {{0, 2}, 2},    {{1, 2}, 2},    {{0, 1, 2}, 3},
-                             {{3}, 1},    {{0, 3}, 2},    {{1, 3}, 2},    {{0, 1, 3}, 3},
-                             {{2, 3}, 2}, {{0, 2, 3}, 3}, {{1, 2, 3}, 3}, {{0, 1, 2, 3}, 4}};
+typedef std::int32_t EightInts __attribute__((vector_size(32)));
 
-MORULA_INLINE std::int32_t writeHits(unsigned hits, const std::int32_t* vertex, std::int32_t* out) {
-  std::int32_t found = 0;
-  if constexpr (width >= 4) {
-    for (int four = 0; four < width; four += 4) {
-      const Hits& h = hitsOf[hits >> four & 15];
-      for (int i = 0; i < 4; ++i) out[found + i] = vertex[four + h.which[i]];
-      found += h.count;
-    }
-  } else {
-    for (int i = 0; i < width; ++i) {
-      out[found] = vertex[i];
-      found += hits >> i & 1;
-    }
+/// For each set of eight hits: which of the eight they are, and how many.
+struct HitTable {
+  std::int32_t which[256][8] = {};
+  std::uint8_t count[256] = {};
+  constexpr HitTable() {
+    for (int hits = 0; hits < 256; ++hits)
+      for (int i = 0; i < 8; ++i)
+        if (hits >> i & 1) which[hits][count[hits]++] = i;
   }
-  return found;
-}
+};
+inline constexpr HitTable hitTable;
 
 /// [SearchKernels::findNear]
 inline std::int32_t findNear(const NearQuery& q, std::int32_t* out) {
@@ -39,15 +27,24 @@ inline std::int32_t findNear(const NearQuery& q, std::int32_t* out) {
   const Lanes px = q.px, py = q.py, pz = q.pz, own = q.ownSlot, ownHalf = q.ownHalfReach, skin = q.skin;
   for (int r = 0; r < q.rows; ++r) {
     const std::int32_t last = q.row[r].last;
-    for (std::int32_t k = q.row[r].first; k < last; k += width) {
-      const Lanes dx = load(q.x + k) - px, dy = load(q.y + k) - py, dz = load(q.z + k) - pz;
-      const Lanes reach = (load(q.halfReach + k) + ownHalf) + skin;
-      unsigned near = bits((dx * dx + dy * dy + dz * dz < reach * reach) & (load(q.slot + k) != own));
+    for (std::int32_t k = q.row[r].first; k < last; k += 8) {
+      unsigned near = 0;
+      for (int i = 0; i < 8; i += width) {
+        const std::int32_t at = k + i;
+        const Lanes dx = load(q.x + at) - px, dy = load(q.y + at) - py, dz = load(q.z + at) - pz;
+        const Lanes reach = (load(q.halfReach + at) + ownHalf) + skin;
+        near |= bits((dx * dx + dy * dy + dz * dz < reach * reach) & (load(q.slot + at) != own)) << i;
+      }
       const std::int32_t left = last - k;
-      near &= left < width ? (1u << left) - 1 : ~0u;  // not what lies behind the row's end
-      found += writeHits(near, q.vertex + k, out + found);
+      near &= (1u << (left < 8 ? left : 8)) - 1;  // not what lies behind the row's end
+      EightInts places;
+      __builtin_memcpy(&places, hitTable.which[near], sizeof places);
+      places += k;
+      __builtin_memcpy(out + found, &places, sizeof places);
+      found += hitTable.count[near];
     }
   }
+  for (std::int32_t i = 0; i < found; ++i) out[i] = q.vertex[out[i]];
   return found;
 }
 

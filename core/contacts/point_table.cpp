@@ -29,7 +29,7 @@ void findNeighbours(BlockLists& lists, const SearchInput& input, const PointTabl
                         double(slot),
                         input.halfReach[slot],
                         input.skin};
-  VertexNumber* out = lists.room(candidates + 4);
+  VertexNumber* out = lists.room(candidates + 8);
   const std::int32_t found = input.kernels.findNear(query, out);
   if (found <= SearchKernels::longestShortList) input.kernels.sortShortList(out, found);
   else std::sort(out, out + found);

@@ -36,6 +36,7 @@ struct SearchCounters {
   std::uint64_t boxesRefitted = 0;  // trees
   std::uint64_t treesBuilt = 0;
 
+  friend bool operator==(const SearchCounters&, const SearchCounters&) = default;
   SearchCounters& operator+=(const SearchCounters& other) {
     searches += other.searches, pairs += other.pairs, distanceTests += other.distanceTests;
     binVisits += other.binVisits, rootTests += other.rootTests, boxTests += other.boxTests;

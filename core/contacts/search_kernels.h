@@ -21,7 +21,7 @@ struct NearQuery {
 
 struct SearchKernels {
   /// Writes the vertex numbers of the points that are near, row by row; returns how many. `out` has room for
-  /// all of the rows' points and four more.
+  /// all of the rows' points and eight more.
   std::int32_t (*findNear)(const NearQuery&, std::int32_t* out);
 
   /// Puts up to `longestShortList` different numbers into rising order, without a branch on any of them.

@@ -51,8 +51,8 @@ Scene crowdedScene() {
 }
 
 /// Seventeen cells that touch, come to rest, are connected and grow.
-World crowd(const Scene& scene, int threads) {
-  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 17, 2, 0.1), {bestIsa(), threads});
+World crowd(const Scene& scene, int threads, const SearchSettings& search = {}) {
+  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 17, 2, 0.1), {bestIsa(), threads, search});
   if (world.connections) connect(*world.connections, world.cells.path[0], world.cells.path[1], 0);
   world.cells.growth[3] = 1;
   return world;
@@ -74,16 +74,19 @@ TEST_CASE("A steady step allocates nothing, with contact, connections and growth
 }
 
 TEST_CASE("A step that builds the neighbour list anew allocates nothing, once there is room") {
-  World world = crowd(crowdedScene(), 1);
-  allocationsOf(world, 2000);
-  const auto rebuilds = world.contacts->rebuilds;
-  std::uint64_t count = 0;
-  for (int i = 0; i < 50; ++i) {
-    world.contacts->listIsValid = false;
-    count += allocationsOf(world, 1);
+  for (ContactSearch search : allContactSearches()) {
+    World world = crowd(crowdedScene(), 1, {search, 0.15});
+    allocationsOf(world, 2000);
+    const auto rebuilds = world.contacts->rebuilds;
+    std::uint64_t count = 0;
+    for (int i = 0; i < 50; ++i) {
+      world.contacts->listIsValid = false;
+      count += allocationsOf(world, 1);
+    }
+    CAPTURE(name(search));
+    CHECK(world.contacts->rebuilds == rebuilds + 50);
+    CHECK(count == 0);
   }
-  CHECK(world.contacts->rebuilds == rebuilds + 50);
-  CHECK(count == 0);
 }
 
 TEST_CASE("Threads allocate nothing of ours either; what TBB takes, it takes from itself") {
