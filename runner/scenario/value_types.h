@@ -16,10 +16,6 @@ struct NaturalRange {
   std::uint64_t low = 0, high = largestNatural;
 };
 
-struct Names {
-  std::vector<std::string> names;  // in the order of the enumeration's values
-};
-
 Parameter real(std::string path, std::string unit, Range range, std::string meaning, Field<double> field);
 /// `absent`: what holds if it is not given. `word`: a text that may be written for that, such as "auto"; may
 /// be empty.
@@ -54,9 +50,15 @@ Parameter shellEllipsoid();
 Parameter divisionPlane();
 
 // For the kinds themselves.
+std::string numberAllowed(const Range& range, const std::string& unit);
+Json numberSchema(const Range& range);
 std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
                                const std::string& allowed, Problems& problems);
 std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,
                                  const std::string& allowed, Problems& problems);
+
+/// Texts may be quoted, and may look like numbers.
+std::optional<std::string> readText(const Node& node, const std::string& path, const std::string& allowed,
+                                    Problems& problems);
 
 }  // namespace morula::scenario

@@ -1,0 +1,99 @@
+// Texts: free ones, names, files, words of a list.
+#include <algorithm>
+
+#include "base/did_you_mean.h"
+#include "scenario/value_types.h"
+
+namespace morula::scenario {
+
+namespace {
+
+bool isName(const std::string& text) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  };
+  return !text.empty() && text.size() <= 100 && text[0] != '-' && std::all_of(text.begin(), text.end(), fits);
+}
+
+}  // namespace
+
+std::optional<std::string> readText(const Node& node, const std::string& path, const std::string& allowed,
+                                    Problems& problems) {
+  if (node.kind == Node::Kind::broken) return {};
+  if (node.kind != Node::Kind::scalar) {
+    problems.add(node.place, path, node.kind == Node::Kind::null ? "is empty" : "is " + describe(node),
+                 "needs " + allowed);
+    return {};
+  }
+  return node.text;
+}
+
+Parameter text(std::string path, std::string meaning, Field<std::string> field) {
+  Parameter p;
+  p.path = std::move(path);
+  p.allowed = "a text";
+  p.meaning = std::move(meaning);
+  p.schema = {{"type", "string"}};
+  p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    if (auto value = readText(node, path, allowed, reading.problems)) field(s) = std::move(*value);
+  };
+  p.write = [field](const Scenario& s) { return Json(field(const_cast<Scenario&>(s))); };
+  return p;
+}
+
+Parameter name(std::string path, std::string meaning, Field<std::string> field) {
+  auto p = text(std::move(path), std::move(meaning), field);
+  p.allowed = "a name made of letters, digits, '-' and '_'";
+  p.schema["pattern"] = "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$";
+  p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    const auto value = readText(node, path, allowed, reading.problems);
+    if (!value) return;
+    if (!isName(*value))
+      reading.problems.add(node.place, path, describe(node) + " is not a name", "needs " + allowed);
+    else field(s) = *value;
+  };
+  return p;
+}
+
+Parameter optionalFile(std::string path, std::string meaning, Field<std::optional<std::string>> field) {
+  Parameter p;
+  p.path = std::move(path);
+  p.allowed = "a file, relative to the scenario's folder";
+  p.meaning = std::move(meaning);
+  p.absent = "none";
+  p.schema = {{"type", "string"}, {"minLength", 1}};
+  p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    auto value = readText(node, path, allowed, reading.problems);
+    if (!value) return;
+    if (value->empty()) reading.problems.add(node.place, path, "is empty", "needs " + allowed);
+    else field(s) = std::move(*value);
+  };
+  p.write = [field](const Scenario& s) {
+    const auto& value = field(const_cast<Scenario&>(s));
+    return value ? Json(*value) : Json();
+  };
+  return p;
+}
+
+Parameter choiceOf(std::string path, std::vector<std::string> names, std::string meaning,
+                   std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set) {
+  Parameter p;
+  p.path = std::move(path);
+  for (const auto& name : names)
+    p.allowed += (p.allowed.empty() ? "" : &name == &names.back() ? " or " : ", ") + name;
+  p.meaning = std::move(meaning);
+  p.schema = {{"enum", names}};
+  p.read = [set, names, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    const auto value = readText(node, path, allowed, reading.problems);
+    if (!value) return;
+    const auto found = std::find(names.begin(), names.end(), *value);
+    if (found != names.end()) return set(s, static_cast<int>(found - names.begin()));
+    const auto near = closest(*value, names);
+    reading.problems.add(node.place, path, describe(node) + " is not known here",
+                         near.empty() ? "needs " + allowed : "did you mean " + near + "? Needs " + allowed);
+  };
+  p.write = [get, names](const Scenario& s) { return Json(names[get(const_cast<Scenario&>(s))]); };
+  return p;
+}
+
+}  // namespace morula::scenario
