@@ -1,0 +1,23 @@
+#pragma once
+// Two clocks. On a machine that others use too, only the time that a thread was given says what it costs.
+#include <ctime>
+
+namespace morula {
+
+enum class ClockKind { cpu, wall };  // cpu: of this thread alone
+
+inline double seconds(ClockKind kind) {
+  timespec t{};
+  clock_gettime(kind == ClockKind::cpu ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// [s] that a call takes.
+template <class Call>
+double timeOf(ClockKind kind, const Call& call) {
+  const double before = seconds(kind);
+  call();
+  return seconds(kind) - before;
+}
+
+}  // namespace morula

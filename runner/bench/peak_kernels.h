@@ -1,0 +1,22 @@
+#pragma once
+// What the machine can do at most, one table per instruction set: nothing but multiplications and additions
+// in registers, or nothing but memory.
+#include <cstddef>
+
+#include "base/isa.h"
+
+namespace morula {
+
+struct PeakKernels {
+  int operationsPerTurn;  // multiplications and additions of doubles, without fused ones
+  /// Runs `turns` turns and returns a number made of all results, so that none can be left out.
+  double (*multiplyAdd)(long turns);
+  int rootsPerTurn;  // pairs of one square root and one division
+  double (*divideRoot)(long turns);
+  /// a ← b + 2c: 24 bytes per element. `count` a multiple of 8, arrays on cache lines.
+  void (*triad)(double* a, const double* b, const double* c, std::size_t count);
+};
+
+const PeakKernels& peakKernels(Isa isa);
+
+}  // namespace morula
