@@ -19,7 +19,7 @@ PhysicsParameters springsOnly(double damping) {
 long double springEnergy(const std::vector<Point>& x, const Mesh& rest, double scale, double stiffness) {
   long double energy = 0;
   for (const auto& [i, j] : makeConnectivity(rest).edges) {
-    const auto length = [&](const std::vector<Point>& at) {
+    const auto length = [i = i, j = j](const std::vector<Point>& at) {
       const long double dx = static_cast<long double>(at[j].x) - at[i].x,
                         dy = static_cast<long double>(at[j].y) - at[i].y,
                         dz = static_cast<long double>(at[j].z) - at[i].z;
