@@ -160,7 +160,7 @@ TEST_CASE(
   for (double lost :
        {std::numeric_limits<double>::quiet_NaN(), double(INFINITY), -double(INFINITY), 1e200, -1e308}) {
     auto cells = heap(ball, 9, 1.8, 0);
-    cells[0].position[0].x = lost;
+    cells[0].position[0].x = -lost;
     cells[4].position[17] = {lost, lost, lost};
     cells[8].position[41].z = lost;
     for (Point& x : cells[3].position) x.y = lost;
@@ -194,6 +194,37 @@ TEST_CASE("Points at the edges of bins") {
   const Lists expected = bruteForce(crowd);
   CHECK(pairsIn(expected) > 500);
   CHECK(differences(crowd, expected) == 0);
+}
+
+TEST_CASE("Pairs a hair within their reach and a hair beyond it, anywhere and in any direction") {
+  // Cells in one point each, in a chain: their boxes are points, too, and bins lie as chance will have it.
+  const Crowd probe(limp(), {}, cube, std::vector<Body>(9, shakenBody(cube, 0, 0)));
+  const double reach = probe.contacts.radius[0] * (1 + 1e-6) + probe.contacts.list.skin;
+  std::vector<NeighbourList> lists;
+  for (ContactSearch search : allContactSearches()) lists.push_back(makeNeighbourList(search, bestIsa()));
+  int wrong = 0;
+  for (double hair : {-1e-12, 1e-12})
+    for (std::uint32_t key = 0; key < 1000; ++key) {
+      const Vector random = noiseVector(0, key);
+      const Vector direction = key % 4 == 0   ? Vector{1, 0, 0}
+                               : key % 4 == 1 ? Vector{0, 1, 0}
+                               : key % 4 == 2 ? Vector{0, 0, -1}
+                                              : random / norm(random);
+      std::vector<Body> cells(9, shakenBody(cube, 0, 0));
+      for (int i = 0; i < 9; ++i) {
+        // Bins begin at the outermost cell: the first one stands apart, as chance will have it.
+        const double along = i == 0 ? -20 - 3 * noise(1, key) : i * (1 + hair);
+        for (Point& x : cells[i].position) x = along * reach * direction;
+      }
+      Bodies bodies = probe.lab.bodies;
+      setBodies(bodies, cells);
+      for (NeighbourList& list : lists) {
+        list.skin = probe.contacts.list.skin;
+        buildNeighbourList(list, bodies, probe.contacts.radius, 1);
+        wrong += list.pairs != (hair < 0 ? 7u * 2 * 8 * 8 : 0);
+      }
+    }
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("Cells on the move: trees that are refitted stay right, and are not built anew") {
