@@ -26,6 +26,9 @@ void add(CLI::App& verb, ExecutionOptions& options) {
       ->capture_default_str();
   verb.add_option("--isa", options.isa, "Compute with scalar, narrow, avx2 or avx512; changes no result")
       ->type_name("NAME");
+  verb.add_option("--search", options.search,
+                  "Find contacts by grid, aabb-tree, spatial-hash or brute-force; changes no result")
+      ->type_name("NAME");
 }
 
 std::vector<Override> overrides(const SceneOptions& options) {
@@ -41,6 +44,9 @@ Execution execution(const ExecutionOptions& options) {
   try {
     if (!options.isa.empty()) how.isa = parseIsa(options.isa);
   } catch (const InputError& error) { throw UsageError(std::string("--isa: ") + error.what()); }
+  try {
+    if (!options.search.empty()) how.search.method = parseContactSearch(options.search);
+  } catch (const InputError& error) { throw UsageError(std::string("--search: ") + error.what()); }
   return how;
 }
 

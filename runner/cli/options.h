@@ -26,7 +26,7 @@ struct SceneOptions {
 
 /// How to compute; changes no result.
 struct ExecutionOptions {
-  std::string threads = "1", isa;
+  std::string threads = "1", isa, search;
 };
 
 void add(CLI::App& verb, OutputOptions& options);

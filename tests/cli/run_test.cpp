@@ -84,6 +84,8 @@ TEST_CASE("the same run has the same id and bits, however it is computed") {
   CHECK(run({}) == first);
   CHECK(run({"--isa", "scalar"}) == first);
   CHECK(run({"--isa", "narrow"}) == first);
+  for (const char* search : {"grid", "aabb-tree", "spatial-hash", "brute-force"})
+    CHECK(run({"--search", search}) == first);
   CHECK(run({"--threads", "2"}) == first);
   CHECK(run({"--set", "physics.contact.friction=0.5"}) != first);
 }

@@ -58,6 +58,7 @@ TEST_CASE("numbers on the command line are read strictly") {
           "--threads: 0 is out of range; needs a whole number from 1 to 1024");
   refused({"run", four, "--threads", "010"}, 2, "leading zero");
   refused({"run", four, "--isa", "sse9"}, 2, "--isa: ");
+  refused({"run", four, "--search", "octree"}, 2, "--search: 'octree'");
   refused({"run", four, "--seeds", "1-5"}, 2, "--seeds: '1-5' is not a range; needs FIRST..LAST");
   refused({"run", four, "--seeds", "5..1"}, 2, "runs backward");
   refused({"run", four, "--seeds", "1..x"}, 2, "--seeds: 'x' is not a number");
