@@ -20,8 +20,9 @@ void* counted(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
-// All other forms of the standard library end in these.
+// All other forms of the standard library end in these; those of the address sanitizer do not, hence nothrow.
 void* operator new(std::size_t size) { return counted(size, 1); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted(size, 1); }
 void* operator new(std::size_t size, std::align_val_t line) {
   return counted(size, static_cast<std::size_t>(line));
 }
