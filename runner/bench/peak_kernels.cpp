@@ -7,27 +7,25 @@ namespace morula::MORULA_ISA {
 
 namespace {
 
-// A multiplication and an addition that depend on each other take about eight cycles, and two of each can
-// begin per cycle at best: so many chains are needed, and no more fit into 16 registers with their two
-// constants.
-constexpr int chains = 12;
-
-/// Keeps the compiler from merging, reordering or vectorising over chains: the value is in a register, and
-/// anything may have happened to it.
-MORULA_INLINE void touch(Lanes& a) {
 #if MORULA_WIDTH == 1
-  auto& v = a;
+using Register = double;
+MORULA_INLINE Register fill(double a) { return a; }
 #else
-  auto& v = a.v;
+using Register = RawLanes;
+MORULA_INLINE Register fill(double a) { return Lanes(a).v; }
 #endif
+
+/// Keeps the compiler from merging, reordering or vectorising over chains: the value stands in a register,
+/// and anything may have happened to it.
+MORULA_INLINE void touch(Register& a) {
 #if defined(__x86_64__) && MORULA_WIDTH == 8
-  asm volatile("" : "+v"(v));
+  asm volatile("" : "+v"(a));
 #elif defined(__x86_64__)
-  asm volatile("" : "+x"(v));
+  asm volatile("" : "+x"(a));
 #elif defined(__aarch64__)
-  asm volatile("" : "+w"(v));
+  asm volatile("" : "+w"(a));
 #else
-  asm volatile("" : "+m"(v));
+  asm volatile("" : "+m"(a));
 #endif
 }
 
@@ -38,31 +36,39 @@ double sum(Lanes a) {
   return total;
 }
 
+// A multiplication and an addition that depend on each other take six to eight cycles, and two of each can
+// begin per cycle at best: so many chains are needed, and no more fit into 16 registers beside their two
+// constants. Each is a variable of its own, for gcc keeps arrays of registers in memory.
+constexpr int chains = 12;
+
 double multiplyAdd(long turns) {
-  const Lanes factor = 0.999999, term = 1e-6;
-  Lanes a[chains];
-  for (int i = 0; i < chains; ++i) a[i] = 1.0 + 0.01 * i;
-  for (long t = 0; t < turns; ++t)
-#pragma GCC unroll 12
-    for (int i = 0; i < chains; ++i) {
-      a[i] = a[i] * factor + term;
-      touch(a[i]);
-    }
-  Lanes total = 0.0;
-  for (int i = 0; i < chains; ++i) total += a[i];
-  return sum(total);
+  const Register factor = fill(0.999999), term = fill(1e-6);
+  Register a = fill(1.0), b = fill(1.1), c = fill(1.2), d = fill(1.3), e = fill(1.4), f = fill(1.5),
+           g = fill(1.6), h = fill(1.7), i = fill(1.8), j = fill(1.9), k = fill(2.0), l = fill(2.1);
+  const auto turn = [&](Register & r) __attribute__((always_inline)) {
+    r = r * factor + term;
+    touch(r);
+  };
+  for (long t = 0; t < turns; ++t) {
+    turn(a), turn(b), turn(c), turn(d), turn(e), turn(f);
+    turn(g), turn(h), turn(i), turn(j), turn(k), turn(l);
+  }
+  return sum(Lanes(a + b + c + d + e + f + g + h + i + j + k + l));
 }
 
 double divideRoot(long turns) {
-  Lanes a[4];
-  for (int i = 0; i < 4; ++i) a[i] = 1.5 + 0.25 * i;
-  for (long t = 0; t < turns; ++t)
-#pragma GCC unroll 4
-    for (int i = 0; i < 4; ++i) {
-      a[i] = 2.0 / squareRoot(a[i]);
-      touch(a[i]);
-    }
-  return sum(a[0] + a[1] + a[2] + a[3]);
+  Register a = fill(1.5), b = fill(1.6), c = fill(1.7), d = fill(1.8);
+  const Register two = fill(2.0);
+  const auto turn = [&](Register & r) __attribute__((always_inline)) {
+#if MORULA_WIDTH == 1
+    r = two / squareRoot(r);
+#else
+    r = two / squareRoot(Lanes(r)).v;
+#endif
+    touch(r);
+  };
+  for (long t = 0; t < turns; ++t) turn(a), turn(b), turn(c), turn(d);
+  return sum(Lanes(a + b + c + d));
 }
 
 void triad(double* a, const double* b, const double* c, std::size_t count) {

@@ -22,10 +22,11 @@ std::string versionText() {
          ", " + build.target + ")";
 }
 
+/// Those for people.
 std::vector<std::string> verbNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const auto* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(verb->get_name());
+    if (!verb->get_group().empty()) names.push_back(verb->get_name());
   return names;
 }
 
@@ -40,8 +41,9 @@ void checkVerb(const CLI::App& app, int argc, char** argv) {
   if (argc < 2) throw UsageError("no verb; one of " + join(verbNames(app)) + ", or --help");
   const std::string word = argv[1];
   if (word.starts_with("-")) return;
+  const auto verbs = app.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == word; });
+  if (!verbs.empty()) return;
   const auto names = verbNames(app);
-  if (std::find(names.begin(), names.end(), word) != names.end()) return;
   if (word.ends_with(".yaml") || word.ends_with(".yml"))
     throw UsageError("'" + word + "' is not a verb; did you mean morula run " + word + "?");
   const auto near = closest(word, names);
@@ -79,6 +81,8 @@ Action parse(int argc, char** argv) {
   addInit(app, action);
   addRender(app, action);
   addLineage(app, action);
+  addBench(app, action);
+  addBulletWorker(app, action);
   for (auto* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->allow_extras();
 
   checkVerb(app, argc, argv);

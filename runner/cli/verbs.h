@@ -20,6 +20,8 @@ void addSchema(CLI::App& app, Action& action);
 void addInit(CLI::App& app, Action& action);
 void addRender(CLI::App& app, Action& action);
 void addLineage(CLI::App& app, Action& action);
+void addBench(CLI::App& app, Action& action);
+void addBulletWorker(CLI::App& app, Action& action);
 
 /// The command line as typed, for the record of a run.
 std::string commandLine();

@@ -1,0 +1,83 @@
+#pragma once
+// morula bench: what each stage costs, beside what the machine could do, what Bullet takes and what the
+// thesis took, all in one run.
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/machine_limits.h"
+#include "contacts/contact_search.h"
+
+namespace morula {
+
+enum class Stage { step, internal, contact, rebuild, integrate };
+const char* name(Stage stage);
+
+struct BenchOptions {
+  std::vector<int> cells;        // of packed scenes
+  std::vector<int> levels{2};    // of the icosphere, for all of `cells`
+  std::vector<int> extraLevels;  // for scenes of `extraCells` only
+  int extraCells = 64;
+  std::vector<Isa> isas;
+  std::vector<int> threads{1};
+  std::vector<Stage> stages;
+  int rounds = 5;        // measurements of each thing, one after the other in turn
+  double shortness = 1;  // of the number of steps in a round
+  bool bullet = true;
+  int mostBulletCells = 256;
+  std::filesystem::path folder;  // where packed scenes are kept; "": nowhere
+  std::string program;           // that answers to `bullet-worker`
+  std::function<void(const std::string&)> tell = [](const std::string&) {};
+};
+
+struct BenchRow {
+  std::string scene;   // packed, packed-friction, free
+  std::string engine;  // morula, bullet-b1, bullet-b2, scalar
+  Stage stage = Stage::step;
+  int cells = 0, vertices = 0;
+  std::string isa;
+  int threads = 1;
+  bool wallClock = false;  // else CPU time
+  std::string search;      // of rows that search for neighbours
+  double nsPerVertexStep = 0;
+  double spread = 0;                        // half the distance between quartiles, over the median
+  std::optional<double> shareOfLimit;       // the least time that the machine would need, over this one
+  std::optional<double> shareOfPeak;        // the same for multiplications and additions alone
+  std::optional<double> nsPerVertexSearch;  // rebuild: of one search, however often there is one
+  // Counted, not measured: the same on every machine.
+  std::optional<double> pairsPerVertexStep, rebuildsPerStep;
+};
+
+/// What the project has promised itself, as ratios within one run.
+struct BenchRatio {
+  std::string what;
+  double value = 0, bound = 0;
+  bool atLeast = true;  // else at most
+  bool holds() const { return atLeast ? value >= bound : value <= bound; }
+};
+
+/// [Nilsson 2008, table 5.1]: one update on a PC of 2008, in Java.
+struct ThesisRow {
+  int cells;
+  double msPerCell;
+};
+inline constexpr ThesisRow thesisTable[] = {{8, 1.75},  {16, 1.88},  {32, 1.94},
+                                            {64, 1.81}, {128, 1.88}, {256, 23.68}};
+
+struct BenchReport {
+  std::vector<BenchRow> rows;
+  MachineLimits machine;
+  std::vector<BenchRatio> ratios;
+  std::vector<std::string> remarks;  // what was left out, and why
+};
+
+BenchReport runBench(const BenchOptions& options);
+
+/// The row of the packed scene that fits, or null.
+const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& scene, const std::string& engine,
+                     Stage stage, int cells, int vertices, const std::string& isa, int threads = 1,
+                     bool wallClock = false);
+
+}  // namespace morula

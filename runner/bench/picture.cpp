@@ -1,0 +1,60 @@
+#include "bench/picture.h"
+
+#include <map>
+
+#include "bench/chart.h"
+
+namespace morula {
+
+namespace {
+
+constexpr int vertices = 162;
+
+Colour colourOf(const std::string& line) {
+  static const std::map<std::string, Colour> colours{
+      {"morula scalar", {0x9e, 0xb9, 0xd4}}, {"morula narrow", {0x6a, 0x9c, 0xc9}},
+      {"morula avx2", {0x2f, 0x78, 0xb5}},   {"morula avx512", {0x0b, 0x3c, 0x6f}},
+      {"bullet-b1", {0xc0, 0x39, 0x2b}},     {"bullet-b2", {0xe0, 0x8a, 0x3c}},
+  };
+  const auto found = colours.find(line);
+  return found == colours.end() ? Colour{0x55, 0x55, 0x55} : found->second;
+}
+
+}  // namespace
+
+Image drawBench(const BenchReport& report) {
+  Chart chart;
+  chart.title = "Cost of a step";
+  chart.caption =
+      "whole steps of packed cells of 162 vertices, one thread, double precision; medians of one run";
+  chart.xLabel = "cells";
+  chart.yLabel = "ns per vertex and step";
+  const auto add = [&](const std::string& label, Spot point) {
+    for (ChartLine& line : chart.lines)
+      if (line.label == label) return line.points.push_back(point);
+    chart.lines.push_back({label, colourOf(label), {point}});
+  };
+  std::string widest;
+  for (const BenchRow& row : report.rows) {
+    if (row.scene != "packed" || row.stage != Stage::step || row.vertices != vertices || row.wallClock)
+      continue;
+    const std::string label = row.isa.empty() ? row.engine : row.engine + " " + row.isa;
+    add(label, {double(row.cells), row.nsPerVertexStep});
+    if (row.engine == "morula") widest = row.isa;
+  }
+  ChartLine ordinary{"ordinary code, inner forces only", {0x77, 0x77, 0x77}, {}, true};
+  for (const BenchRow& row : report.rows)
+    if (row.engine == "scalar" && row.vertices == vertices)
+      ordinary.points.push_back({double(row.cells), row.nsPerVertexStep});
+  if (!ordinary.points.empty()) chart.lines.push_back(ordinary);
+  if (const BenchRow* eight = find(report.rows, "packed", "morula", Stage::step, 8, vertices, widest)) {
+    ChartLine thesis{"thesis' table 5.1, scaled", {0x5c, 0x8a, 0x3a}, {}, true};
+    for (const ThesisRow& row : thesisTable)
+      thesis.points.push_back(
+          {double(row.cells), eight->nsPerVertexStep * row.msPerCell / thesisTable[0].msPerCell});
+    chart.lines.push_back(thesis);
+  }
+  return drawChart(chart);
+}
+
+}  // namespace morula

@@ -1,0 +1,192 @@
+#include "bench/scene_bench.h"
+
+#include <algorithm>
+
+#include "baseline/worker.h"
+#include "bench/packing.h"
+#include "bench/statistics.h"
+
+namespace morula {
+
+namespace {
+
+constexpr int mostBruteForceVertices = 24'000;  // its time grows with the square
+constexpr int bulletSteps = 5;                  // the first of which does not count
+constexpr double bulletMargin = 0.01;           // [cell radii]
+
+void append(std::vector<double>& to, const std::vector<double>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+SceneBench::SceneBench(const BenchOptions& options, const PackedScene& packed, std::string name, bool whole)
+    : options_(options),
+      packed_(packed),
+      name_(std::move(name)),
+      whole_(whole),
+      isas_(whole || !packed.contact ? options.isas : std::vector{options.isas.back()}),
+      subject_(packed, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
+               options.tell) {
+  // By the size alone, so that what is counted on the way is the same everywhere.
+  const double wanted = options.shortness * 96 * std::min(1.0, 40'000 / subject_.vertices());
+  steps_ = std::max(8, static_cast<int>(wanted));
+}
+
+bool SceneBench::wants(Stage stage) const {
+  return std::find(options_.stages.begin(), options_.stages.end(), stage) != options_.stages.end();
+}
+
+SceneBench::Series& SceneBench::series(const std::string& engine, Stage stage, const std::string& isa,
+                                       int threads, bool wall, const std::string& search) {
+  for (Series& s : all_)
+    if (s.row.engine == engine && s.row.stage == stage && s.row.isa == isa && s.row.threads == threads &&
+        s.row.wallClock == wall && s.row.search == search)
+      return s;
+  Series s;
+  s.row.scene = name_, s.row.engine = engine, s.row.stage = stage, s.row.isa = isa;
+  s.row.cells = packed_.cells, s.row.vertices = subject_.world().bodies->vertexCount();
+  s.row.threads = threads, s.row.wallClock = wall, s.row.search = search;
+  all_.push_back(std::move(s));
+  return all_.back();
+}
+
+void SceneBench::measureStages(Isa isa) {
+  if (wants(Stage::internal) && (whole_ || !subject_.touching()))
+    series("morula", Stage::internal, name(isa)).samples.push_back(subject_.timeInternal(isa));
+  if (wants(Stage::contact) && subject_.touching())
+    series("morula", Stage::contact, name(isa)).samples.push_back(subject_.timeContact(isa));
+  if (wants(Stage::integrate) && (whole_ || !subject_.touching()))
+    series("morula", Stage::integrate, name(isa)).samples.push_back(subject_.timeIntegration(isa));
+}
+
+void SceneBench::measureSearches() {
+  for (const Isa isa : isas_) {
+    const double grid = subject_.timeRebuild(isa, ContactSearch::grid);
+    series("morula", Stage::step, name(isa)).searches.push_back(grid);
+    if (wants(Stage::rebuild) && whole_)
+      series("morula", Stage::rebuild, name(isa), 1, false, name(ContactSearch::grid))
+          .samples.push_back(grid);
+  }
+  if (!wants(Stage::rebuild) || !whole_) return;
+  for (const ContactSearch method : allContactSearches()) {
+    if (method == ContactSearch::grid) continue;
+    if (method == ContactSearch::bruteForce && subject_.vertices() > mostBruteForceVertices) continue;
+    const Isa isa = isas_.back();
+    series("morula", Stage::rebuild, name(isa), 1, false, name(method))
+        .samples.push_back(subject_.timeRebuild(isa, method));
+  }
+}
+
+void SceneBench::measureSteps() {
+  const int few = std::max(8, steps_ / 4);
+  for (const Isa isa : isas_)
+    if (isa != isas_.back())
+      append(series("morula", Stage::step, name(isa)).samples,
+             subject_.trySteps(isa, 1, ClockKind::cpu, few));
+  const Isa widest = isas_.back();
+  append(series("morula", Stage::step, name(widest)).samples, subject_.goOn(widest, steps_));
+}
+
+void SceneBench::measureThreads() {
+  const Isa isa = isas_.back();
+  for (const int threads : options_.threads) {
+    Series& s = series("morula", Stage::step, name(isa), threads, true);
+    append(s.samples, subject_.trySteps(isa, threads, ClockKind::wall, std::max(8, steps_ / 3)));
+    if (subject_.touching())
+      s.searches.push_back(subject_.timeRebuild(isa, ContactSearch::grid, ClockKind::wall, threads));
+  }
+}
+
+void SceneBench::measureBullet(Baseline baseline) {
+  BulletRequest request;
+  request.steps = bulletSteps;
+  BulletScene& scene = request.scene;
+  const Bodies& bodies = *subject_.world().bodies;
+  scene.baseline = baseline;
+  scene.mesh = bodies.mesh.mesh;
+  scene.physics = bodies.parameters;
+  scene.timeStep = subject_.world().clock.timeStep;
+  scene.margin = bulletMargin * shareRadius(packed_.cells);
+  for (int slot = 0; slot < bodies.count; ++slot) scene.cells.push_back(takeBody(bodies, slot));
+  const BulletResult result = runInBullet(request, options_.program);
+  auto& samples = series(std::string("bullet-") + name(baseline), Stage::step, "").samples;
+  for (std::size_t i = 1; i < result.stepSeconds.size(); ++i)
+    samples.push_back(result.stepSeconds[i] / subject_.vertices());
+}
+
+void SceneBench::round() {
+  for (const Isa isa : isas_) measureStages(isa);
+  if (whole_ && wants(Stage::internal))
+    series("scalar", Stage::internal, "").samples.push_back(subject_.timeOrdinaryForces());
+  if (needsSteps() && subject_.touching()) measureSearches();
+  if (whole_ && wants(Stage::step) && options_.threads.size() > 1) measureThreads();
+  if (whole_ && options_.bullet && wants(Stage::step) && packed_.cells <= options_.mostBulletCells) {
+    measureBullet(Baseline::b1);
+    measureBullet(Baseline::b2);
+  }
+  // Rebuilds are counted on the way, and the state must move on for the next round.
+  if (needsSteps()) measureSteps();
+}
+
+double SceneBench::rebuildsPerStep() const {
+  const StepCounters& c = subject_.counters();
+  return c.steps == 0 ? 0 : static_cast<double>(c.rebuilds) / static_cast<double>(c.steps);
+}
+
+double SceneBench::pairsPerVertex() const {
+  const StepCounters& c = subject_.counters();
+  if (c.steps == 0)
+    return subject_.touching() ? subject_.world().contacts->list.pairs / subject_.vertices() : 0;
+  return static_cast<double>(c.pairs) / static_cast<double>(c.steps) / subject_.vertices();
+}
+
+Work SceneBench::workOf(Stage stage) const {
+  const Bodies& bodies = *subject_.world().bodies;
+  const Work internal = internalWork(bodies.mesh, bodies.parameters);
+  const Work integration = integrationWork(bodies.parameters.shell.has_value());
+  const double pairs = pairsPerVertex();
+  const Work contact = subject_.touching() ? contactWork(pairs, packed_.friction > 0) : Work{};
+  switch (stage) {
+    case Stage::internal:
+      return internal;
+    case Stage::contact:
+      return contact;
+    case Stage::integrate:
+      return integration;
+    default:
+      return stepWork(internal, contact, integration, pairs, subject_.touching());
+  }
+}
+
+void SceneBench::finish(const Series& s, std::vector<MeasuredRow>& rows) const {
+  if (s.samples.empty() || !wants(s.row.stage)) return;  // something else needed it
+  MeasuredRow measured{s.row, {}, 0};
+  BenchRow& row = measured.row;
+  double time = median(s.samples);
+  row.spread = spread(s.samples);
+  if (row.stage == Stage::rebuild) {
+    row.nsPerVertexSearch = 1e9 * time;
+    time *= rebuildsPerStep();
+  }
+  if (!s.searches.empty()) time += rebuildsPerStep() * median(s.searches);
+  row.nsPerVertexStep = 1e9 * time;
+  if (row.engine == "morula" && row.threads == 1 && row.stage != Stage::rebuild) {
+    measured.work = workOf(row.stage);
+    measured.bytes = footprint(pairsPerVertex(), subject_.touching()) * subject_.vertices();
+  }
+  const bool goesThroughPairs = row.stage == Stage::step || row.stage == Stage::contact;
+  if (row.engine == "morula" && subject_.touching() && (goesThroughPairs || row.stage == Stage::rebuild)) {
+    row.pairsPerVertexStep = pairsPerVertex();
+    row.rebuildsPerStep = rebuildsPerStep();
+  }
+  rows.push_back(measured);
+}
+
+std::vector<MeasuredRow> SceneBench::rows() const {
+  std::vector<MeasuredRow> rows;
+  for (const Series& s : all_) finish(s, rows);
+  return rows;
+}
+
+}  // namespace morula
