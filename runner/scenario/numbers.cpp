@@ -69,7 +69,6 @@ Parsed<double> parseReal(std::string_view text) {
 
 Parsed<std::uint64_t> parseNatural(std::string_view text) {
   if (auto wrong = complaint(text); !wrong.empty()) return {0, wrong};
-  if (text.find_first_of(".eE") != text.npos) return {0, "is not a whole number"};
   if (text[0] == '-') return {0, "is negative"};
   if (text[0] == '+') text.remove_prefix(1);
   std::uint64_t value = 0;

@@ -74,12 +74,10 @@ std::optional<std::string> colourOf(const Scenario& scenario, const std::string&
   if (const auto exact = scenario.colours.find(substance); exact != scenario.colours.end())
     return exact->second;
   std::optional<std::string> colour;
-  std::size_t longest = 0;
   for (const auto& [pattern, value] : scenario.colours) {
-    if (pattern.empty() || pattern.back() != '*' || pattern.size() <= longest) continue;
-    if (!substance.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))) continue;
-    colour = value;
-    longest = pattern.size();
+    if (pattern.empty() || pattern.back() != '*') continue;
+    // '*' sorts before all that names are made of, so of the fitting patterns the longest comes last.
+    if (substance.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))) colour = value;
   }
   return colour;
 }

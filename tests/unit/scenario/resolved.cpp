@@ -79,6 +79,11 @@ TEST_CASE("every other parameter changes the meaning") {
   }
 }
 
+TEST_CASE("the same number means another thing elsewhere") {
+  const std::string text = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\n";
+  CHECK(read(text).meaning != read(replaced(text, "cycles", "cells")).meaning);
+}
+
 TEST_CASE("a sphere is an ellipsoid with equal axes") {
   const auto sphere = read(replaced(everyPart, "{ellipsoid: [3, 2, 1]}", "{sphere: 2}"));
   const auto ellipsoid = read(replaced(everyPart, "[3, 2, 1]", "[2, 2.0, 2e0]"));

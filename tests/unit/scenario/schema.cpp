@@ -59,6 +59,7 @@ TEST_CASE("ranges, names and defaults stand in the schema") {
   CHECK(physics["mesh"]["properties"]["icosphere"]["maximum"] == 4);
   CHECK(physics["mesh"]["maxProperties"] == 1);
   CHECK(properties["stop"]["minProperties"] == 1);
+  CHECK(!properties["morula"].contains("default"));
   CHECK(physics["membrane"]["properties"]["stiffness"]["default"] == MembraneParameters{}.stiffness);
 }
 
