@@ -34,8 +34,10 @@ void runCellCycles(World& world) {
   for (std::size_t i = 0; i < changes.size(); ++i) changes[i] = runCellCycle(world, i);
   connectByGene(world, changes);
   changePopulation(world, changes);
-  if (world.contacts && world.model.mechanics->physics.growth)
-    setInfluenceRadii(*world.contacts, *world.bodies);
+  if (world.bodies && world.model.mechanics->physics.growth) {
+    if (world.contacts) setInfluenceRadii(*world.contacts, *world.bodies);
+    chooseTimeStep(world);  // cells that shrink get lighter: an automatic step must follow
+  }
   Clock& clock = world.clock;
   clock.nextCycle = INFINITY;
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)

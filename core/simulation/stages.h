@@ -22,7 +22,7 @@ void runCellCycles(World& world);
 void releaseConnections(World& world);
 
 /// Sets the time step for the cells as they are now: the scene's own, or the largest dyadic one that is
-/// stable. Throws NumericalError if the scene's own lies above 0.8 of a stability limit, which the text
+/// stable, and evaluates the forces for it if it has changed. Throws NumericalError if the scene's own lies above 0.8 of a stability limit, which the text
 /// names.
 void chooseTimeStep(World& world);
 

@@ -52,10 +52,7 @@ void beginWithBodies(World& world) {
   if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
   movePhysics(world, 0);
   checkBodies(world);
-  const double before = world.clock.timeStep;
   chooseTimeStep(world);
-  // The thesis' contact law depends on the time step, so its forces are those of the new one.
-  if (world.clock.timeStep != before) movePhysics(world, 0);
 }
 
 std::optional<double> plannedEnd(const Scene& scene) {

@@ -41,7 +41,8 @@ struct Clock {
   double nextCycle = 0;  // [time] when the next cell cycle of any cell is due
 };
 
-/// One entry for the start and one for each change; changes happen at divisions and deaths only.
+/// One entry for the start and one for each change; changes happen at divisions and deaths, and at cell cycles where cells
+/// may grow or shrink.
 struct TimeStepChange {
   double time = 0;
   std::uint64_t step = 0;

@@ -20,6 +20,8 @@ void* counted(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // sees malloc behind new and free behind delete
+
 // All other forms of the standard library end in these; those of the address sanitizer do not, hence nothrow.
 void* operator new(std::size_t size) { return counted(size, 1); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted(size, 1); }

@@ -46,6 +46,21 @@ TEST_CASE("When the small cells die the step may grow again") {
   CHECK(grew);
 }
 
+TEST_CASE("A cell that shrinks gets lighter, and the step follows at its cell cycles") {
+  for (double damping : {0.0, 0.02, 0.2}) {
+    Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\ng2(shrink|a0)\n", 20);
+    scene.mechanics->physics.growth = GrowthParameters{0.25};
+    scene.mechanics->physics.drag = 1;
+    scene.mechanics->physics.membrane.damping = damping;
+    const World world = ranToEnd(scene, {bestIsa(), 1});
+    CHECK(world.bodies->mass(0) < 0.02);
+    CHECK(world.timeSteps.size() > 2);
+    for (const TimeStepChange& change : world.timeSteps) CHECK(change.time == std::floor(change.time));
+    scene.mechanics->physics.timeStep = world.timeSteps[0].timeStep;
+    CHECK_THROWS_WITH(ranToEnd(scene), ContainsSubstring("stability limit"));
+  }
+}
+
 TEST_CASE("A fixed step is used as it is, and on record from the start") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 2);
   scene.mechanics->physics.timeStep = 0.001;
