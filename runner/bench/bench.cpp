@@ -47,7 +47,7 @@ BenchRow withShares(const MeasuredRow& measured, const MachineLimits& limits) {
   if (!measured.work) return row;
   const Isa isa = parseIsa(row.isa);
   const double time = 1e-9 * row.nsPerVertexStep;
-  row.shareOfLimit = leastTime(*measured.work, limits, isa, measured.bytes) / time;
+  row.shareOfLimit = leastTime(*measured.work, limits, isa, double(row.cells) * row.vertices) / time;
   row.shareOfPeak = measured.work->operations / limits.arithmetic.at(isa).operations / time;
   return row;
 }

@@ -39,9 +39,9 @@ struct BenchRow {
   int cells = 0, vertices = 0;
   std::string isa;
   int threads = 1;
-  bool wallClock = false;  // else CPU time
-  std::string search;      // of rows that search for neighbours
-  double nsPerVertexStep = 0;
+  bool wallClock = false;                   // else CPU time
+  std::string search;                       // of rows that search for neighbours
+  double nsPerVertexStep = 0;               // median; by the wall's clock the shortest
   double spread = 0;                        // half the distance between quartiles, over the median
   std::optional<double> shareOfLimit;       // the least time that the machine would need, over this one
   std::optional<double> shareOfPeak;        // the same for multiplications and additions alone

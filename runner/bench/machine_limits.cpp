@@ -1,5 +1,7 @@
 #include "bench/machine_limits.h"
 
+#include <iterator>
+
 #include "bench/clock.h"
 #include "bench/peak_kernels.h"
 #include "bench/statistics.h"
@@ -8,8 +10,10 @@ namespace morula {
 
 namespace {
 
-// Well within a first, second and third level cache of today, and beyond all of them. [byte]
-constexpr std::size_t sizes[] = {24u << 10, 384u << 10, 6u << 20, 96u << 20};
+// From well within a first level cache to beyond the last. [byte]
+constexpr std::size_t sizes[] = {24u << 10, 192u << 10, 768u << 10, 3u << 20,
+                                 12u << 20, 24u << 20,  96u << 20};
+constexpr std::size_t largest = sizes[std::size(sizes) - 1];
 constexpr double longEnough = 1e-3;  // [s] of one sample, against the clock's own cost
 
 volatile double sink;  // results go somewhere
@@ -48,7 +52,7 @@ double MachineLimits::bandwidthFor(double bytes) const {
   return bandwidth.rbegin()->second;
 }
 
-LimitMeter::LimitMeter(std::vector<Isa> isas) : memory_(sizes[3] / sizeof(double), 1.0) {
+LimitMeter::LimitMeter(std::vector<Isa> isas) : memory_(largest / sizeof(double), 1.0) {
   for (const Isa isa : isas) arithmetic_[isa];
   for (const std::size_t size : sizes) bandwidth_[size];
 }

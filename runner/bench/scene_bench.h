@@ -11,7 +11,6 @@ namespace morula {
 struct MeasuredRow {
   BenchRow row;
   std::optional<Work> work;  // per vertex and step
-  double bytes = 0;          // of the scene's state
 };
 
 class SceneBench {

@@ -24,7 +24,9 @@ Work internalWork(const MeshTemplate& mesh, const PhysicsParameters& p) {
   }
   // Per vertex: F + P/6 G 6, drag 6.
   const double perVertex = 6 + (p.drag > 0 ? 6 : 0);
-  return {perEdge * edges / vertices + ring / vertices + perVertex, edges / vertices, 2 * vectorBytes};
+  // x in, the force out.
+  return {perEdge * edges / vertices + ring / vertices + perVertex, edges / vertices, 2 * vectorBytes,
+          2 * vectorBytes};
 }
 
 Work contactWork(double pairs, bool friction) {
@@ -33,33 +35,36 @@ Work contactWork(double pairs, bool friction) {
   // squares 5 + 2, 1/R² 2, fade 2, v·h 5, push 3, within reach 1, size 2, force and sum 3 + 3; and with
   // friction h² 5, slip 6, its square 5, force 4 + 3.
   const double perPair = 50 + (friction ? 23 : 0);
+  // x and the list's x in, a row out; a row and a list in, the force in and out.
   return {16 + perPair * pairs, 1 + (friction ? 1.5 * pairs : 0),
-          2 * vectorBytes + 2 * rowBytes + indexBytes * pairs + 2 * vectorBytes};
+          4 * vectorBytes + 2 * rowBytes + indexBytes * pairs,
+          3 * vectorBytes + rowBytes + indexBytes * pairs};
 }
 
 Work integrationWork(bool shell) {
   // Per component: drift 5, kick 3. The shell: which side, twice, 2 · 8.
-  return {3 * (5 + 3.0) + (shell ? 16 : 0), 0, 9 * vectorBytes};
+  // x, v and a in and out.
+  return {3 * (5 + 3.0) + (shell ? 16 : 0), 0, 6 * vectorBytes, 3 * vectorBytes};
 }
 
-Work stepWork(const Work& internal, const Work& contact, const Work& integration, double pairs,
-              bool touching) {
-  Work all = internal + contact + integration;
-  // In passes over blocks that stay in a cache: first x, v and a there and back, with contact the reference
-  // read and a row written; then with contact the rows and lists read, v and a there and back.
-  all.bytes =
-      6 * vectorBytes + (touching ? vectorBytes + 2 * rowBytes + indexBytes * pairs + 4 * vectorBytes : 0);
+Work stepWork(const Work& internal, const Work* contact, const Work& integration) {
+  // What internal forces touch, integration has just brought.
+  Work all = integration;
+  all.operations += internal.operations;
+  all.roots += internal.roots;
+  if (!contact) return all;
+  all.operations += contact->operations;
+  all.roots += contact->roots;
+  // x is there already. The second pass ends the step: v and a once more, of which contact counts a.
+  all.bytes += contact->bytes - vectorBytes + 2 * vectorBytes;
+  all.touched += contact->touched - 2 * vectorBytes;
   return all;
 }
 
-double footprint(double pairs, bool touching) {
-  return 3 * vectorBytes + (touching ? vectorBytes + rowBytes + indexBytes * pairs : 0);
-}
-
-double leastTime(const Work& work, const MachineLimits& limits, Isa isa, double bytesInAll) {
+double leastTime(const Work& work, const MachineLimits& limits, Isa isa, double vertices) {
   const auto& arithmetic = limits.arithmetic.at(isa);
   return std::max({work.operations / arithmetic.operations, work.roots / arithmetic.roots,
-                   work.bytes / limits.bandwidthFor(bytesInAll)});
+                   work.bytes / limits.bandwidthFor(work.touched * vertices)});
 }
 
 }  // namespace morula
