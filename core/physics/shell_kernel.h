@@ -2,9 +2,10 @@
 // The egg shell: a vertex outside is moved to it and loses its outward velocity, so it slides [Nilsson 2008,
 // §4.2]. After the kick a vertex on the shell loses its outward acceleration too: the shell bears that force.
 //
-// Ellipsoid: q(x) = Σ (x_i/a_i)² ≤ 1, gradient g = 2 (x_i/a_i²). Two Newton steps x −= (q − 1)/|g|² g go
-// along the gradient, to almost the nearest point; the last scaling by 1/√q puts the vertex on the shell to
-// rounding. A sphere needs the scaling only: there it is the nearest point.
+// Ellipsoid: q(x) = Σ (x_i/a_i)² ≤ 1, gradient g = 2 (x_i/a_i²). A Newton step x −= (q − 1)/|g|² g goes along
+// the gradient, to almost the nearest point, and scaling by 1/√q puts the vertex on the shell to rounding. (A
+// second Newton step would lead farther from the nearest point.) A sphere needs the scaling only: there it is
+// the nearest point.
 #include "physics/lane_vec3.h"
 
 namespace morula::MORULA_ISA {
@@ -37,12 +38,10 @@ inline void keepInShell(const TemplateView& mesh, const BlockView& b, const Kern
       const Mask outside = dot(x, slope(x)) > Lanes(1.0);
       if (!any(outside)) continue;
       Vec s = slope(x);
-      if constexpr (!sphere)
-        for (int turn = 0; turn < 2; ++turn) {
-          const Lanes excess = dot(x, s) - 1.0;
-          x = x - (0.5 * excess / dot(s, s)) * s;  // (q − 1)/|2s|² · 2s
-          s = slope(x);
-        }
+      if constexpr (!sphere) {
+        x = x - (0.5 * (dot(x, s) - 1.0) / dot(s, s)) * s;  // (q − 1)/|2s|² · 2s
+        s = slope(x);
+      }
       const Lanes scale = 1.0 / squareRoot(dot(x, s));
       x = scale * x;
       s = slope(x);

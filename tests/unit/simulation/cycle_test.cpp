@@ -80,10 +80,13 @@ TEST_CASE("The end is planned from what is known: times and cycles, not numbers 
   CHECK_FALSE(plannedEnd(scene));
 }
 
-TEST_CASE("A hundred cycles of a tenth are a hundred cycles, though their sum is rounded") {
-  Scene scene = scenes::lineageOnly("START: a0\ng1(a0|a0)\n", 100);
-  scene.cycle.length = 0.1;
-  CHECK(ranToEnd(scene).clock.step == 100);
+TEST_CASE("Fifteen cycles of a tenth are fifteen, though their sum is 1.5000000000000002") {
+  for (const auto& [length, cycles] :
+       {std::pair{0.1, 15}, std::pair{0.1, 100}, std::pair{0.7, 6}, std::pair{1.1, 20}}) {
+    Scene scene = scenes::lineageOnly("START: a0\ng1(a0|a0)\n", static_cast<std::uint64_t>(cycles));
+    scene.cycle.length = length;
+    CHECK(ranToEnd(scene).clock.step == static_cast<std::uint64_t>(cycles));
+  }
 }
 
 TEST_CASE("Another biology may control the cells") {

@@ -1,0 +1,46 @@
+// Where nothing is damped, accelerations follow from positions alone: evaluating them once more changes no
+// bit, right after a step, a division, a death or a new time step. (Damping sees the velocity predicted for
+// the step.)
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+Scene undamped(Scene scene) {
+  PhysicsParameters& p = scene.mechanics->physics;
+  p.membrane.damping = p.drag = 0;
+  p.shell.reset();  // a vertex on it loses velocity after the forces
+  p.growth.reset();
+  if (scene.mechanics->contact) scene.mechanics->contact->damping = scene.mechanics->contact->friction = 0;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("Evaluating the forces again changes nothing") {
+  Scene automatic = undamped(scenes::thesis());
+  automatic.name = "thesis, automatic step";
+  automatic.mechanics->physics.timeStep.reset();
+  automatic.stop.time = 2.1;  // shorter steps are too stiff for its contact law
+  for (const Scene& scene :
+       {undamped(scenes::packed()), undamped(scenes::thesis()), automatic, undamped(scenes::life())}) {
+    World world = makeWorld(scene, {bestIsa(), 1});
+    std::uint64_t changed = 0, checked = 0, divisions = 0;
+    for (std::size_t cells = 0; !finished(world); step(world)) {
+      const bool born = world.cells.path.size() != cells;
+      divisions += born;
+      if (!born && world.clock.step % 10 != 0) continue;
+      cells = world.cells.path.size();
+      const Hash before = stateHash(world);
+      movePhysics(world, 0);
+      ++checked;
+      changed += stateHash(world) != before;
+    }
+    CAPTURE(scene.name);
+    CHECK(changed == 0);
+    CHECK(checked > 10);
+    CHECK(divisions >= 3);
+  }
+}
