@@ -75,7 +75,7 @@ void nameByHalving(std::span<Point> points, const CellPath& path, std::vector<Pl
 double shareRadius(int count) { return 1 / cubeRoot(count); }
 
 std::vector<PlacedCell> packBall(int count) {
-  const double share = shareRadius(count), radius = count == 1 ? 0 : 1 - 0.85 * share;
+  const double share = shareRadius(count), radius = count == 1 ? 0 : 1 - 0.75 * share;
   std::vector<Point> points = spread(count, radius);
   for (int i = 0; i < rounds; ++i) pushApart(points, spacing * share, radius);
   std::vector<PlacedCell> cells;

@@ -1,0 +1,102 @@
+// The kernels one by one, for work on them: kernel_bench --benchmark_filter=rings. `morula bench` measures
+// them in their places. Not a test: it prints numbers and judges nothing.
+#include <benchmark/benchmark.h>
+
+#include "bench/packed_world.h"
+#include "contacts/search.h"
+
+using namespace morula;
+
+namespace {
+
+constexpr int cells = 64;
+
+World& packed() {
+  static World world = makePackedWorld({.cells = cells}, {}, "", [](const std::string&) {});
+  return world;
+}
+
+/// Runs a stage over all blocks; items are vertices.
+template <class Stage>
+void overBlocks(benchmark::State& state, const Stage& stage) {
+  Bodies& b = *packed().bodies;
+  for (auto _ : state)
+    for (int i = 0; i < b.blockCount(); ++i) stage(b.mesh.view(), b.block(i, 0), b.kernelParameters);
+  state.SetItemsProcessed(state.iterations() * cells * b.vertexCount());
+}
+
+void addStage(const std::string& what, Isa isa, PhysicsKernels::Stage stage) {
+  benchmark::RegisterBenchmark((what + "/" + name(isa)).c_str(),
+                               [=](benchmark::State& state) { overBlocks(state, stage); });
+}
+
+/// With a time step of 0, which moves nothing. Kicks start from no force, for force and acceleration share a
+/// place.
+void addTimedStage(const std::string& what, Isa isa, PhysicsKernels::TimedStage stage) {
+  benchmark::RegisterBenchmark((what + "/" + name(isa)).c_str(), [=](benchmark::State& state) {
+    Bodies& b = *packed().bodies;
+    const auto acceleration = b.acceleration;
+    std::fill(b.acceleration.begin(), b.acceleration.end(), 0.0);
+    overBlocks(state, [=](const TemplateView& mesh, const BlockView& block, const KernelParameters& p) {
+      stage(mesh, block, p, 0);
+    });
+    b.acceleration = acceleration;
+  });
+}
+
+void addContact(Isa isa, double friction) {
+  const std::string what = friction > 0 ? "contact with friction/" : "contact/";
+  benchmark::RegisterBenchmark((what + name(isa)).c_str(), [=](benchmark::State& state) {
+    World& world = packed();
+    Contacts& c = *world.contacts;
+    ContactParameters parameters = c.parameters;
+    parameters.friction = friction;
+    c.addForces = makeContacts(parameters, isa).addForces;
+    const auto acceleration = world.bodies->acceleration;
+    for (auto _ : state)
+      for (int i = 0; i < world.bodies->blockCount(); ++i)
+        addContactForces(c, *world.bodies, i, world.clock.timeStep);
+    world.bodies->acceleration = acceleration;
+    state.SetItemsProcessed(state.iterations() * cells * world.bodies->vertexCount());
+    state.counters["pairs/vertex"] = double(c.list.pairs) / (cells * world.bodies->vertexCount());
+  });
+}
+
+void addSearch(Isa isa, ContactSearch method) {
+  benchmark::RegisterBenchmark(
+      (std::string("search by ") + name(method) + "/" + name(isa)).c_str(), [=](benchmark::State& state) {
+        const Bodies& bodies = *packed().bodies;
+        Contacts c = makeContacts(packed().contacts->parameters, isa, {.method = method});
+        resetContacts(c, bodies);
+        for (auto _ : state) {
+          c.listIsValid = false;
+          refreshList(c, bodies, 1);
+        }
+        state.SetItemsProcessed(state.iterations() * cells * bodies.vertexCount());
+      });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const Isa isa : availableIsas()) {
+    const PhysicsKernels& k = physicsKernels(isa);
+    addStage("springs", isa, k.findSpringCoefficients);
+    addStage("damped springs", isa, k.findDampedSpringCoefficients);
+    addStage("rings", isa, k.gatherRings);
+    // Only the last of a step: forces pile up, which changes no time.
+    addStage("pressure", isa, k.addPressureForces);
+    addStage("pressure and drag", isa, k.addPressureAndDragForces);
+    addTimedStage("drift", isa, k.driftVelocityVerlet);
+    addTimedStage("kick", isa, k.kickVelocityVerlet);
+    addStage("shell", isa, k.keepInSphere);
+    addStage("slide on shell", isa, k.slideOnShell);
+    addContact(isa, 0);
+    addContact(isa, 0.3);
+    for (const ContactSearch method : allContactSearches()) addSearch(isa, method);
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

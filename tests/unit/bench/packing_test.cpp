@@ -1,0 +1,153 @@
+// Where packed cells begin, and that they come to fill their shell.
+#include "bench/packing.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "bench/body_file.h"
+#include "bench/packed_world.h"
+#include "bench/stir.h"
+#include "catch.h"
+#include "simulation/measures.h"
+
+using namespace morula;
+
+namespace {
+
+void silent(const std::string&) {}
+
+struct Folder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("morula-bench-test-" + std::to_string(::getpid()));
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+};
+
+bool same(const std::vector<Body>& a, const std::vector<Body>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i].position != b[i].position || a[i].velocity != b[i].velocity || a[i].mass != b[i].mass ||
+        a[i].restScale != b[i].restScale || a[i].pressureConstant != b[i].pressureConstant)
+      return false;
+  return true;
+}
+
+std::vector<Body> someBodies() {
+  Body a{{{1, 2, 3}, {-0.0, 1e-310, 1.0 / 3}}, {{4, 5, 6}, {7, 8, 9}}, 0.1, 0.2, 0.3}, b = a;
+  b.position[1].z = 17;
+  return {a, b};
+}
+
+}  // namespace
+
+TEST_CASE("Cells begin apart from each other, inside the ball, in order of their paths") {
+  for (const int count : {1, 2, 3, 8, 37, 100}) {
+    CAPTURE(count);
+    const auto cells = packBall(count);
+    REQUIRE(static_cast<int>(cells.size()) == count);
+    double nearest = 10;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      CHECK(norm(cells[i].centre) <= 1 - 0.74 * shareRadius(count));
+      if (i > 0) CHECK(cells[i - 1].path < cells[i].path);
+      for (std::size_t j = 0; j < i; ++j) {
+        CHECK_FALSE(cells[j].path.isAncestorOf(cells[i].path));
+        nearest = std::min(nearest, norm(cells[i].centre - cells[j].centre));
+      }
+    }
+    if (count > 1) CHECK(nearest > shareRadius(count));
+  }
+}
+
+TEST_CASE("Cells of neighbouring paths lie near each other, as sisters do") {
+  const auto cells = packBall(64);
+  double sisters = 0, any = 0;
+  for (std::size_t i = 0; i < 64; ++i) {
+    sisters += norm(cells[i].centre - cells[i ^ 1].centre) / 64;
+    any += norm(cells[i].centre - cells[(i + 29) % 64].centre) / 64;
+  }
+  CHECK(sisters < 0.6 * any);
+}
+
+TEST_CASE("Packed cells fill their shell and stay in it") {
+  const World world = makePackedWorld({.cells = 8}, {}, "", silent);
+  const WorldMeasures m = measureWorld(world);
+  CHECK(m.cells == 8);
+  CHECK(m.shellFill >= 0.85);
+  CHECK(m.shellFill <= 1);
+  CHECK(m.outermost <= 1 + 1e-12);
+  for (const CellMeasures& cell : measureCells(world)) CHECK(cell.neighbours >= 3);
+}
+
+TEST_CASE("What was packed once is found again, bit by bit") {
+  const Folder folder;
+  int packings = 0;
+  const auto count = [&](const std::string&) { ++packings; };
+  const auto first = settledBodies({.cells = 2, .level = 1}, folder.path, count);
+  CHECK(packings == 1);
+  CHECK(same(settledBodies({.cells = 2, .level = 1}, folder.path, count), first));
+  CHECK(packings == 1);
+  // Another friction is the same packing; another mesh is not.
+  CHECK(same(settledBodies({.cells = 2, .level = 1, .friction = 0.3}, folder.path, count), first));
+  CHECK(packings == 1);
+  CHECK_FALSE(same(settledBodies({.cells = 2, .level = 2}, folder.path, count), first));
+  CHECK(packings == 2);
+  CHECK(same(settledBodies({.cells = 2, .level = 1}, "", count), first));
+  CHECK(packings == 3);
+}
+
+TEST_CASE("A file of bodies gives back what it was given, and nothing when it is not whole") {
+  const Folder folder;
+  const auto file = folder.path / "new" / "some.bodies";
+  const Hash key{1, 2};
+  CHECK_FALSE(readBodies(file, key));
+  writeBodies(file, key, someBodies());
+  REQUIRE(readBodies(file, key));
+  CHECK(same(*readBodies(file, key), someBodies()));
+  CHECK_FALSE(readBodies(file, Hash{1, 3}));
+
+  std::string bytes;
+  {
+    std::ifstream in(file, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  const auto put = [&](const std::string& text) { std::ofstream(file, std::ios::binary) << text; };
+  for (std::size_t length = 0; length < bytes.size(); length += 13) {
+    put(bytes.substr(0, length));
+    CHECK_FALSE(readBodies(file, key));
+  }
+  for (std::size_t at = 0; at < bytes.size(); at += 7) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ 0x40);
+    put(changed);
+    CHECK_FALSE(readBodies(file, key));
+  }
+  put(bytes + "x");
+  CHECK_FALSE(readBodies(file, key));
+}
+
+TEST_CASE("A file that cannot be written is an error") {
+  CHECK_THROWS_AS(writeBodies("/proc/none/some.bodies", {}, someBodies()), FileError);
+}
+
+TEST_CASE("Stirred cells move as fast as is said, each its own way, the same every time") {
+  World a = makePackedWorld({.cells = 8, .level = 1}, {}, "", silent),
+        b = makePackedWorld({.cells = 8, .level = 1}, {}, "", silent);
+  stir(a);
+  stir(b);
+  CHECK(a.bodies->velocity == b.bodies->velocity);
+  double squares = 0;
+  Vector mean;
+  const int vertices = 8 * a.bodies->vertexCount();
+  for (int slot = 0; slot < 8; ++slot)
+    for (int v = 0; v < a.bodies->vertexCount(); ++v) {
+      const Vector w = a.bodies->read(a.bodies->velocity, slot, v);
+      squares += dot(w, w);
+      mean += w / vertices;
+    }
+  const double speed = std::sqrt(squares / vertices);
+  const double edge = a.bodies->mesh.meanRestLength * a.bodies->restScale[0];
+  CHECK(speed * a.clock.timeStep == Approx(stirredMove * edge).epsilon(1e-12));
+  CHECK(norm(mean) < 0.7 * speed);
+}

@@ -1,0 +1,148 @@
+// From rows to ratios, text and picture; and one bench from end to end.
+#include <algorithm>
+#include <set>
+
+#include "bench/bench.h"
+#include "bench/chart.h"
+#include "bench/picture.h"
+#include "bench/ratios.h"
+#include "bench/table.h"
+#include "bench/work.h"
+#include "catch.h"
+
+using namespace morula;
+
+namespace {
+
+BenchRow row(const std::string& engine, Stage stage, int cells, double ns, const std::string& isa = "avx2") {
+  BenchRow r;
+  r.scene = "packed", r.engine = engine, r.stage = stage, r.cells = cells, r.vertices = 162;
+  r.isa = isa, r.nsPerVertexStep = ns;
+  return r;
+}
+
+const BenchRatio* find(const std::vector<BenchRatio>& ratios, const std::string& what) {
+  for (const BenchRatio& r : ratios)
+    if (r.what.find(what) != r.what.npos) return &r;
+  return nullptr;
+}
+
+int countPixels(const Image& image, Colour colour) {
+  return static_cast<int>(std::count(image.pixels.begin(), image.pixels.end(), colour));
+}
+
+}  // namespace
+
+TEST_CASE("Ratios are formed of the rows that are there, and held against their promises") {
+  std::vector<BenchRow> rows{
+      row("morula", Stage::step, 64, 40),    row("morula", Stage::step, 128, 44),
+      row("morula", Stage::step, 256, 66),   row("bullet-b1", Stage::step, 64, 2000, ""),
+      row("morula", Stage::internal, 64, 8), row("scalar", Stage::internal, 64, 45, "")};
+  rows[4].shareOfPeak = 0.75;
+  rows.push_back(row("morula", Stage::step, 512, 60));
+  rows.back().wallClock = true;
+  rows.push_back(rows.back());
+  rows.back().threads = 2, rows.back().nsPerVertexStep = 50;
+  BenchRow free = row("morula", Stage::step, 64, 9);
+  free.scene = "free";
+  rows.push_back(free);
+  free.stage = Stage::internal, free.nsPerVertexStep = 8;
+  rows.push_back(free);
+
+  const auto ratios = findRatios(rows);
+  REQUIRE(find(ratios, "Bullet B1, 64 cells"));
+  CHECK(find(ratios, "Bullet B1, 64 cells")->value == 50);
+  CHECK(find(ratios, "Bullet B1, 64 cells")->holds());
+  CHECK_FALSE(find(ratios, "Bullet B1, 128 cells"));
+  CHECK(find(ratios, "256 over 128 cells")->value == 1.5);
+  CHECK_FALSE(find(ratios, "256 over 128 cells")->holds());
+  CHECK_FALSE(find(ratios, "2048 over 64"));
+  CHECK(find(ratios, "multiply–add peak")->holds());
+  CHECK(find(ratios, "step of 64 cells over")->value == Approx(40.0 / 45));
+  CHECK(find(ratios, "without contact")->value == 9.0 / 8);
+  CHECK_FALSE(find(ratios, "without contact")->holds());
+  CHECK(find(ratios, "two threads over one, 512 cells")->value == 1.2);
+  CHECK_FALSE(find(ratios, "two threads over one, 512 cells")->holds());
+}
+
+TEST_CASE("Work is counted per vertex: an icosahedron by hand") {
+  // The icosahedron: 12 vertices, 30 edges, rings of five that are walked as six.
+  const MeshTemplate mesh = makeTemplate(makeIcosphere(0));
+  PhysicsParameters p;
+  p.membrane.damping = 0, p.drag = 0;
+  const Work still = internalWork(mesh, p);
+  // Edges 2.5 · 12, ring 18 + 33 + 42 + 9, pressure 6.
+  CHECK(still.operations == Approx(30 + 102 + 6));
+  CHECK(still.roots == 2.5);
+  p.membrane.damping = 1, p.drag = 1;
+  CHECK(internalWork(mesh, p).operations == Approx(still.operations + 2.5 * 11 + 6));
+  CHECK(contactWork(2, false).operations - contactWork(1, false).operations == 50);
+}
+
+TEST_CASE("The least time is that of the scarcest") {
+  MachineLimits limits;
+  limits.arithmetic[Isa::scalar] = {10, 2};
+  limits.bandwidth = {{100, 50}, {1000, 5}};
+  CHECK(leastTime({20, 0, 0, 0}, limits, Isa::scalar, 1) == 2);
+  CHECK(leastTime({20, 6, 0, 0}, limits, Isa::scalar, 1) == 3);
+  CHECK(leastTime({20, 6, 50, 10}, limits, Isa::scalar, 1) == 3);
+  CHECK(leastTime({20, 6, 50, 10}, limits, Isa::scalar, 20) == 10);
+}
+
+TEST_CASE("A bench of eight cells holds a row for everything that was asked for, and only that") {
+  BenchOptions options;
+  options.cells = {8};
+  options.levels = {1};
+  options.isas = availableIsas();
+  options.stages = {Stage::step, Stage::internal, Stage::contact, Stage::rebuild, Stage::integrate};
+  options.rounds = 1, options.shortness = 0.1, options.bullet = false;
+  const BenchReport report = runBench(options);
+  for (const Isa isa : availableIsas())
+    for (const Stage stage : options.stages) {
+      const BenchRow* r = find(report.rows, "packed", "morula", stage, 8, 42, name(isa));
+      CAPTURE(name(isa), name(stage));
+      REQUIRE(r);
+      CHECK(r->nsPerVertexStep >= 0);
+      CHECK(r->shareOfLimit.has_value() == (stage != Stage::rebuild));
+      CHECK(r->pairsPerVertexStep.has_value() == (stage != Stage::internal && stage != Stage::integrate));
+      if (r->shareOfLimit) CHECK(*r->shareOfLimit > 0);
+    }
+  CHECK(find(report.rows, "packed", "scalar", Stage::internal, 8, 42, ""));
+  CHECK(find(report.rows, "free", "morula", Stage::step, 8, 42, name(bestIsa())));
+  CHECK(find(report.rows, "packed-friction", "morula", Stage::step, 8, 42, name(bestIsa())));
+  CHECK_FALSE(find(report.rows, "packed", "bullet-b1", Stage::step, 8, 42, ""));
+  std::set<std::string> searches;
+  for (const BenchRow& r : report.rows) searches.insert(r.search);
+  CHECK(searches.size() == 1 + allContactSearches().size());
+  const std::string text = describe(report);
+  CHECK_THAT(text, ContainsSubstring("packed scene, 8 cells of 42 vertices") &&
+                       ContainsSubstring("rebuild, aabb-tree") && ContainsSubstring("23.68"));
+
+  options.stages = {Stage::internal};
+  for (const BenchRow& r : runBench(options).rows) CHECK(r.stage == Stage::internal);
+}
+
+TEST_CASE("A chart shows its lines, and draws nothing of nothing") {
+  const Colour red{200, 0, 0}, blue{0, 0, 200};
+  Chart chart;
+  chart.title = "title";
+  chart.lines = {{"one", red, {{8, 10}, {64, 100}}}, {"two", blue, {{8, 20}, {64, 30}}, true}};
+  const Image image = drawChart(chart);
+  CHECK(image.width == chart.width);
+  CHECK(countPixels(image, red) > 500);
+  CHECK(countPixels(image, blue) > 200);
+  CHECK(countPixels(image, blue) < countPixels(image, red));
+  chart.lines = {{"one", red, {{8, 10}}}};  // a single point
+  CHECK(countPixels(drawChart(chart), red) > 10);
+  chart.lines.clear();
+  CHECK(countPixels(drawChart(chart), red) == 0);
+}
+
+TEST_CASE("The picture of a bench holds the thesis' line only beside our own 8 cells") {
+  BenchReport report;
+  report.rows = {row("morula", Stage::step, 64, 40), row("morula", Stage::step, 128, 44)};
+  const Colour green{0x5c, 0x8a, 0x3a};
+  CHECK(countPixels(drawBench(report), green) == 0);
+  report.rows.push_back(row("morula", Stage::step, 8, 30));
+  CHECK(countPixels(drawBench(report), green) > 100);
+}
