@@ -1,0 +1,163 @@
+// What finding contacts costs, each way, for packed cells: the table of core/contacts/README.md, which
+// explains the cliff of [Nilsson 2008, table 5.1].
+//
+//   bench_search [LARGEST] [ISA]     cells of the last row, 256 unless told; an organism of 1024 takes
+//   minutes
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "biology/dna.h"
+#include "simulation/stages.h"
+#include "simulation/world.h"
+
+using namespace morula;
+
+namespace {
+
+constexpr double fixedStep = 1.0 / 2800;  // between the stability limits of 128 and of 256 of these cells
+
+/// [ns] of CPU, all threads together: other programs on the machine disturb it least.
+double now() {
+  timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+}
+
+/// The median of five, per call. [ns]
+template <class Work>
+double timed(int calls, Work&& work) {
+  std::vector<double> times;
+  for (int i = 0; i < 5; ++i) {
+    const double start = now();
+    for (int k = 0; k < calls; ++k) work();
+    times.push_back((now() - start) / calls);
+  }
+  std::nth_element(times.begin(), times.begin() + 2, times.end());
+  return times[2];
+}
+
+/// Everybody divides `generations` times; cells fill the unit sphere.
+Scene organism(int generations) {
+  std::string dna = "START: s0\n";
+  for (int i = 0; i < generations; ++i) {
+    const std::string now = "s" + std::to_string(i), next = "s" + std::to_string(i + 1);
+    dna += "g" + std::to_string(2 * i) + "(" + next + "|" + now + ")\n";
+    dna += "g" + std::to_string(2 * i + 1) + "(divide|" + now + ")\n";
+  }
+  const std::string last = "s" + std::to_string(generations);
+  dna += "g" + std::to_string(2 * generations) + "(" + last + "|" + last + ")\n";
+  Scene scene;
+  scene.name = "packed";
+  scene.dna = parseDna(dna, "packed");
+  scene.cycle.length = 0.5;
+  scene.stop.cycles = generations + 1;
+  MechanicsScene m;
+  m.mesh = makeIcosphere(2);
+  m.physics.drag = 20;
+  m.physics.shell = ShellParameters{};
+  m.contact = ContactParameters{};
+  m.contact->friction = 0;
+  scene.mechanics = m;
+  return scene;
+}
+
+void printHead() {
+  std::printf(
+      "| cells | way to search | skin | search ns/v | ms per cell | pairs | distance tests | bins | roots | "
+      "boxes |\n"
+      "|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+}
+
+/// One row: searches of the world as it is. Figures per vertex and search.
+void printSearch(const World& world, ContactSearch method, double skinShare, Isa isa) {
+  const Bodies& bodies = *world.bodies;
+  const double vertices = double(bodies.count) * bodies.vertexCount();
+  NeighbourList list = makeNeighbourList(method, isa);
+  list.skin = skinShare * *std::min_element(world.contacts->radius.begin(),
+                                            world.contacts->radius.begin() + bodies.count);
+  const auto search = [&] { buildNeighbourList(list, bodies, world.contacts->radius, 1); };
+  const bool slow = method == ContactSearch::bruteForce;
+  if (!slow) search();
+  const auto before = list.counters;
+  const double start = now();
+  if (slow) search();
+  const double ns = slow ? now() - start : timed(std::max(1, int(2e5 / vertices)), search);
+  const SearchCounters& c = list.counters;
+  const double n = vertices * static_cast<double>(c.searches - before.searches);
+  const auto per = [&](std::uint64_t now, std::uint64_t then) { return static_cast<double>(now - then) / n; };
+  std::printf("| %d | %s | %.2f | %.0f | %.3f | %.1f | %.0f | %.0f | %.2f | %.1f |\n", bodies.count,
+              name(method), skinShare, ns / vertices, ns / bodies.count / 1e6, per(c.pairs, before.pairs),
+              per(c.distanceTests, before.distanceTests), per(c.binVisits, before.binVisits),
+              per(c.rootTests, before.rootTests), per(c.boxTests, before.boxTests));
+  std::fflush(stdout);
+}
+
+/// The stages of a step beside the search. [ns per vertex]
+void printStages(World& world) {
+  Bodies& bodies = *world.bodies;
+  Contacts& contacts = *world.contacts;
+  const double vertices = double(bodies.count) * bodies.vertexCount();
+  const int calls = std::max(1, int(1e6 / vertices));
+  const auto eachBlock = [&](auto&& work) {
+    return timed(calls,
+                 [&] {
+                   for (int i = 0; i < bodies.blockCount(); ++i) work(bodies.block(i, 0), i);
+                 }) /
+           vertices;
+  };
+  const double internal =
+      eachBlock([&](const BlockView& block, int) { advance(world.stages, bodies, block, 0); });
+  movePhysics(world, 0);
+  const double law = eachBlock(
+      [&](const BlockView&, int i) { addContactForces(contacts, bodies, i, world.clock.timeStep); });
+  movePhysics(world, 0);
+  const auto steps = world.clock.step, rebuilds = contacts.rebuilds;
+  const double start = now();
+  for (int i = 0; i < 300; ++i) step(world);
+  const double whole = (now() - start) / 300 / vertices;
+  std::printf("| %d | %.1f | %.1f | %.1f | %.0f |\n", bodies.count, internal, law, whole,
+              static_cast<double>(world.clock.step - steps) /
+                  static_cast<double>(std::max<std::uint64_t>(1, contacts.rebuilds - rebuilds)));
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int largest = argc > 1 ? std::atoi(argv[1]) : 256;
+  const Isa isa = argc > 2 ? parseIsa(argv[2]) : bestIsa();
+  std::printf("%s, one thread, 162 vertices per cell; counters per vertex and search\n\n", name(isa));
+  std::vector<World> worlds;
+  for (int generations = 3; 1 << generations <= largest; ++generations) {
+    worlds.push_back(makeWorld(organism(generations), {isa, 1}));
+    while (!finished(worlds.back())) step(worlds.back());
+  }
+  printHead();
+  for (const World& world : worlds)
+    for (double skinShare : {0.15, 0.0})
+      for (ContactSearch method : allContactSearches())
+        if (method != ContactSearch::bruteForce || (skinShare == 0 && world.bodies->count <= 256))
+          printSearch(world, method, skinShare, isa);
+
+  std::printf(
+      "\n| cells | internal forces ns/v | contact law ns/v | whole step ns/v | steps per search "
+      "|\n|--:|--:|--:|--:|--:|\n");
+  for (World& world : worlds) printStages(world);
+
+  // Cells lose half their mass at each division, and the longest stable step shrinks with its root: one step
+  // for all sizes is stable until some generation is not.
+  std::printf(
+      "\nThe same organisms after 200 steps of 1/%.0f each, stable for 128 cells and not for 256:\n\n",
+      1 / fixedStep);
+  printHead();
+  for (World& world : worlds) {
+    if (world.bodies->count > 256) continue;
+    for (int i = 0; i < 200; ++i) movePhysics(world, fixedStep);
+    for (ContactSearch method : {ContactSearch::grid, ContactSearch::aabbTree})
+      printSearch(world, method, 0, isa);
+  }
+}
