@@ -46,6 +46,21 @@ std::set<std::string> pairsOf(const World& world) {
 
 const std::set<std::string> none;
 
+/// Cells that all want the same.
+struct Wish final : BiologicalUnit {
+  explicit Wish(double w) : wish(w) {}
+  StateId startState() const override { return 0; }
+  double cycleLength(StateId) const override { return 1; }
+  StateId runCellCycle(const CellView&) override { return 0; }
+  bool wantsToDivide(const CellView&) const override { return false; }
+  bool wantsToDie(const CellView&) const override { return false; }
+  double wantsToGrow(const CellView&) const override { return 0; }
+  double wantsToConnect(const CellView&) const override { return wish; }
+  StateId daughterState(StateId mother, bool) override { return mother; }
+  std::string describe(StateId) const override { return ""; }
+  double wish;
+};
+
 }  // namespace
 
 TEST_CASE("At division sisters are connected, from their birth on") {
@@ -118,6 +133,33 @@ TEST_CASE("By gene: the two cells' wishes are added") {
   CHECK(after("connect", "a3") == 1);
   CHECK(after("connect", "release") == 0);
   CHECK(after("a3", "a4") == 0);
+}
+
+TEST_CASE("By gene: a cell acts at its own cell cycle only") {
+  const Scene scene =
+      connecting(scenes::uniqueFour, withPolicy(MakeConnections::byGene, ConnectionsOnDivision::plane));
+  Body ball = shakenBody(scene.mechanics->mesh, 0, 0);
+  ball.pressureConstant = 200;
+  std::vector<Body> row(3, ball);  // AA touches AB, AB touches BA
+  for (int i = 0; i < 3; ++i)
+    for (Point& x : row[static_cast<std::size_t>(i)].position) x.x += 1.8 * i;
+  using enum CellChange;
+  World world = worldOf(scene, row, {Isa::scalar, 1}, std::make_unique<Wish>(1));
+  REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA"});
+  connectByGene(world, {none, none, none});
+  CHECK(pairsOf(world) == std::set<std::string>{});
+  connectByGene(world, {none, none, cycled});
+  CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
+  connectByGene(world, {divides, none, none});
+  CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA"});
+
+  static_cast<Wish&>(*world.biology).wish = -1;
+  connectByGene(world, {none, none, none});
+  CHECK(pairsOf(world).size() == 2);
+  connectByGene(world, {cycled, none, none});
+  CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
+  connectByGene(world, {none, none, dies});  // it is released by its death, not by its wish
+  CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
 }
 
 TEST_CASE("By gene: a release ends what division made") {

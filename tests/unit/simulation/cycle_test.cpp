@@ -89,6 +89,34 @@ TEST_CASE("Fifteen cycles of a tenth are fifteen, though their sum is 1.50000000
   }
 }
 
+TEST_CASE("Cycles that fall between steps run at the next one, and their delays do not add up") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 5);
+  scene.mechanics->physics.cell.mass = 10000;
+  scene.mechanics->physics.timeStep = 0.3;
+  const World world = ranToEnd(scene);
+  std::vector<double> births;
+  for (const LineageEntry& e : world.lineage.entries)
+    if (births.empty() || births.back() != e.born) births.push_back(e.born);
+  // Due at 1, 2, 3, 4: steps 4, 7, 10, 14.
+  REQUIRE(births.size() >= 5);
+  CHECK(births[1] == Approx(1.2));
+  CHECK(births[2] == Approx(2.1));
+  CHECK(births[3] == Approx(3.0));
+  CHECK(births[4] == Approx(4.2));
+}
+
+TEST_CASE("The lineage knows each cell's last state") {
+  for (bool withBodies : {false, true}) {
+    Scene scene = scenes::withBodies(scenes::uniqueFour, 4);
+    if (!withBodies) scene.mechanics.reset();
+    const World world = ranToEnd(scene, {bestIsa(), 1});
+    std::vector<std::string> states;
+    for (std::uint32_t i : orderByPath(world.lineage))
+      states.push_back(world.biology->describe(world.lineage.entries[i].state));
+    CHECK(states == std::vector<std::string>{"a1 divide", "a2 divide", "a4", "a5", "a3 divide", "a6", "a7"});
+  }
+}
+
 TEST_CASE("Another biology may control the cells") {
   struct Once final : BiologicalUnit {
     StateId startState() const override { return 0; }

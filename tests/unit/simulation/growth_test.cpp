@@ -35,3 +35,25 @@ TEST_CASE("A cell whose gene falls silent stops growing") {
   while (world.clock.time < 3) step(world);
   CHECK(world.bodies->mass(0) == mass);
 }
+
+TEST_CASE("Daughters go on as their mother wanted, until their own cycle") {
+  Scene scene = scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(grow|a0)\ng4(a1|a1)\n", 9);
+  scene.mechanics->physics.growth = GrowthParameters{0.25};
+  World world = makeWorld(scene);
+  while (world.clock.time < 1.9) step(world);
+  REQUIRE(world.bodies->count == 2);
+  CHECK(world.cells.growth == std::vector<double>{1, 1});
+  CHECK(world.bodies->mass(0) == Approx(0.5 * std::exp(0.25 * 0.9)).epsilon(0.01));
+}
+
+TEST_CASE("The reach of contact grows with the cell, from cycle to cycle") {
+  Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\ng2(grow|a0)\n", 9);
+  scene.mechanics->physics.growth = GrowthParameters{0.25};
+  scene.mechanics->contact = scenes::pairContact;
+  World world = makeWorld(scene);
+  const double before = world.contacts->radius[0];
+  CHECK(before == Approx(world.bodies->mesh.meanRestLength).epsilon(1e-14));
+  while (world.clock.time < 3) step(world);
+  CHECK(world.bodies->restScale[0] > 1.1);
+  CHECK(world.contacts->radius[0] == Approx(before * world.bodies->restScale[0]).epsilon(0.01));
+}

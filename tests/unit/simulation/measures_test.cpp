@@ -73,6 +73,23 @@ TEST_CASE(
   CHECK(measureWorld(world).outermost == Approx(outermost).epsilon(1e-14));
 }
 
+TEST_CASE("Energy, volume and pressure are of all cells") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
+  Body left = shakenBody(scene.mechanics->mesh, 0, 0), right = left;
+  left.pressureConstant = 200;
+  right.pressureConstant = 100;
+  right.mass = 3;
+  for (Vector& u : left.velocity) u = {2, 0, 0};
+  for (Vector& u : right.velocity) u = {0, 0, 4};
+  for (Point& x : right.position) x.y += 5;
+  const World world = worldOf(scene, {left, right});
+  const WorldMeasures m = measureWorld(world);
+  const double volume = measureVolume(left.position, scene.mechanics->mesh.faces);
+  CHECK(m.kineticEnergy == Approx(0.5 * 1 * 4 + 0.5 * 3 * 16).epsilon(1e-13));
+  CHECK(m.volume == Approx(2 * volume).epsilon(1e-13));
+  CHECK(m.meanPressure == Approx(150 / volume - 200 / volume).epsilon(1e-12));
+}
+
 TEST_CASE("The mean overlap of two balls is the lens they share") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(3));
   Body left = shakenBody(makeIcosphere(3), 0, 0), right = left;
