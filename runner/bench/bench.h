@@ -40,6 +40,7 @@ struct BenchRow {
   std::string isa;
   int threads = 1;
   bool wallClock = false;                   // else CPU time
+  std::optional<double> processors;         // that were free for a row on several threads
   std::string search;                       // of rows that search for neighbours
   double nsPerVertexStep = 0;               // median; by the wall's clock the shortest
   double spread = 0;                        // half the distance between quartiles, over the median
@@ -54,7 +55,8 @@ struct BenchRow {
 struct BenchRatio {
   std::string what;
   double value = 0, bound = 0;
-  bool atLeast = true;  // else at most
+  bool atLeast = true;    // else at most
+  std::string notJudged;  // why
   bool holds() const { return atLeast ? value >= bound : value <= bound; }
 };
 

@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "base/parallel.h"
 #include "bench/clock.h"
 #include "bench/peak_kernels.h"
 #include "bench/statistics.h"
@@ -50,6 +51,22 @@ double MachineLimits::bandwidthFor(double bytes) const {
   for (const auto& [size, rate] : bandwidth)
     if (bytes <= static_cast<double>(size)) return rate;
   return bandwidth.rbegin()->second;
+}
+
+double processorsFor(int threads) {
+  const auto cpu = [] {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  };
+  const auto turns = static_cast<long>(5e-3 * rate(peakKernels(Isa::scalar).multiplyAdd));
+  std::vector<double> results(static_cast<std::size_t>(threads));
+  const double before = cpu();
+  const double wall = timeOf(ClockKind::wall, [&] {
+    parallelFor(threads, threads, [&](int i) { results[i] = peakKernels(Isa::scalar).multiplyAdd(turns); });
+  });
+  sink = results.back();
+  return (cpu() - before) / wall;
 }
 
 LimitMeter::LimitMeter(std::vector<Isa> isas) : memory_(largest / sizeof(double), 1.0) {

@@ -21,6 +21,10 @@ struct MachineLimits {
   double bandwidthFor(double bytes) const;
 };
 
+/// How many processors a loop on so many threads is given at this moment, others being busy too: CPU time
+/// over the wall's.
+double processorsFor(int threads);
+
 class LimitMeter {
  public:
   explicit LimitMeter(std::vector<Isa> isas);

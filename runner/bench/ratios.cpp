@@ -93,9 +93,12 @@ void threads(const Table& t, std::vector<BenchRatio>& ratios) {
     for (const std::string& isa : t.isas()) {
       const BenchRow *one = t.packed(Stage::step, cells, isa, 1, true),
                      *two = t.packed(Stage::step, cells, isa, 2, true);
-      if (one && two)
-        ratios.push_back({fmt::format("two threads over one, {} cells, {}", cells, isa), ns(*one) / ns(*two),
-                          cells >= 512 ? 1.6 : 1, true});
+      if (!one || !two) continue;
+      BenchRatio ratio{fmt::format("two threads over one, {} cells, {}", cells, isa), ns(*one) / ns(*two),
+                       cells >= 512 ? 1.6 : 1, true};
+      if (two->processors && *two->processors < 1.8)
+        ratio.notJudged = fmt::format("others left only {:.1f} processors", *two->processors);
+      ratios.push_back(ratio);
     }
 }
 

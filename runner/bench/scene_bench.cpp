@@ -29,8 +29,8 @@ SceneBench::SceneBench(const BenchOptions& options, const PackedScene& packed, s
       subject_(packed, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
                options.tell) {
   // By the size alone, so that what is counted on the way is the same everywhere.
-  const double wanted = options.shortness * 96 * std::min(1.0, 40'000 / subject_.vertices());
-  steps_ = std::max(8, static_cast<int>(wanted));
+  const double wanted = options.shortness * std::max(24.0, 96 * std::min(1.0, 40'000 / subject_.vertices()));
+  steps_ = std::max(4, static_cast<int>(wanted));
 }
 
 bool SceneBench::wants(Stage stage) const {
@@ -79,7 +79,7 @@ void SceneBench::measureSearches() {
 }
 
 void SceneBench::measureSteps() {
-  const int few = std::max(8, steps_ / 4);
+  const int few = std::max(4, steps_ / 4);
   for (const Isa isa : isas_)
     if (isa != isas_.back())
       append(series("morula", Stage::step, name(isa)).samples,
@@ -92,9 +92,10 @@ void SceneBench::measureThreads() {
   const Isa isa = isas_.back();
   for (const int threads : options_.threads) {
     Series& s = series("morula", Stage::step, name(isa), threads, true);
-    append(s.samples, subject_.trySteps(isa, threads, ClockKind::wall, std::max(8, steps_ / 3)));
+    append(s.samples, subject_.trySteps(isa, threads, ClockKind::wall, std::max(4, steps_ / 3)));
     if (subject_.touching())
       s.searches.push_back(subject_.timeRebuild(isa, ContactSearch::grid, ClockKind::wall, threads));
+    s.row.processors = std::max(s.row.processors.value_or(0), processorsFor(threads));
   }
 }
 

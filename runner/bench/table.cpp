@@ -142,8 +142,11 @@ std::string ratios(const std::vector<BenchRatio>& list) {
   if (list.empty()) return "";
   std::string text = "\nratios within this run\n";
   for (const BenchRatio& r : list)
-    text += fmt::format("  {:<72}{:>8.2f}   {} {:<5.3g} {}\n", r.what, r.value, r.atLeast ? "≥" : "≤",
-                        r.bound, r.holds() ? "holds" : "does not hold");
+    text +=
+        fmt::format("  {:<72}{:>8.2f}   {} {:<5.3g} {}\n", r.what, r.value, r.atLeast ? "≥" : "≤", r.bound,
+                    !r.notJudged.empty() ? "not judged: " + r.notJudged
+                    : r.holds()          ? "holds"
+                                         : "does not hold");
   return text;
 }
 

@@ -116,6 +116,7 @@ Json toJson(const BenchRow& row) {
           {"threads", row.threads},
           {"precision", "double"},
           {"clock", row.wallClock ? "wall" : "cpu"},
+          {"processors_free", orNull(row.processors)},
           {"search", row.search.empty() ? Json() : Json(row.search)},
           {"ns_per_vertex_step", row.nsPerVertexStep},
           {"spread", row.spread},
@@ -144,7 +145,7 @@ Json toJson(const BenchReport& report, const std::string& picture) {
     ratios.push_back({{"what", r.what},
                       {"value", r.value},
                       {r.atLeast ? "at_least" : "at_most", r.bound},
-                      {"holds", r.holds()}});
+                      {"holds", r.notJudged.empty() ? Json(r.holds()) : Json()}});
   for (const auto& row : thesisTable)
     thesis.push_back({{"cells", row.cells}, {"ms_per_cell", row.msPerCell}});
   return {{"machine", toJson(report.machine)},

@@ -63,6 +63,10 @@ TEST_CASE("Ratios are formed of the rows that are there, and held against their 
   CHECK_FALSE(find(ratios, "without contact")->holds());
   CHECK(find(ratios, "two threads over one, 512 cells")->value == 1.2);
   CHECK_FALSE(find(ratios, "two threads over one, 512 cells")->holds());
+  CHECK(find(ratios, "two threads over one, 512 cells")->notJudged.empty());
+  for (BenchRow& r : rows) r.processors = 1.1;
+  CHECK_THAT(find(findRatios(rows), "two threads over one, 512 cells")->notJudged,
+             ContainsSubstring("only 1.1 processors"));
 }
 
 TEST_CASE("Work is counted per vertex: an icosahedron by hand") {
