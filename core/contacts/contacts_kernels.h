@@ -14,6 +14,10 @@ struct NeighbourSlice {
   std::int32_t length;
 };
 
+/// Kernels fetch rows so many lines of indices before they need them; behind the last line stand as many of
+/// the far row.
+constexpr int linesFetchedAhead = 8;
+
 struct ContactConstants {
   double stiffness, damping, friction;
   double slipSpeed;       // [length/time] below which friction fades out linearly

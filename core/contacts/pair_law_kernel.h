@@ -49,8 +49,10 @@ inline void addPairForces(const NeighbourSlice* slices, std::int64_t count, cons
       const Rows i = loadRows(rows, slice.vertex + lane);
       Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
-      for (int k = 0; k < slice.length; ++k, index += blockLanes)
+      for (int k = 0; k < slice.length; ++k, index += blockLanes) {
+        fetchAhead(rows, index);
         sum += pairForce<withFriction>(i, loadRows(rows, index), c);
+      }
       addToForces(force, slice.vertex + lane, c.vertices, sum);
     }
 }

@@ -62,7 +62,8 @@ void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads) {
     }
     list.firstSlice.push_back(static_cast<std::int64_t>(list.slices.size()));
   }
-  list.indices.resize(lines * blockLanes);
+  list.indices.resize((lines + linesFetchedAhead) * blockLanes);
+  std::fill(list.indices.begin() + lines * blockLanes, list.indices.end(), far);
   parallelFor(blocks, threads, [&](int block) {
     for (std::int64_t s = list.firstSlice[block]; s < list.firstSlice[block + 1]; ++s)
       writeSlice(list.slices[s], list.perBlock[block], block * rowsPerBlock, far, list.indices.data());

@@ -26,6 +26,7 @@ inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, co
       Lanes weights = 0.0;
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
       for (int k = 0; k < slice.length; ++k, index += blockLanes) {
+        fetchAhead(rows, index);
         const Rows j = loadRows(rows, index);
         const Vec apart = i.x - j.x;
         const Lanes distanceSquared = dot(apart, apart);

@@ -6,7 +6,7 @@
 //   F   = Σ c_k d_k                 springs (spring_kernel.h)
 //   G   = Σ d_k × d_{k+1} = 6 ∇V    each face of the ring adds twice its area vector, and ∇V takes a third of
 //   an area
-//         For an even ring, Σ over odd k of d_k × (d_{k+1} − d_{k−1}): half the products.
+//         For an even ring, Σ over odd k of d_k × (x_{k+1} − x_{k−1}): half the products.
 //   V   = Σ_i G_i·(x_i − x_0) / 18  V is homogeneous of third degree: Σ ∇_iV·x_i = 3V, and 6·3 = 18. It
 //   equals
 //                                   [Nilsson 2008, eq. 4.4]. Any x_0 serves; a vertex of the cell keeps the
@@ -15,27 +15,21 @@
 
 namespace morula::MORULA_ISA {
 
-template <int valence>  // 0: as long as the ring says
+// Wide lanes come with registers enough for the whole ring; elsewhere compilers would keep half of it in
+// memory.
+constexpr int unrolled = width == 8 ? 3 : 1;
+
 MORULA_INLINE void gatherRing(const double* __restrict position, const double* __restrict coefficient,
                               const RingStep* ring, int steps, const Vec& x, Vec& force, Vec& gradient) {
-  const int n = valence > 0 ? valence : steps;
-  const auto towards = [&](int k) { return loadVec(position + ring[k].vertexOffset) - x; };
-  const auto pull = [&](int k, const Vec& d) { return load(coefficient + ring[k].edgeOffset) * d; };
-  const Vec first = towards(0);
-  force = pull(0, first);
-  gradient = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
-  Vec before = first;
-#pragma GCC unroll 3
-  for (int k = 1; k < n; k += 2) {
-    const Vec odd = towards(k);
-    force += pull(k, odd);
-    Vec after = first;
-    if (k + 1 < n) {
-      after = towards(k + 1);
-      force += pull(k + 1, after);
-    }
-    gradient += cross(odd, after - before);
-    before = after;
+  force = gradient = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+#pragma GCC unroll unrolled
+  for (int k = 0; k < steps; k += 2) {
+    const double* even = position + ring[k].vertexOffset;
+    const double* next = position + ring[k + 2 < steps ? k + 2 : 0].vertexOffset;
+    force += load(coefficient + ring[k].edgeOffset) * (loadVec(even) - x);
+    const Vec odd = loadVec(position + ring[k + 1].vertexOffset) - x;
+    force += load(coefficient + ring[k + 1].edgeOffset) * odd;
+    gradient += cross(odd, loadVec(next) - loadVec(even));
   }
 }
 
@@ -54,8 +48,8 @@ inline void gatherRings(const TemplateView& mesh, const BlockView& b, const Kern
     for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
       const Vec x = loadVec(position, v, lane);
       Vec force, gradient;
-      if (steps == 6) gatherRing<6>(position + lane, coefficient + lane, ring, steps, x, force, gradient);
-      else gatherRing<0>(position + lane, coefficient + lane, ring, steps, x, force, gradient);
+      if (steps == 6) gatherRing(position + lane, coefficient + lane, ring, 6, x, force, gradient);
+      else gatherRing(position + lane, coefficient + lane, ring, steps, x, force, gradient);
       storeVec(forces, v, lane, force);
       storeVec(gradients, v, lane, gradient);
       volume[group] += dot(gradient, x - loadVec(position, 0, lane));
