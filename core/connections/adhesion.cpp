@@ -7,8 +7,9 @@ namespace morula {
 
 namespace {
 
+/// Spreads a force over all vertices of a cell.
 void addToVertices(Bodies& bodies, int slot, const Vector& force) {
-  for (int v = 0; v < bodies.vertexCount(); ++v) {
+  for (int v = 0; v < bodies.vertexCount(slot); ++v) {
     double* f = &bodies.acceleration[bodies.at(slot, v)];
     f[0] += force.x;
     f[blockLanes] += force.y;
@@ -20,16 +21,18 @@ void addToVertices(Bodies& bodies, int slot, const Vector& force) {
 
 void addConnectionForces(const Connections& c, const std::vector<CellPath>& paths, Bodies& bodies) {
   const auto slotOf = [&](const CellPath& path) {
-    return static_cast<int>(std::lower_bound(paths.begin(), paths.end(), path) - paths.begin());
+    return bodies.slots[std::lower_bound(paths.begin(), paths.end(), path) - paths.begin()];
   };
   for (std::size_t i : c.active) {
     const int a = slotOf(c.history[i].a), b = slotOf(c.history[i].b);
     const Vector between = measureCentre(bodies, b) - measureCentre(bodies, a);
     const double distance = norm(between);
     if (!(distance > 0)) continue;  // concentric: no direction, no force
-    const Vector force = (c.parameters.strength / (distance * bodies.vertexCount())) * between;
-    addToVertices(bodies, a, force);
-    addToVertices(bodies, b, -force);
+    const auto share = [&](int slot) {
+      return (c.parameters.strength / (distance * bodies.vertexCount(slot))) * between;
+    };
+    addToVertices(bodies, a, share(a));
+    addToVertices(bodies, b, -share(b));
   }
 }
 

@@ -19,16 +19,19 @@ Box around(const Box& a, const Box& b) {
 /// From the leaves up: daughters stand behind their mothers.
 void refit(TreeSearch& tree, const SearchInput& input, int slot) {
   const Bodies& bodies = input.bodies;
-  const int vertices = bodies.vertexCount(), base = slot * vertices;
-  const VertexNumber firstNumber = slot / blockLanes * vertices * blockLanes + slot % blockLanes;
+  const auto& [coarseness, firstBox, base] = tree.trees[slot];
+  const TreeShape& shape = tree.shapes[coarseness];
+  const int vertices = bodies.vertexCount(slot);
+  const VertexNumber firstNumber =
+      bodies.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes;
   for (int i = 0; i < vertices; ++i) {
-    const int v = tree.shape.order[i];
+    const int v = shape.order[i];
     tree.points.set(base + i, bodies.vertex(slot, v), firstNumber + v * blockLanes, slot,
                     input.halfReach[slot]);
   }
-  Box* boxes = &tree.boxes[std::size_t(slot) * tree.shape.nodes.size()];
-  for (std::size_t n = tree.shape.nodes.size(); n-- > 0;) {
-    const TreeNode& node = tree.shape.nodes[n];
+  Box* boxes = &tree.boxes[firstBox];
+  for (std::size_t n = shape.nodes.size(); n-- > 0;) {
+    const TreeNode& node = shape.nodes[n];
     if (node.leaf < 0) {
       boxes[n] = around(boxes[n + 1], boxes[node.second]);
       continue;
@@ -56,11 +59,11 @@ double distanceSquared(const Box& a, const Box& b) {
 
 /// Goes down both trees at once, the one with more vertices first, and notes which leaves of `other` are near
 /// which leaves of `own`.
-void descend(const TreeSearch& tree, TreeSearch::Scratch& scratch, int own, int other, int vertices,
+void descend(const TreeSearch& tree, TreeSearch::Scratch& scratch, const CellTree& own, const CellTree& other,
              double reachSquared, SearchCounters& counters) {
-  const std::vector<TreeNode>& nodes = tree.shape.nodes;
-  const Box *ownBoxes = &tree.boxes[std::size_t(own) * nodes.size()],
-            *otherBoxes = &tree.boxes[std::size_t(other) * nodes.size()];
+  const std::vector<TreeNode>&ownNodes = tree.shapes[own.coarseness].nodes,
+        &otherNodes = tree.shapes[other.coarseness].nodes;
+  const Box *ownBoxes = &tree.boxes[own.firstBox], *otherBoxes = &tree.boxes[other.firstBox];
   auto& open = scratch.open;
   open.clear();
   open.push_back({0, 0});
@@ -70,9 +73,9 @@ void descend(const TreeSearch& tree, TreeSearch::Scratch& scratch, int own, int 
     open.pop_back();
     ++counters.boxTests;
     if (!(distanceSquared(ownBoxes[a], otherBoxes[b]) < reachSquared)) continue;
-    const TreeNode &p = nodes[a], &q = nodes[b];
+    const TreeNode &p = ownNodes[a], &q = otherNodes[b];
     if (p.leaf >= 0 && q.leaf >= 0) {
-      scratch.rows[p.leaf].push_back({other * vertices + q.first, other * vertices + q.last});
+      scratch.rows[p.leaf].push_back({other.firstPoint + q.first, other.firstPoint + q.last});
     } else if (q.leaf >= 0 || (p.leaf < 0 && p.last - p.first >= q.last - q.first)) {
       open.push_back({p.second, b});
       open.push_back({a + 1, b});
@@ -83,38 +86,58 @@ void descend(const TreeSearch& tree, TreeSearch::Scratch& scratch, int own, int 
   }
 }
 
+/// The shape of a mesh's trees: made when a cell first has the mesh.
+const TreeShape& shapeAt(TreeSearch& tree, const Bodies& bodies, int coarseness) {
+  if (static_cast<int>(tree.shapes.size()) <= coarseness) tree.shapes.resize(coarseness + 1);
+  TreeShape& shape = tree.shapes[coarseness];
+  const std::vector<Point>& vertices = bodies.meshAt(coarseness).mesh.vertices;
+  if (shape.order.size() != vertices.size()) {
+    shape = makeTreeShape(vertices, leafSize);
+    ++tree.preparation.treesBuilt;
+  }
+  return shape;
+}
+
 }  // namespace
 
 void prepare(TreeSearch& tree, const SearchInput& input, int threads) {
   const Bodies& bodies = input.bodies;
   tree.preparation = {};
-  if (static_cast<int>(tree.shape.order.size()) != bodies.vertexCount()) {
-    tree.shape = makeTreeShape(bodies.mesh.mesh.vertices, leafSize);
-    ++tree.preparation.treesBuilt;
-  }
+  tree.trees.resize(bodies.blocks.size() * blockLanes);
   tree.scratch.resize(threads);
-  for (auto& s : tree.scratch) s.rows.resize(tree.shape.leaves);
-  tree.boxes.resize(bodies.count * tree.shape.nodes.size());
-  tree.points.resize(bodies.count * bodies.vertexCount());
-  parallelFor(bodies.count, threads, [&](int slot) { refit(tree, input, slot); });
+  std::size_t boxes = 0, points = 0;
+  int leaves = 0;
+  for (int slot : bodies.slots) {
+    const int coarseness = bodies.blocks[slot / blockLanes].coarseness;
+    const TreeShape& shape = shapeAt(tree, bodies, coarseness);
+    tree.trees[slot] = {coarseness, static_cast<std::int32_t>(boxes), static_cast<std::int32_t>(points)};
+    leaves = std::max(leaves, shape.leaves);
+    boxes += shape.nodes.size();
+    points += shape.order.size();
+  }
+  for (auto& s : tree.scratch) s.rows.resize(leaves);
+  tree.boxes.resize(boxes);
+  tree.points.resize(static_cast<int>(points));
+  parallelFor(bodies.count, threads, [&](int cell) { refit(tree, input, bodies.slots[cell]); });
   tree.preparation.boxesRefitted = tree.boxes.size();
 }
 
 void searchBlock(const TreeSearch& tree, const SearchInput& input, int block, BlockLists& lists) {
   const Bodies& bodies = input.bodies;
-  const int vertices = bodies.vertexCount();
   TreeSearch::Scratch& scratch = tree.scratch[threadNumber()];
   for (int lane = 0; lane < bodies.liveLanes(block); ++lane) {
     const int slot = block * blockLanes + lane;
+    const CellTree& own = tree.trees[slot];
+    const TreeShape& shape = tree.shapes[own.coarseness];
     for (auto& rows : scratch.rows) rows.clear();
-    for (int other = 0; other < bodies.count; ++other) {
+    for (int other : bodies.slots) {
       const double reach = input.reach(slot, other);
-      if (other != slot) descend(tree, scratch, slot, other, vertices, reach * reach, lists.counters);
+      if (other != slot) descend(tree, scratch, own, tree.trees[other], reach * reach, lists.counters);
     }
-    for (const TreeNode& node : tree.shape.nodes)
+    for (const TreeNode& node : shape.nodes)
       for (std::int32_t i = node.first; node.leaf >= 0 && i < node.last; ++i) {
         const auto& rows = scratch.rows[node.leaf];
-        const int v = tree.shape.order[i];
+        const int v = shape.order[i];
         findNeighbours(lists, input, tree.points, rows.data(), static_cast<int>(rows.size()), slot,
                        v * blockLanes + lane, bodies.vertex(slot, v));
       }

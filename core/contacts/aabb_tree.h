@@ -2,7 +2,7 @@
 // One tree of axis-aligned boxes per cell, cell against cell [van den Bergen 1997; Nilsson 2008, §3.6.2,
 // §4.3.1].
 //
-// All cells of a mesh template share the tree's shape, and only boxes belong to a cell: the template's
+// All cells of a mesh template share a tree's shape, and only boxes belong to a cell: the template's
 // vertices are halved again and again along the longest side of their box, so a leaf is a patch of the
 // surface, and stays one however the cell deforms. So a tree is built once per template, and when cells move
 // its boxes are refitted, from the leaves up. There is no broad phase, as the thesis names none: each cell
@@ -27,10 +27,17 @@ struct TreeShape {
 /// Leaves hold at most `leafSize` vertices.
 TreeShape makeTreeShape(const std::vector<Point>& vertices, int leafSize);
 
+/// One cell's tree.
+struct CellTree {
+  std::int32_t coarseness;            // whose shape it has
+  std::int32_t firstBox, firstPoint;  // its own begin here
+};
+
 struct TreeSearch {
-  TreeShape shape;
-  std::vector<Box> boxes;  // [slot][node]
-  PointTable points;       // [slot][place in shape.order]
+  std::vector<TreeShape> shapes;  // [coarseness]
+  std::vector<CellTree> trees;    // [slot]
+  std::vector<Box> boxes;         // [cell][node]
+  PointTable points;              // [cell][place in the shape's order]
 
   /// Scratch of one thread: which leaves of other cells are near a leaf.
   struct Scratch {

@@ -24,13 +24,26 @@ struct Side {
 
 /// A third of the area of the faces around each vertex of a cell. [length²]
 std::vector<double> vertexAreas(const Bodies& b, int slot) {
-  std::vector<double> areas(b.vertexCount(), 0);
-  for (const Face& f : b.mesh.mesh.faces) {
+  std::vector<double> areas(b.vertexCount(slot), 0);
+  for (const Face& f : b.meshOf(slot).mesh.faces) {
     const Point p = b.vertex(slot, f[0]);
     const double sixth = norm(cross(b.vertex(slot, f[1]) - p, b.vertex(slot, f[2]) - p)) / 6;
     for (int v : f) areas[v] += sixth;
   }
   return areas;
+}
+
+/// The place of vertex g: its line within its cell, and its slot.
+struct VertexPlace {
+  int vertex, slot;
+};
+
+VertexPlace placeOf(const Bodies& b, VertexNumber g) {
+  const int line = g / blockLanes;
+  const auto after = std::upper_bound(b.blocks.begin(), b.blocks.end(), line,
+                                      [](int l, const BlockPlace& block) { return l < block.firstLine; });
+  const int block = static_cast<int>(after - b.blocks.begin()) - 1;
+  return {line - b.blocks[block].firstLine, block * blockLanes + g % blockLanes};
 }
 
 /// The slot that vertex g touches, or −1.
@@ -50,7 +63,7 @@ int touchedSlot(const Contacts& c, const Bodies& b, const NeighbourSlice& slice,
     const Vector ni{i.nx, i.ny, i.nz}, nj{j.nx, j.ny, j.nz}, facing = nj - ni;
     if (dot(ni, nj) >= 0 || dot(apart, facing) > 0.25 * std::sqrt(radiusSquared) * norm(facing)) continue;
     nearest = square;
-    touched = g / (blockLanes * b.vertexCount()) * blockLanes + g % blockLanes;
+    touched = placeOf(b, g).slot;
   }
   return touched;
 }
@@ -60,17 +73,21 @@ int touchedSlot(const Contacts& c, const Bodies& b, const NeighbourSlice& slice,
 std::vector<ContactArea> measureContactAreas(const Contacts& c, const Bodies& b) {
   std::vector<Side> sides;  // the same pair may occur many times
   const VertexNumber far = static_cast<VertexNumber>(c.rows.size() / 8 - 1);
-  std::vector<std::vector<double>> areas;
-  for (int slot = 0; slot < b.count; ++slot) areas.push_back(vertexAreas(b, slot));
+  std::vector<std::vector<double>> areas;                 // [cell][vertex]
+  std::vector<int> cellOf(b.blocks.size() * blockLanes);  // [slot]
+  for (int cell = 0; cell < b.count; ++cell) {
+    areas.push_back(vertexAreas(b, b.slots[cell]));
+    cellOf[b.slots[cell]] = cell;
+  }
   for (const NeighbourSlice& slice : c.list.slices)
     for (int lane = 0; lane < blockLanes; ++lane) {
       const VertexNumber g = slice.vertex[lane];
       if (g == far) continue;
-      const int other = touchedSlot(c, b, slice, lane);
-      if (other < 0) continue;
-      const int line = g / blockLanes, own = line / b.vertexCount() * blockLanes + g % blockLanes;
-      sides.push_back(
-          {{std::min(own, other), std::max(own, other), 0.5 * areas[own][line % b.vertexCount()]}, g});
+      const int touched = touchedSlot(c, b, slice, lane);
+      if (touched < 0) continue;
+      const VertexPlace place = placeOf(b, g);
+      const int own = cellOf[place.slot], other = cellOf[touched];
+      sides.push_back({{std::min(own, other), std::max(own, other), 0.5 * areas[own][place.vertex]}, g});
     }
   // One order for the sums, whatever the order of the slices, which hangs on when the list was built.
   std::sort(sides.begin(), sides.end(), [](const Side& p, const Side& q) {

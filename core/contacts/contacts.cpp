@@ -22,8 +22,8 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies) {
   c.radius.assign(bodies.restScale.size(), 0);
   c.inverseRadiusSquared.assign(bodies.restScale.size(), 0);
   double smallest = INFINITY;
-  for (int slot = 0; slot < bodies.count; ++slot) {
-    const double radius = c.parameters.radius * bodies.mesh.meanRestLength * bodies.restScale[slot];
+  for (int slot : bodies.slots) {
+    const double radius = c.parameters.radius * bodies.meshOf(slot).meanRestLength * bodies.restScale[slot];
     c.radius[slot] = radius;
     c.inverseRadiusSquared[slot] = 1 / (radius * radius);
     smallest = std::min(smallest, radius);
@@ -34,7 +34,7 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies) {
 
 void resetContacts(Contacts& c, const Bodies& bodies) {
   setInfluenceRadii(c, bodies);
-  const std::size_t vertices = bodies.position.size() / 3;
+  const std::size_t vertices = std::size_t(bodies.lineCount()) * blockLanes;
   c.rows.assign((vertices + 1) * 8, 0);
   const SnapshotRow far{1e100, 1e100, 1e100, 0, 0, 0, 1, 0, 0, 1};
   std::memcpy(&c.rows[vertices * 8], &far, sizeof far);
@@ -43,9 +43,9 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
 }
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
-  const std::size_t lines = std::size_t(index) * bodies.vertexCount();
+  const std::size_t lines = bodies.blocks[index].firstLine;
   c.farthest[index] = c.kernels->takeSnapshot(
-      bodies.mesh.view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
+      bodies.meshAt(block.coarseness).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
       &c.list.reference[lines * vertexStride], &c.rows[lines * blockLanes * 8]);
 }
 
@@ -66,9 +66,9 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                                    c.parameters.friction,
                                    c.parameters.slipSpeed,
                                    timeStep,
-                                   static_cast<std::int32_t>(bodies.position.size() / 3)};
+                                   bodies.lineCount() * blockLanes};
   c.addForces(c.list.slices.data() + first, last - first, c.list.indices.data(), c.rows.data(), constants,
-              bodies.vertexMass.data(), bodies.vertexCount(), bodies.acceleration.data());
+              &bodies.vertexMass[std::size_t(block) * blockLanes], bodies.acceleration.data());
 }
 
 }  // namespace morula

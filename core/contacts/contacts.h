@@ -51,7 +51,7 @@ void addContactForces(Contacts& contacts, Bodies& bodies, int block, double time
 
 /// Two cells that touch and over which area. [length²]
 struct ContactArea {
-  int a, b;  // slots, a < b
+  int a, b;  // cell numbers, a < b
   double area;
 };
 

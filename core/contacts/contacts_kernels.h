@@ -30,11 +30,11 @@ struct ContactKernels {
   /// distance of a vertex from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
   double (*takeSnapshot)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
                          const double* reference, double* rows);
-  /// force += contact forces, for a range of slices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
-  /// `vertexMass` [slot]; `vertexCount` of one cell.
+  /// force += contact forces, for a range of one block's slices. `force` [all blocks]: vertex g at
+  /// (g / 8)·24 + g % 8. `vertexMass` [lane] of the block.
   using AddForces = void (*)(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
                              const double* rows, const ContactConstants&, const double* vertexMass,
-                             int vertexCount, double* force);
+                             double* force);
   AddForces addPairForces, addPairForcesWithFriction, addThesisForces;
 };
 

@@ -9,7 +9,7 @@ void prepare(GridSearch& grid, const SearchInput& input) {
   const Vector extent = box.high - box.low;
   double binSize = safeBinSize(input.largestReach());
   // At most four bins per vertex: doubling the bins' size divides their number by up to eight.
-  const double most = 4.0 * input.bodies.count * input.bodies.vertexCount() + 64;
+  const double most = 4.0 * input.bodies.livingVertices + 64;
   const auto bins = [&](double size) {
     return (extent.x / size + 1) * (extent.y / size + 1) * (extent.z / size + 1);
   };
@@ -32,7 +32,7 @@ void searchBlock(const GridSearch& grid, const SearchInput& input, int block, Bl
   const Bodies& bodies = input.bodies;
   // Cell by cell: what lies around one cell stays in the nearest cache.
   for (int lane = 0; lane < bodies.liveLanes(block); ++lane)
-    for (int v = 0; v < bodies.vertexCount(); ++v) {
+    for (int v = 0; v < bodies.verticesPerLane(block); ++v) {
       const int slot = block * blockLanes + lane;
       const Point x = bodies.vertex(slot, v);
       const int cx = grid.column(x.x, grid.low.x, grid.nx), cy = grid.column(x.y, grid.low.y, grid.ny),

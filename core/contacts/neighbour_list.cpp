@@ -46,8 +46,9 @@ void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const Aligned
                         int threads) {
   const int blocks = bodies.blockCount();
   list.reference.assign(bodies.position.begin(), bodies.position.end());
-  list.halfReach.resize(bodies.count);
-  for (int slot = 0; slot < bodies.count; ++slot) list.halfReach[slot] = rounding * 0.5 * radius[slot];
+  list.halfReach.resize(radius.size());
+  for (std::size_t slot = 0; slot < radius.size(); ++slot)
+    list.halfReach[slot] = rounding * 0.5 * radius[slot];
   const SearchInput input{*list.kernels, bodies, list.halfReach,
                           *std::max_element(list.halfReach.begin(), list.halfReach.end()), list.skin};
   list.perBlock.resize(blocks);
@@ -55,7 +56,7 @@ void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const Aligned
       [&](auto& search) {
         prepareSearch(search, input, threads);
         parallelFor(blocks, threads, [&](int block) {
-          list.perBlock[block].clear(bodies.vertexCount() * blockLanes);
+          list.perBlock[block].clear(bodies.verticesPerLane(block) * blockLanes);
           searchBlock(search, input, block, list.perBlock[block]);
         });
         if constexpr (requires { search.preparation; }) list.counters += search.preparation;
@@ -72,7 +73,7 @@ void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const Aligned
 
 std::vector<VertexNumber> neighboursOf(const NeighbourList& list, VertexNumber g) {
   // Behind the last vertex stands the far row, which fills up shorter lists.
-  const auto far = static_cast<VertexNumber>(list.perBlock.size() * list.perBlock[0].length.size());
+  const auto far = static_cast<VertexNumber>(list.reference.size() / 3);
   std::vector<VertexNumber> found;
   for (const NeighbourSlice& slice : list.slices)
     for (int l = 0; l < blockLanes; ++l)

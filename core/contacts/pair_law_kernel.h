@@ -42,7 +42,7 @@ MORULA_INLINE Vec pairForce(const Rows& i, const Rows& j, const ContactConstants
 /// [ContactKernels::addPairForces]
 template <bool withFriction>
 inline void addPairForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                          const double* rows, const ContactConstants& c, const double*, int, double* force) {
+                          const double* rows, const ContactConstants& c, const double*, double* force) {
   for (std::int64_t s = 0; s < count; ++s)
     for (int lane = 0; lane < blockLanes; lane += width) {
       const NeighbourSlice& slice = slices[s];

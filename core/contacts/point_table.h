@@ -29,8 +29,8 @@ template <class Body>
 void forEachVertex(const Bodies& bodies, Body&& body) {
   int i = 0;
   for (int block = 0; block < bodies.blockCount(); ++block) {
-    const int live = bodies.liveLanes(block);
-    for (int v = 0; v < bodies.vertexCount(); ++v)
+    const int live = bodies.liveLanes(block), vertices = bodies.verticesPerLane(block);
+    for (int v = 0; v < vertices; ++v)
       for (int lane = 0; lane < live; ++lane, ++i) body(i, block, v, lane);
   }
 }
@@ -41,7 +41,7 @@ template <class ChooseBin>
 void sortIntoBins(PointTable& table, std::vector<std::int32_t>& start, std::vector<std::int32_t>& binOf,
                   std::size_t bins, const SearchInput& input, ChooseBin&& chooseBin) {
   const Bodies& bodies = input.bodies;
-  const int total = bodies.count * bodies.vertexCount();
+  const int total = bodies.livingVertices;
   table.resize(total);
   binOf.resize(total);
   start.assign(bins + 1, 0);
@@ -53,7 +53,7 @@ void sortIntoBins(PointTable& table, std::vector<std::int32_t>& start, std::vect
   forEachVertex(bodies, [&](int i, int block, int v, int lane) {
     const int slot = block * blockLanes + lane;
     table.set(start[binOf[i]]++, bodies.vertex(slot, v),
-              (block * bodies.vertexCount() + v) * blockLanes + lane, slot, input.halfReach[slot]);
+              (bodies.blocks[block].firstLine + v) * blockLanes + lane, slot, input.halfReach[slot]);
   });
   // Each start has moved to its bin's end: move them back.
   for (std::size_t bin = bins; bin > 0; --bin) start[bin] = start[bin - 1];

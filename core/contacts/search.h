@@ -18,7 +18,7 @@ struct SearchInput {
   const SearchKernels& kernels;
   const Bodies&
       bodies;  // a vertex whose position is not finite has no neighbours; the run ends after this step
-  const AlignedVector<double>& halfReach;  // [slot] [length]
+  const AlignedVector<double>& halfReach;  // [slot] [length]; 0 without a cell
   double largestHalfReach, skin;           // [length]
 
   double reach(int a, int b) const { return (halfReach[a] + halfReach[b]) + skin; }

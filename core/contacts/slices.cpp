@@ -40,8 +40,9 @@ void writeSlice(const NeighbourSlice& slice, const BlockLists& lists, VertexNumb
 }  // namespace
 
 void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads) {
-  const int blocks = bodies.blockCount(), rowsPerBlock = bodies.vertexCount() * blockLanes;
-  const VertexNumber far = blocks * rowsPerBlock;
+  const int blocks = bodies.blockCount();
+  const VertexNumber far = bodies.lineCount() * blockLanes;
+  const auto firstOf = [&](int block) { return bodies.blocks[block].firstLine * blockLanes; };
   parallelFor(blocks, threads, [&](int block) { orderByLength(list.perBlock[block]); });
 
   // Where each block's slices and indices begin.
@@ -55,8 +56,7 @@ void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads) {
       slice.start = lines;
       slice.length = lists.length[lists.order[first]];  // the longest of the eight
       for (std::size_t l = 0; l < blockLanes; ++l)
-        slice.vertex[l] =
-            first + l < lists.order.size() ? block * rowsPerBlock + lists.order[first + l] : far;
+        slice.vertex[l] = first + l < lists.order.size() ? firstOf(block) + lists.order[first + l] : far;
       list.slices.push_back(slice);
       lines += slice.length;
     }
@@ -66,7 +66,7 @@ void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads) {
   std::fill(list.indices.begin() + lines * blockLanes, list.indices.end(), far);
   parallelFor(blocks, threads, [&](int block) {
     for (std::int64_t s = list.firstSlice[block]; s < list.firstSlice[block + 1]; ++s)
-      writeSlice(list.slices[s], list.perBlock[block], block * rowsPerBlock, far, list.indices.data());
+      writeSlice(list.slices[s], list.perBlock[block], firstOf(block), far, list.indices.data());
   });
 }
 

@@ -14,8 +14,8 @@ struct SnapshotRow {
 };
 static_assert(sizeof(SnapshotRow) == 64);
 
-// Vertex number g = (block · vertexCount + vertex) · blockLanes + lane: a vertex of all cells of a block side
-// by side. Behind the last one stands a row far away that fills up lists: nothing is within its reach.
+// Vertex number g = (the block's first line + vertex) · blockLanes + lane: a vertex of all cells of a block
+// side by side. Behind the last one stands a row far away that fills up lists: nothing is within its reach.
 using VertexNumber = std::int32_t;
 
 }  // namespace morula

@@ -55,7 +55,7 @@ void prepare(SpatialHash& h, const SearchInput& input) {
   h.low = box.low;
   h.inverseBin = 1 / std::max(safeBinSize(input.largestReach()), longest * 0x1p-30);
   // At least two buckets per vertex, so that most buckets hold one bin's vertices.
-  const std::uint32_t vertices = static_cast<std::uint32_t>(input.bodies.count * input.bodies.vertexCount());
+  const std::uint32_t vertices = static_cast<std::uint32_t>(input.bodies.livingVertices);
   h.mask = std::bit_ceil(2 * vertices) - 1;
   sortIntoBins(h.points, h.start, h.binOf, std::size_t(h.mask) + 1, input, [&](const Point& x) {
     const Bin b = binOf(h, x);
@@ -66,7 +66,7 @@ void prepare(SpatialHash& h, const SearchInput& input) {
 void searchBlock(const SpatialHash& h, const SearchInput& input, int block, BlockLists& lists) {
   const Bodies& bodies = input.bodies;
   for (int lane = 0; lane < bodies.liveLanes(block); ++lane)
-    for (int v = 0; v < bodies.vertexCount(); ++v) {
+    for (int v = 0; v < bodies.verticesPerLane(block); ++v) {
       const int slot = block * blockLanes + lane;
       const Point x = bodies.vertex(slot, v);
       std::int32_t buckets[27];

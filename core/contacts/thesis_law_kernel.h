@@ -17,7 +17,7 @@ namespace morula::MORULA_ISA {
 /// [ContactKernels::addThesisForces]
 inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
                             const double* rows, const ContactConstants& c, const double* vertexMass,
-                            int vertexCount, double* force) {
+                            double* force) {
   for (std::int64_t s = 0; s < count; ++s)
     for (int lane = 0; lane < blockLanes; lane += width) {
       const NeighbourSlice& slice = slices[s];
@@ -48,7 +48,7 @@ inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, co
         const double square = x[l] * x[l] + y[l] * y[l] + z[l] * z[l];
         if (g >= c.vertices || !(square > 0)) continue;
         double* f = force + std::int64_t(g / blockLanes) * vertexStride + g % blockLanes;
-        const double m = vertexMass[g / (blockLanes * vertexCount) * blockLanes + g % blockLanes];
+        const double m = vertexMass[g % blockLanes];
         const double length = __builtin_sqrt(square), ux = x[l] / length, uy = y[l] / length,
                      uz = z[l] / length;  // −d̂
         const double other = (f[0] * ux + f[blockLanes] * uy + f[2 * blockLanes] * uz) / m;

@@ -3,9 +3,10 @@
 //
 //   position[vertex][x y z][lane]     one cache line per vertex and axis, lane = cell
 //
-// All cells of a mesh template share its connectivity, so a kernel walks edges and rings once for the whole
-// block and needs no gather, no colouring and no scatter. The width of the storage is eight on every machine;
-// a narrower instruction set takes a line in several groups, and groups without a living cell are left out.
+// All cells of a block have one mesh template and share its connectivity, so a kernel walks edges and rings
+// once for the whole block and needs no gather, no colouring and no scatter. The width of the storage is
+// eight on every machine; a narrower instruction set takes a line in several groups, and groups without a
+// living cell are left out.
 #include <cstdint>
 
 namespace morula {
@@ -32,7 +33,8 @@ struct TemplateView {
 
 /// Where a block's numbers lie. Lengths: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].
 struct BlockView {
-  int liveLanes;  // living cells in this block, in the first lanes
+  int coarseness;  // which of the scene's meshes these cells have (Bodies::meshAt)
+  int liveLanes;   // living cells in this block, in the first lanes
   // State
   double* position;      // [v]
   double* velocity;      // [v]; between drift and kick the velocity at half the step

@@ -1,6 +1,6 @@
 #include "physics/bodies.h"
 
-#include "base/error.h"
+#include <algorithm>
 
 namespace morula {
 
@@ -12,6 +12,54 @@ void write(AlignedVector<double>& array, std::size_t at, const Vector& a) {
   array[at] = a.x;
   array[at + blockLanes] = a.y;
   array[at + 2 * blockLanes] = a.z;
+}
+
+/// Gives every cell its slot, and every block its lines.
+void arrange(Bodies& b, const std::vector<Body>& cells) {
+  b.count = static_cast<int>(cells.size());
+  b.slots.assign(cells.size(), -1);
+  b.blocks.clear();
+  b.livingVertices = 0;
+  int lines = 0, coarsest = 0;
+  for (const Body& cell : cells) coarsest = std::max(coarsest, cell.coarseness);
+  for (int coarseness = 0; coarseness <= coarsest; ++coarseness) {
+    const int vertices = b.meshAt(coarseness).vertexCount();
+    int lane = blockLanes;  // the first cell begins a block
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells[i].coarseness != coarseness) continue;
+      if (lane == blockLanes) {
+        b.blocks.push_back({coarseness, lines, 0});
+        lines += vertices;
+        lane = 0;
+      }
+      b.slots[i] = (b.blockCount() - 1) * blockLanes + lane++;
+      b.blocks.back().liveLanes = lane;
+      b.livingVertices += vertices;
+    }
+  }
+  for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(std::size_t(lines) * vertexStride, 0);
+}
+
+void place(Bodies& b, int slot, const Body& cell, double vertexMass) {
+  CHECK(static_cast<int>(cell.position.size()) == b.vertexCount(slot), "a cell has its mesh's vertices");
+  b.vertexMass[slot] = vertexMass;
+  b.restScale[slot] = cell.restScale;
+  b.pressureConstant[slot] = cell.pressureConstant;
+  for (int v = 0; v < b.vertexCount(slot); ++v) {
+    write(b.position, b.at(slot, v), cell.position[v]);
+    write(b.velocity, b.at(slot, v), cell.velocity[v]);
+  }
+}
+
+/// A resting cell of the egg's size with one of the scene's meshes.
+Body makeEgg(const Bodies& b, int coarseness) {
+  const Mesh& mesh = b.meshAt(coarseness).mesh;
+  return {mesh.vertices,
+          std::vector<Vector>(mesh.vertices.size()),
+          b.parameters.cell.mass,
+          1,
+          b.parameters.pressure.constant,
+          coarseness};
 }
 
 }  // namespace
@@ -28,29 +76,35 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                         {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1}};
   b.scratch.resize(threads);
   for (auto& s : b.scratch) {
-    s.predicted.assign(b.blockSize(), 0);
-    s.gradient.assign(b.blockSize(), 0);
+    s.predicted.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
+    s.gradient.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
     s.coefficient.assign(std::size_t(b.mesh.edgeCount() + 1) * blockLanes, 0);  // the slack edge stays 0
   }
   return b;
 }
 
 BlockView Bodies::block(int index, int thread) {
-  const std::size_t v = index * blockSize(), l = std::size_t(index) * blockLanes;
+  const BlockPlace& place = blocks[index];
+  const std::size_t v = std::size_t(place.firstLine) * vertexStride, l = std::size_t(index) * blockLanes;
   Scratch& s = scratch[thread];
-  return {liveLanes(index), &position[v],       &velocity[v],         &acceleration[v],
-          &vertexMass[l],   &restScale[l],      &pressureConstant[l], &volume[l],
-          &pressure[l],     s.predicted.data(), s.gradient.data(),    s.coefficient.data()};
+  return {place.coarseness,   place.liveLanes,   &position[v],         &velocity[v], &acceleration[v],
+          &vertexMass[l],     &restScale[l],     &pressureConstant[l], &volume[l],   &pressure[l],
+          s.predicted.data(), s.gradient.data(), s.coefficient.data()};
 }
 
-Body makeEgg(const Bodies& b) {
-  return {b.mesh.mesh.vertices, std::vector<Vector>(b.vertexCount()), b.parameters.cell.mass, 1,
-          b.parameters.pressure.constant};
-}
+Body makeEgg(const Bodies& b) { return makeEgg(b, 0); }
 
 Body takeBody(const Bodies& b, int slot) {
-  Body cell{{}, {}, b.mass(slot), b.restScale[slot], b.pressureConstant[slot]};
-  for (int v = 0; v < b.vertexCount(); ++v) {
+  Body cell{{},
+            {},
+            b.mass(slot),
+            b.restScale[slot],
+            b.pressureConstant[slot],
+            b.blocks[slot / blockLanes].coarseness};
+  const int vertices = b.vertexCount(slot);
+  cell.position.reserve(vertices);
+  cell.velocity.reserve(vertices);
+  for (int v = 0; v < vertices; ++v) {
     cell.position.push_back(b.read(b.position, slot, v));
     cell.velocity.push_back(b.read(b.velocity, slot, v));
   }
@@ -58,30 +112,24 @@ Body takeBody(const Bodies& b, int slot) {
 }
 
 Point measureCentre(const Bodies& b, int slot) {
+  const int vertices = b.vertexCount(slot);
   Vector sum;
-  for (int v = 0; v < b.vertexCount(); ++v) sum += b.vertex(slot, v);
-  return sum / static_cast<double>(b.vertexCount());
+  for (int v = 0; v < vertices; ++v) sum += b.vertex(slot, v);
+  return sum / static_cast<double>(vertices);
 }
 
 void setBodies(Bodies& b, const std::vector<Body>& cells) {
-  b.count = static_cast<int>(cells.size());
-  const std::size_t lanes = std::size_t(b.blockCount()) * blockLanes, size = b.blockCount() * b.blockSize();
-  for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(size, 0);
+  arrange(b, cells);
+  const std::size_t lanes = std::size_t(b.blockCount()) * blockLanes;
   for (auto* a : {&b.vertexMass, &b.restScale, &b.pressureConstant, &b.volume, &b.pressure})
     a->assign(lanes, 0);
-  for (int slot = 0; slot < static_cast<int>(lanes); ++slot) {
-    const bool living = slot < b.count;
-    const Body filler = living ? Body{} : makeEgg(b);
-    const Body& cell = living ? cells[slot] : filler;
-    CHECK(static_cast<int>(cell.position.size()) == b.vertexCount(), "a cell keeps its mesh's vertices");
-    b.vertexMass[slot] = living ? cell.mass / b.vertexCount() : immovable;  // [Nilsson 2008, eq. 4.1]
-    b.restScale[slot] = cell.restScale;
-    b.pressureConstant[slot] = cell.pressureConstant;
-    for (int v = 0; v < b.vertexCount(); ++v) {
-      write(b.position, b.at(slot, v), cell.position[v]);
-      write(b.velocity, b.at(slot, v), cell.velocity[v]);
-    }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const int slot = b.slots[i];
+    place(b, slot, cells[i], cells[i].mass / b.vertexCount(slot));  // [Nilsson 2008, eq. 4.1]
   }
+  for (int block = 0; block < b.blockCount(); ++block)
+    for (int lane = b.liveLanes(block); lane < blockLanes; ++lane)
+      place(b, block * blockLanes + lane, makeEgg(b, b.blocks[block].coarseness), immovable);
 }
 
 }  // namespace morula

@@ -1,13 +1,15 @@
 #pragma once
 // The bodies of all living cells: what the physics changes, in blocks of eight (block.h).
 //
-// Slot s is cell number s in the order of lineage paths, in block s / 8, lane s % 8. Slots follow from the
+// A slot is a place in storage: lane s % 8 of block s / 8. Cells fill the slots in the order of lineage
+// paths, so where all have one mesh, cell number i has slot i. Cells with a coarser mesh stand in blocks of
+// their own behind the others, each mesh in whole blocks; Bodies::slots knows where. Slots follow from the
 // living cells alone, so nothing depends on the history of births. Lanes without a cell hold a resting egg of
 // enormous mass, which never moves.
 #include <vector>
 
 #include "base/aligned.h"
-#include "base/isa.h"
+#include "base/error.h"
 #include "physics/block.h"
 #include "physics/mesh_template.h"
 #include "physics/parameters.h"
@@ -21,16 +23,29 @@ struct Body {
   double mass = 0;              // [mass] of the whole cell
   double restScale = 1;         // rest lengths over the template's
   double pressureConstant = 0;  // k_p [force·length]
+  int coarseness = 0;           // its mesh: 0 the egg's, 1 … the coarser ones of the scene
+};
+
+/// A block of eight lanes in storage.
+struct BlockPlace {
+  int coarseness;  // of its cells' mesh
+  int firstLine;   // vertices of all blocks before it
+  int liveLanes;   // cells in it
 };
 
 struct Bodies {
   // Constant
   PhysicsParameters parameters;
   KernelParameters kernelParameters;
-  MeshTemplate mesh;
+  MeshTemplate mesh;  // the egg's
+
+  // Where cells are
+  int count = 0;                   // living cells
+  std::vector<int> slots;          // [cell] in the order of lineage paths
+  std::vector<BlockPlace> blocks;  // coarser meshes behind finer ones
+  int livingVertices = 0;          // of all cells
 
   // State: [block][vertex][xyz][lane]
-  int count = 0;  // living cells
   AlignedVector<double> position, velocity, acceleration;
   // Each cell's parameters, [slot], filled up to whole blocks
   AlignedVector<double> vertexMass, restScale, pressureConstant;
@@ -45,23 +60,27 @@ struct Bodies {
   };
   std::vector<Scratch> scratch;
 
+  const MeshTemplate& meshAt(int) const { return mesh; }
+  const MeshTemplate& meshOf(int slot) const { return meshAt(blocks[slot / blockLanes].coarseness); }
+  int vertexCount(int slot) const { return meshOf(slot).vertexCount(); }
+  /// Of every cell, in a scene with one mesh.
   int vertexCount() const { return mesh.vertexCount(); }
-  int blockCount() const { return (count + blockLanes - 1) / blockLanes; }
-  int liveLanes(int block) const {
-    return count - block * blockLanes < blockLanes ? count - block * blockLanes : blockLanes;
-  }
+  int blockCount() const { return static_cast<int>(blocks.size()); }
+  int liveLanes(int block) const { return blocks[block].liveLanes; }
+  int verticesPerLane(int block) const { return meshAt(blocks[block].coarseness).vertexCount(); }
+  /// Of all blocks: each is a vertex of eight lanes.
+  int lineCount() const { return static_cast<int>(position.size() / vertexStride); }
   /// Where component x of a vertex of a slot stands in position, velocity and acceleration; y and z follow at
   /// blockLanes.
   std::size_t at(int slot, int vertex) const {
-    return (std::size_t(slot / blockLanes) * vertexCount() + vertex) * vertexStride + slot % blockLanes;
+    return std::size_t(blocks[slot / blockLanes].firstLine + vertex) * vertexStride + slot % blockLanes;
   }
   Point vertex(int slot, int v) const { return read(position, slot, v); }
   Vector read(const AlignedVector<double>& a, int slot, int v) const {
     const double* p = &a[at(slot, v)];
     return {p[0], p[blockLanes], p[2 * blockLanes]};
   }
-  double mass(int slot) const { return vertexMass[slot] * vertexCount(); }
-  std::size_t blockSize() const { return std::size_t(vertexCount()) * vertexStride; }
+  double mass(int slot) const { return vertexMass[slot] * vertexCount(slot); }
   BlockView block(int index, int thread);
 };
 
@@ -76,7 +95,8 @@ Body takeBody(const Bodies& bodies, int slot);
 /// The mean of a cell's vertices, which carry its mass. [length]
 Point measureCentre(const Bodies& bodies, int slot);
 
-/// Replaces all cells. Accelerations are zero until the next force evaluation.
+/// Replaces all cells; they come in the order of lineage paths. Accelerations are zero until the next force
+/// evaluation.
 void setBodies(Bodies& bodies, const std::vector<Body>& cells);
 
 }  // namespace morula

@@ -19,7 +19,7 @@ PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa) {
 }
 
 void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
-  const TemplateView mesh = bodies.mesh.view();
+  const TemplateView mesh = bodies.meshAt(block.coarseness).view();
   const KernelParameters& p = bodies.kernelParameters;
   stages.drift(mesh, block, p, timeStep);
   if (stages.keepInShell) stages.keepInShell(mesh, block, p);
@@ -29,8 +29,9 @@ void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView&
 }
 
 void kick(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
-  stages.kick(bodies.mesh.view(), block, bodies.kernelParameters, timeStep);
-  if (stages.slideOnShell) stages.slideOnShell(bodies.mesh.view(), block, bodies.kernelParameters);
+  const TemplateView mesh = bodies.meshAt(block.coarseness).view();
+  stages.kick(mesh, block, bodies.kernelParameters, timeStep);
+  if (stages.slideOnShell) stages.slideOnShell(mesh, block, bodies.kernelParameters);
 }
 
 }  // namespace morula

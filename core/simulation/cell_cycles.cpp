@@ -15,7 +15,7 @@ namespace {
 CellChange runCellCycle(World& world, std::size_t i) {
   Cells& cells = world.cells;
   std::optional<BodyUnit> body;
-  if (world.bodies) body.emplace(*world.bodies, static_cast<int>(i));
+  if (world.bodies) body.emplace(*world.bodies, world.bodies->slots[i]);
   CellView view{cells.path[i], cells.state[i], world.clock.time, cells.lastCycle[i], body ? &*body : nullptr};
   if (!world.biology->wantsToRunCellCycle(view)) return CellChange::none;
   cells.lastCycle[i] +=

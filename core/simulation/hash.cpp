@@ -10,7 +10,7 @@ void addPath(Hasher& h, const CellPath& p) { h.add(p.high()).add(p.low()).add(p.
 
 void addVectors(Hasher& h, const char* name, const Bodies& b, const AlignedVector<double>& array, int slot) {
   h.field(name);
-  for (int v = 0; v < b.vertexCount(); ++v) {
+  for (int v = 0; v < b.vertexCount(slot); ++v) {
     const Vector a = b.read(array, slot, v);
     h.add(a.x).add(a.y).add(a.z);
   }
@@ -37,7 +37,7 @@ Hash stateHash(const World& world) {
     h.add(world.biology->describe(world.cells.state[i]))
         .add(world.cells.lastCycle[i])
         .add(world.cells.growth[i]);
-    if (world.bodies) addBody(h, *world.bodies, static_cast<int>(i));
+    if (world.bodies) addBody(h, *world.bodies, world.bodies->slots[i]);
   }
   if (world.connections) {
     h.field("connections").add(std::uint64_t{world.connections->history.size()});

@@ -12,14 +12,14 @@ namespace morula {
 namespace {
 
 std::vector<Point> verticesOf(const Bodies& b, int slot) {
-  std::vector<Point> points(b.vertexCount());
-  for (int v = 0; v < b.vertexCount(); ++v) points[v] = b.vertex(slot, v);
+  std::vector<Point> points(b.vertexCount(slot));
+  for (int v = 0; v < b.vertexCount(slot); ++v) points[v] = b.vertex(slot, v);
   return points;
 }
 
 double kineticEnergy(const Bodies& b, int slot) {
   double sum = 0;
-  for (int v = 0; v < b.vertexCount(); ++v) {
+  for (int v = 0; v < b.vertexCount(slot); ++v) {
     const Vector u = b.read(b.velocity, slot, v);
     sum += dot(u, u);
   }
@@ -29,8 +29,8 @@ double kineticEnergy(const Bodies& b, int slot) {
 /// (x/a)² + (y/b)² + (z/c)² of the vertex where it is largest.
 double outermostSquare(const Bodies& b, const double* semiAxes) {
   double outermost = 0;
-  for (int slot = 0; slot < b.count; ++slot)
-    for (int v = 0; v < b.vertexCount(); ++v) {
+  for (int slot : b.slots)
+    for (int v = 0; v < b.vertexCount(slot); ++v) {
       const Point p = b.vertex(slot, v);
       const Vector q{p.x / semiAxes[0], p.y / semiAxes[1], p.z / semiAxes[2]};
       outermost = std::max(outermost, dot(q, q));
@@ -47,7 +47,7 @@ WorldMeasures measureWorld(const World& world) {
   m.cells = world.cells.path.size();
   if (!world.bodies) return m;
   const Bodies& b = *world.bodies;
-  for (int slot = 0; slot < b.count; ++slot) {
+  for (int slot : b.slots) {
     m.volume += b.volume[slot];
     m.meanPressure += b.pressure[slot];
     m.kineticEnergy += kineticEnergy(b, slot);
@@ -65,13 +65,15 @@ std::vector<CellMeasures> measureCells(const World& world) {
   std::vector<CellMeasures> all;
   if (!world.bodies) return all;
   const Bodies& b = *world.bodies;
-  for (int slot = 0; slot < b.count; ++slot) {
+  for (int cell = 0; cell < b.count; ++cell) {
+    const int slot = b.slots[cell];
     const std::vector<Point> vertices = verticesOf(b, slot);
+    const Faces faces = b.meshOf(slot).mesh.faces;
     CellMeasures m;
-    m.path = world.cells.path[slot];
-    m.state = world.cells.state[slot];
-    m.volume = measureVolume(vertices, b.mesh.mesh.faces);
-    m.area = measureArea(vertices, b.mesh.mesh.faces);
+    m.path = world.cells.path[cell];
+    m.state = world.cells.state[cell];
+    m.volume = measureVolume(vertices, faces);
+    m.area = measureArea(vertices, faces);
     m.pressure = b.pressureConstant[slot] / m.volume - b.parameters.pressure.outside;
     m.centroid = measureCentroid(vertices);
     m.sphericity = sphericity(m.volume, m.area);
@@ -95,10 +97,12 @@ std::vector<ContactMeasures> measureContacts(const World& world) {
 
 double measureMeanOverlap(const World& world, int columns) {
   if (!world.bodies || world.bodies->count == 0) return 0;
+  const Bodies& b = *world.bodies;
   std::vector<std::vector<Point>> vertices;
-  for (int slot = 0; slot < world.bodies->count; ++slot) vertices.push_back(verticesOf(*world.bodies, slot));
+  for (int slot : b.slots) vertices.push_back(verticesOf(b, slot));
   std::vector<MeshView> meshes;
-  for (const auto& v : vertices) meshes.push_back({v, world.bodies->mesh.mesh.faces});
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    meshes.push_back({vertices[i], b.meshOf(b.slots[i]).mesh.faces});
   return measureOverlap(meshes, columns).meanShare();
 }
 
@@ -107,7 +111,7 @@ std::vector<Point> cellVertices(const World& world, const CellPath& path) {
   const auto& paths = world.cells.path;
   const auto at = std::lower_bound(paths.begin(), paths.end(), path);
   if (at == paths.end() || *at != path) return {};
-  return verticesOf(*world.bodies, static_cast<int>(at - paths.begin()));
+  return verticesOf(*world.bodies, world.bodies->slots[at - paths.begin()]);
 }
 
 }  // namespace morula

@@ -11,10 +11,11 @@ namespace morula {
 namespace {
 
 Daughters divide(const World& world, std::size_t i) {
-  const Body mother = takeBody(*world.bodies, static_cast<int>(i));
+  const int slot = world.bodies->slots[i];
+  const Body mother = takeBody(*world.bodies, slot);
   const Vector normal = world.divisionPolicy->planeNormal(world.cells.path[i], mother);
-  CutResult cut =
-      cutBody(mother, world.bodies->mesh.mesh.faces, normal, world.bodies->parameters.membrane.production);
+  CutResult cut = cutBody(mother, world.bodies->meshOf(slot).mesh.faces, normal,
+                          world.bodies->parameters.membrane.production);
   if (!cut.failure.empty())
     throw NumericalError(
         world.cells.path[i].text(), world.clock.step, "it cannot divide: " + cut.failure,
@@ -81,7 +82,7 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
     if (now != next.cells.path.end() && *now == path)
       return centreOfBody(next.bodies[now - next.cells.path.begin()]);
     const auto old = std::lower_bound(world.cells.path.begin(), world.cells.path.end(), path);
-    return centreOfBody(takeBody(*world.bodies, static_cast<int>(old - world.cells.path.begin())));
+    return centreOfBody(takeBody(*world.bodies, world.bodies->slots[old - world.cells.path.begin()]));
   };
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] == CellChange::dies) releaseAll(*world.connections, world.cells.path[i], time, "died");
@@ -119,7 +120,7 @@ void changePopulation(World& world, const std::vector<CellChange>& changes) {
     } else {
       const Cells& c = world.cells;
       add(next, c.path[i], c.state[i], c.lastCycle[i], c.growth[i], c.entry[i]);
-      if (world.bodies) next.bodies.push_back(takeBody(*world.bodies, static_cast<int>(i)));
+      if (world.bodies) next.bodies.push_back(takeBody(*world.bodies, world.bodies->slots[i]));
     }
   }
   inheritAllConnections(world, changes, next);

@@ -47,9 +47,9 @@ void movePhysics(World& world, double timeStep) {
 void growCells(World& world, double timeStep) {
   const auto& growth = world.model.mechanics->physics.growth;
   if (!growth) return;
-  for (int slot = 0; slot < world.bodies->count; ++slot)
-    if (world.cells.growth[slot] != 0)
-      grow(*world.bodies, slot, growth->rate * world.cells.growth[slot], timeStep);
+  for (std::size_t i = 0; i < world.cells.growth.size(); ++i)
+    if (world.cells.growth[i] != 0)
+      grow(*world.bodies, world.bodies->slots[i], growth->rate * world.cells.growth[i], timeStep);
 }
 
 }  // namespace morula

@@ -15,16 +15,17 @@ namespace {
 
 struct Limit {
   double spring, pressure, contact;  // [time]; contact is infinite without pair contact
-  int slot;
+  int cell;
 };
 
 /// The limits of the cell with the smallest combined one.
 Limit tightestLimit(const World& world, double& combined) {
   Limit tightest{};
   combined = INFINITY;
-  for (int slot = 0; slot < world.bodies->count; ++slot) {
+  for (int cell = 0; cell < world.bodies->count; ++cell) {
+    const int slot = world.bodies->slots[cell];
     const StabilityLimits own = measureLimits(*world.bodies, slot);
-    Limit l{own.spring, own.pressure, INFINITY, slot};
+    Limit l{own.spring, own.pressure, INFINITY, cell};
     if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
       l.contact = contactLimit(world.bodies->parameters.integrator, world.contacts->parameters.stiffness,
                                world.contacts->parameters.damping, world.bodies->vertexMass[slot]);
@@ -36,13 +37,12 @@ Limit tightestLimit(const World& world, double& combined) {
   return tightest;
 }
 
-void refuseAbove(double limit, const char* mode, const World& world, int slot, double timeStep) {
+void refuseAbove(double limit, const char* mode, const World& world, int cell, double timeStep) {
   if (timeStep <= 0.8 * limit) return;
-  throw NumericalError(
-      world.cells.path[slot].text(), world.clock.step,
-      "physics.time_step " + exactText(timeStep) + " is above 0.8 of the stability limit " +
-          numberText(limit) + " of its " + mode,
-      "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(0.8 * limit)));
+  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
+                       "physics.time_step " + exactText(timeStep) + " is above 0.8 of the stability limit " +
+                           numberText(limit) + " of its " + mode,
+                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(0.8 * limit)));
 }
 
 }  // namespace
@@ -55,9 +55,9 @@ void chooseTimeStep(World& world) {
   double timeStep;
   if (p.timeStep) {
     timeStep = *p.timeStep;
-    refuseAbove(limit.spring, "springs", world, limit.slot, timeStep);
-    refuseAbove(limit.pressure, "pressure", world, limit.slot, timeStep);
-    refuseAbove(limit.contact, "contacts", world, limit.slot, timeStep);
+    refuseAbove(limit.spring, "springs", world, limit.cell, timeStep);
+    refuseAbove(limit.pressure, "pressure", world, limit.cell, timeStep);
+    refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
   } else {
     timeStep = powerOfTwoBelow(0.8 * combined);
   }
@@ -67,7 +67,8 @@ void chooseTimeStep(World& world) {
   clock.epochTime = clock.time;
   clock.epochStep = clock.step;
   world.timeSteps.push_back({clock.time, clock.step, timeStep});
-  movePhysics(world, 0);  // the thesis' contact law depends on the time step: its forces are those of the new one
+  movePhysics(world,
+              0);  // the thesis' contact law depends on the time step: its forces are those of the new one
 }
 
 }  // namespace morula

@@ -23,7 +23,7 @@ struct Execution {
   SearchSettings search = {};
 };
 
-/// The living cells, by lineage path. Cell number i is slot i of the bodies, and so of everything physical.
+/// The living cells, by lineage path. Where the body of cell number i is stored: Bodies::slots[i].
 struct Cells {
   std::vector<CellPath> path;
   std::vector<StateId> state;
@@ -41,8 +41,8 @@ struct Clock {
   double nextCycle = 0;  // [time] when the next cell cycle of any cell is due
 };
 
-/// One entry for the start and one for each change; changes happen at divisions and deaths, and at cell cycles where cells
-/// may grow or shrink.
+/// One entry for the start and one for each change; changes happen at divisions and deaths, and at cell
+/// cycles where cells may grow or shrink.
 struct TimeStepChange {
   double time = 0;
   std::uint64_t step = 0;
