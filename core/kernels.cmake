@@ -5,6 +5,10 @@
 option(MORULA_PORTABLE "Leave the AVX kernels out: only what every machine of the architecture has" OFF)
 set(MORULA_ISAS scalar narrow)
 set(MORULA_WIDTH_scalar 1)
+set(MORULA_SINGLE_WIDTH_scalar 1)
+set(MORULA_SINGLE_WIDTH_narrow 4)
+set(MORULA_SINGLE_WIDTH_avx2 8)
+set(MORULA_SINGLE_WIDTH_avx512 8)
 set(MORULA_WIDTH_narrow 2)  # SSE2 on x86-64, NEON on aarch64: what every machine has
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT MORULA_PORTABLE)
   target_compile_definitions(morula_flags INTERFACE MORULA_WITH_AVX)
@@ -23,12 +27,28 @@ function(morula_kernels target folder)
     return()
   endif()
   foreach(isa ${MORULA_ISAS})
-    add_library(${target}_${isa} OBJECT ${kernels})
-    target_include_directories(${target}_${isa} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${morula_SOURCE_DIR}/core)
-    target_link_libraries(${target}_${isa} PUBLIC morula_flags)
-    target_compile_definitions(${target}_${isa} PRIVATE MORULA_ISA=${isa} MORULA_WIDTH=${MORULA_WIDTH_${isa}})
-    target_compile_options(${target}_${isa} PRIVATE ${MORULA_OPTIONS_${isa}} -fno-math-errno -fno-trapping-math
-                           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # gcc 12 misreads its own vector intrinsics
-    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_${isa}>)
+    morula_kernels_for(${target} ${isa} "${kernels}" MORULA_ISA=${isa} MORULA_WIDTH=${MORULA_WIDTH_${isa}})
   endforeach()
+endfunction()
+
+# The same with floats instead of doubles, into namespaces of their own (avx2_single): the files named. A block has eight
+# lanes, so wider registers stay half empty.
+function(morula_single_kernels target)
+  foreach(isa ${MORULA_ISAS})
+    set(width ${MORULA_SINGLE_WIDTH_${isa}})
+    morula_kernels_for(${target} ${isa} "${ARGN}" MORULA_ISA=${isa}_single MORULA_WIDTH=${width} MORULA_SINGLE)
+  endforeach()
+endfunction()
+
+function(morula_kernels_for target isa kernels)
+  list(GET ARGN 0 namespace)
+  string(REPLACE "MORULA_ISA=" "" namespace ${namespace})
+  set(objects ${target}_${namespace})
+  add_library(${objects} OBJECT ${kernels})
+  target_include_directories(${objects} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${morula_SOURCE_DIR}/core)
+  target_link_libraries(${objects} PUBLIC morula_flags)
+  target_compile_definitions(${objects} PRIVATE ${ARGN})
+  target_compile_options(${objects} PRIVATE ${MORULA_OPTIONS_${isa}} -fno-math-errno -fno-trapping-math
+                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # gcc 12 misreads its own vector intrinsics
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
 endfunction()

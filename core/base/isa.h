@@ -43,4 +43,26 @@ struct PerIsa {
   }
 };
 
+// Declares the tables `name` of type Table in the instruction sets' namespaces, and gathers them as `tables`.
+// Directly in namespace morula. `suffix`: of the namespaces; nothing, or _single for kernels that compute
+// with floats.
+#define MORULA_DECLARE_TABLE(Table, isa, name) \
+  namespace isa {                              \
+  extern const Table name;                     \
+  }
+#if defined(MORULA_WITH_AVX)
+#define MORULA_TABLES(Table, name, tables, suffix)                                                     \
+  MORULA_DECLARE_TABLE(Table, scalar##suffix, name)                                                    \
+  MORULA_DECLARE_TABLE(Table, narrow##suffix, name)                                                    \
+  MORULA_DECLARE_TABLE(Table, avx2##suffix, name)                                                      \
+  MORULA_DECLARE_TABLE(Table, avx512##suffix, name)                                                    \
+  static const PerIsa<Table> tables{&scalar##suffix::name, &narrow##suffix::name, &avx2##suffix::name, \
+                                    &avx512##suffix::name};
+#else
+#define MORULA_TABLES(Table, name, tables, suffix)  \
+  MORULA_DECLARE_TABLE(Table, scalar##suffix, name) \
+  MORULA_DECLARE_TABLE(Table, narrow##suffix, name) \
+  static const PerIsa<Table> tables{&scalar##suffix::name, &narrow##suffix::name, nullptr, nullptr};
+#endif
+
 }  // namespace morula

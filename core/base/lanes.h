@@ -26,7 +26,18 @@ namespace morula::MORULA_ISA {
 
 constexpr int width = MORULA_WIDTH;
 
-#if MORULA_WIDTH == 1
+// The numbers of a scene: floats where the build says so, doubles else.
+#if defined(MORULA_SINGLE)
+using Real = float;
+typedef std::int32_t MaskReal;
+constexpr bool single = true;
+#else
+using Real = double;
+typedef std::int64_t MaskReal;
+constexpr bool single = false;
+#endif
+
+#if MORULA_WIDTH == 1 && !defined(MORULA_SINGLE)
 
 using Lanes = double;
 using Mask = bool;
@@ -39,8 +50,10 @@ MORULA_INLINE unsigned bits(Mask m) { return m; }
 
 #else
 
-typedef double RawLanes __attribute__((vector_size(MORULA_WIDTH * 8)));
-typedef std::int64_t RawMask __attribute__((vector_size(MORULA_WIDTH * 8)));
+// A lane of one float is a vector as well: as a bare float it would be promoted to double on the way.
+typedef Real RawLanes __attribute__((vector_size(MORULA_WIDTH * sizeof(Real))));
+typedef MaskReal RawMask __attribute__((vector_size(MORULA_WIDTH * sizeof(Real))));
+typedef double WideLanes __attribute__((vector_size(MORULA_WIDTH * sizeof(double))));
 
 struct Mask {
   RawMask v;
@@ -52,7 +65,7 @@ struct Lanes {
   Lanes() = default;
   MORULA_INLINE Lanes(RawLanes raw) : v(raw) {}
   MORULA_INLINE Lanes(double a) {
-    for (int i = 0; i < MORULA_WIDTH; ++i) v[i] = a;
+    for (int i = 0; i < MORULA_WIDTH; ++i) v[i] = static_cast<Real>(a);
   }
   friend MORULA_INLINE Lanes operator+(Lanes a, Lanes b) { return a.v + b.v; }
   friend MORULA_INLINE Lanes operator-(Lanes a, Lanes b) { return a.v - b.v; }
@@ -66,15 +79,38 @@ struct Lanes {
   friend MORULA_INLINE Mask operator!=(Lanes a, Lanes b) { return {a.v != b.v}; }
 };
 
-MORULA_INLINE Lanes load(const double* p) {
+MORULA_INLINE Lanes load(const Real* p) {
   Lanes a;
   __builtin_memcpy(&a.v, p, sizeof a.v);
   return a;
 }
-MORULA_INLINE void store(double* p, Lanes a) { __builtin_memcpy(p, &a.v, sizeof a.v); }
+MORULA_INLINE void store(Real* p, Lanes a) { __builtin_memcpy(p, &a.v, sizeof a.v); }
+#if defined(MORULA_SINGLE)
+// What belongs to a whole cell is kept in doubles.
+MORULA_INLINE Lanes load(const double* p) {
+  WideLanes a;
+  __builtin_memcpy(&a, p, sizeof a);
+  return __builtin_convertvector(a, RawLanes);
+}
+MORULA_INLINE void store(double* p, Lanes a) {
+  const WideLanes wide = __builtin_convertvector(a.v, WideLanes);
+  __builtin_memcpy(p, &wide, sizeof wide);
+}
+#endif
 
 MORULA_INLINE Lanes squareRoot(Lanes a) {
-#if defined(__x86_64__) && MORULA_WIDTH == 2
+#if defined(MORULA_SINGLE)
+#if defined(__x86_64__) && MORULA_WIDTH == 4
+  return (RawLanes)_mm_sqrt_ps((__m128)a.v);
+#elif defined(__x86_64__) && MORULA_WIDTH == 8
+  return (RawLanes)_mm256_sqrt_ps((__m256)a.v);
+#elif defined(__aarch64__) && MORULA_WIDTH == 4
+  return (RawLanes)vsqrtq_f32((float32x4_t)a.v);
+#else
+  for (int i = 0; i < MORULA_WIDTH; ++i) a.v[i] = __builtin_sqrtf(a.v[i]);
+  return a;
+#endif
+#elif defined(__x86_64__) && MORULA_WIDTH == 2
   return (RawLanes)_mm_sqrt_pd((__m128d)a.v);
 #elif defined(__x86_64__) && MORULA_WIDTH == 4
   return (RawLanes)_mm256_sqrt_pd((__m256d)a.v);
@@ -92,11 +128,15 @@ MORULA_INLINE Lanes select(Mask m, Lanes a, Lanes b) { return m.v ? a.v : b.v; }
 
 /// Bit i: lane i.
 MORULA_INLINE unsigned bits(Mask m) {
-#if defined(__x86_64__) && MORULA_WIDTH == 2
+#if defined(MORULA_SINGLE) && defined(__x86_64__) && MORULA_WIDTH == 4
+  return _mm_movemask_ps((__m128)m.v);
+#elif defined(MORULA_SINGLE) && defined(__x86_64__) && MORULA_WIDTH == 8
+  return _mm256_movemask_ps((__m256)m.v);
+#elif !defined(MORULA_SINGLE) && defined(__x86_64__) && MORULA_WIDTH == 2
   return _mm_movemask_pd((__m128d)m.v);
-#elif defined(__x86_64__) && MORULA_WIDTH == 4
+#elif !defined(MORULA_SINGLE) && defined(__x86_64__) && MORULA_WIDTH == 4
   return _mm256_movemask_pd((__m256d)m.v);
-#elif defined(__x86_64__) && MORULA_WIDTH == 8
+#elif !defined(MORULA_SINGLE) && defined(__x86_64__) && MORULA_WIDTH == 8
   return _mm512_movepi64_mask((__m512i)m.v);
 #else
   unsigned b = 0;
@@ -109,151 +149,8 @@ MORULA_INLINE bool any(Mask m) { return bits(m) != 0; }
 
 #endif
 
-// Rows: eight doubles in one cache line, read and written by index for neighbours that lie anywhere. Turning
-// `width` rows into eight columns of lanes is a transposition in registers, not a gather.
-#if MORULA_WIDTH == 1
-
-MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes column[8]) {
-  for (int c = 0; c < 8; ++c) column[c] = rows[std::int64_t(index[0]) * 8 + c];
-}
-MORULA_INLINE void storeRows(double* firstRow, const Lanes column[8]) {
-  for (int c = 0; c < 8; ++c) firstRow[c] = column[c];
-}
-MORULA_INLINE Lanes packFloats(Lanes a, Lanes b) {
-  const float both[2] = {static_cast<float>(a), static_cast<float>(b)};
-  Lanes packed;
-  __builtin_memcpy(&packed, both, sizeof packed);
-  return packed;
-}
-MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
-  float both[2];
-  __builtin_memcpy(both, &packed, sizeof both);
-  a = both[0];
-  b = both[1];
-}
-
-#else
-
-#if MORULA_WIDTH == 2
-#define MORULA_LOW(a, b) __builtin_shufflevector(a, b, 0, 2)
-#define MORULA_HIGH(a, b) __builtin_shufflevector(a, b, 1, 3)
-#elif MORULA_WIDTH == 4
-#define MORULA_LOW(a, b) __builtin_shufflevector(a, b, 0, 4, 2, 6)
-#define MORULA_HIGH(a, b) __builtin_shufflevector(a, b, 1, 5, 3, 7)
-#define MORULA_FIRST_PAIRS(a, b) __builtin_shufflevector(a, b, 0, 1, 4, 5)
-#define MORULA_LAST_PAIRS(a, b) __builtin_shufflevector(a, b, 2, 3, 6, 7)
-#elif MORULA_WIDTH == 8
-#define MORULA_LOW(a, b) __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14)
-#define MORULA_HIGH(a, b) __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15)
-#define MORULA_FIRST_PAIRS(a, b) __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13)
-#define MORULA_LAST_PAIRS(a, b) __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15)
-#endif
-
-/// Four consecutive doubles of each of `width` rows ↔ four columns. Its own inverse for width ≥ 4.
-#if MORULA_WIDTH >= 4
-MORULA_INLINE void transposeFours(RawLanes a, RawLanes b, RawLanes c, RawLanes d, Lanes column[4]) {
-  const RawLanes low = MORULA_LOW(a, b), high = MORULA_HIGH(a, b), low2 = MORULA_LOW(c, d),
-                 high2 = MORULA_HIGH(c, d);
-  column[0] = MORULA_FIRST_PAIRS(low, low2);
-  column[1] = MORULA_FIRST_PAIRS(high, high2);
-  column[2] = MORULA_LAST_PAIRS(low, low2);
-  column[3] = MORULA_LAST_PAIRS(high, high2);
-}
-#endif
-
-MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes column[8]) {
-#if MORULA_WIDTH == 2
-  for (int c = 0; c < 8; c += 2) {
-    const RawLanes a = load(rows + std::int64_t(index[0]) * 8 + c).v,
-                   b = load(rows + std::int64_t(index[1]) * 8 + c).v;
-    column[c] = MORULA_LOW(a, b);
-    column[c + 1] = MORULA_HIGH(a, b);
-  }
-#elif MORULA_WIDTH == 4
-  for (int c = 0; c < 8; c += 4) {
-    RawLanes r[4];
-    for (int i = 0; i < 4; ++i) r[i] = load(rows + std::int64_t(index[i]) * 8 + c).v;
-    transposeFours(r[0], r[1], r[2], r[3], column + c);
-  }
-#else
-  typedef double Four __attribute__((vector_size(32)));
-  for (int c = 0; c < 8; c += 4) {
-    RawLanes r[4];
-    for (int i = 0; i < 4; ++i) {
-      Four first, second;  // rows i and i + 4, side by side
-      __builtin_memcpy(&first, rows + std::int64_t(index[i]) * 8 + c, sizeof first);
-      __builtin_memcpy(&second, rows + std::int64_t(index[i + 4]) * 8 + c, sizeof second);
-      r[i] = __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
-    }
-    transposeFours(r[0], r[1], r[2], r[3], column + c);
-  }
-#endif
-}
-
-/// Writes `width` consecutive rows.
-MORULA_INLINE void storeRows(double* firstRow, const Lanes column[8]) {
-#if MORULA_WIDTH == 2
-  for (int c = 0; c < 8; c += 2) {
-    store(firstRow + c, MORULA_LOW(column[c].v, column[c + 1].v));
-    store(firstRow + 8 + c, MORULA_HIGH(column[c].v, column[c + 1].v));
-  }
-#else
-  for (int c = 0; c < 8; c += 4) {
-    Lanes r[4];
-    transposeFours(column[c].v, column[c + 1].v, column[c + 2].v, column[c + 3].v, r);
-#if MORULA_WIDTH == 4
-    for (int i = 0; i < 4; ++i) store(firstRow + 8 * i + c, r[i]);
-#else
-    for (int i = 0; i < 4; ++i) {
-      const RawLanes v = r[i].v;
-      const auto first = __builtin_shufflevector(v, v, 0, 1, 2, 3),
-                 second = __builtin_shufflevector(v, v, 4, 5, 6, 7);
-      __builtin_memcpy(firstRow + 8 * i + c, &first, sizeof first);
-      __builtin_memcpy(firstRow + 8 * (i + 4) + c, &second, sizeof second);
-    }
-#endif
-  }
-#endif
-}
-
-typedef float FloatLanes __attribute__((vector_size(MORULA_WIDTH * 8)));
-typedef float HalfFloatLanes __attribute__((vector_size(MORULA_WIDTH * 4)));
-
-/// Two floats in the place of each double, rounded to nearest: a first, b second.
-MORULA_INLINE Lanes packFloats(Lanes a, Lanes b) {
-  const HalfFloatLanes first = __builtin_convertvector(a.v, HalfFloatLanes);
-  const HalfFloatLanes second = __builtin_convertvector(b.v, HalfFloatLanes);
-#if MORULA_WIDTH == 2
-  const FloatLanes both = __builtin_shufflevector(first, second, 0, 2, 1, 3);
-#elif MORULA_WIDTH == 4
-  const FloatLanes both = __builtin_shufflevector(first, second, 0, 4, 1, 5, 2, 6, 3, 7);
-#else
-  const FloatLanes both =
-      __builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15);
-#endif
-  Lanes packed;
-  __builtin_memcpy(&packed.v, &both, sizeof both);
-  return packed;
-}
-
-MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
-  FloatLanes both;
-  __builtin_memcpy(&both, &packed.v, sizeof both);
-#if MORULA_WIDTH == 2
-  const HalfFloatLanes first = __builtin_shufflevector(both, both, 0, 2),
-                       second = __builtin_shufflevector(both, both, 1, 3);
-#elif MORULA_WIDTH == 4
-  const HalfFloatLanes first = __builtin_shufflevector(both, both, 0, 2, 4, 6);
-  const HalfFloatLanes second = __builtin_shufflevector(both, both, 1, 3, 5, 7);
-#else
-  const HalfFloatLanes first = __builtin_shufflevector(both, both, 0, 2, 4, 6, 8, 10, 12, 14);
-  const HalfFloatLanes second = __builtin_shufflevector(both, both, 1, 3, 5, 7, 9, 11, 13, 15);
-#endif
-  a = Lanes(__builtin_convertvector(first, RawLanes));
-  b = Lanes(__builtin_convertvector(second, RawLanes));
-}
-
-#endif
+/// Keeps quotients finite where a length is 0, and is below rounding else.
+constexpr double nothing = single ? 1e-30 : 1e-280;
 
 /// The larger one; b where they do not compare (as x86's maxpd).
 MORULA_INLINE Lanes larger(Lanes a, Lanes b) { return select(a > b, a, b); }

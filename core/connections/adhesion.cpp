@@ -9,12 +9,8 @@ namespace {
 
 /// Spreads a force over all vertices of a cell.
 void addToVertices(Bodies& bodies, int slot, const Vector& force) {
-  for (int v = 0; v < bodies.vertexCount(slot); ++v) {
-    double* f = &bodies.acceleration[bodies.at(slot, v)];
-    f[0] += force.x;
-    f[blockLanes] += force.y;
-    f[2 * blockLanes] += force.z;
-  }
+  for (int v = 0; v < bodies.vertexCount(slot); ++v)
+    bodies.write(bodies.acceleration, slot, v, bodies.read(bodies.acceleration, slot, v) + force);
 }
 
 }  // namespace

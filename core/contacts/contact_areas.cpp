@@ -1,7 +1,6 @@
 // Who touches whom, and over which area. For measures and decisions, once in a while: not on the hot path.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <tuple>
 
 #include "contacts/contacts.h"
@@ -9,12 +8,6 @@
 namespace morula {
 
 namespace {
-
-SnapshotRow rowOf(const Contacts& c, VertexNumber g) {
-  SnapshotRow row;
-  std::memcpy(&row, &c.rows[std::size_t(g) * 8], sizeof row);
-  return row;
-}
 
 /// What one vertex adds to the area of a pair of cells.
 struct Side {
@@ -48,14 +41,14 @@ VertexPlace placeOf(const Bodies& b, VertexNumber g) {
 
 /// The slot that vertex g touches, or −1.
 int touchedSlot(const Contacts& c, const Bodies& b, const NeighbourSlice& slice, int lane) {
-  const SnapshotRow i = rowOf(c, slice.vertex[lane]);
-  const VertexNumber far = static_cast<VertexNumber>(c.rows.size() / 8 - 1);
+  const SnapshotRow i = readRow(c.rows[slice.vertex[lane]], b.parameters.precision);
+  const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
   double nearest = 1e300;
   int touched = -1;
   for (int k = 0; k < slice.length; ++k) {
     const VertexNumber g = c.list.indices[(slice.start + k) * blockLanes + lane];
     if (g == far) break;
-    const SnapshotRow j = rowOf(c, g);
+    const SnapshotRow j = readRow(c.rows[g], b.parameters.precision);
     const Vector apart{i.x - j.x, i.y - j.y, i.z - j.z};
     const double square = dot(apart, apart);
     const double radiusSquared = 2 / (double(i.inverseRadiusSquared) + double(j.inverseRadiusSquared));
@@ -72,7 +65,7 @@ int touchedSlot(const Contacts& c, const Bodies& b, const NeighbourSlice& slice,
 
 std::vector<ContactArea> measureContactAreas(const Contacts& c, const Bodies& b) {
   std::vector<Side> sides;  // the same pair may occur many times
-  const VertexNumber far = static_cast<VertexNumber>(c.rows.size() / 8 - 1);
+  const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
   std::vector<std::vector<double>> areas;                 // [cell][vertex]
   std::vector<int> cellOf(b.blocks.size() * blockLanes);  // [slot]
   for (int cell = 0; cell < b.count; ++cell) {

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace morula {
 
-Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search) {
+Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search,
+                      Precision precision) {
   Contacts c;
   c.parameters = parameters;
   c.skinShare = search.skinShare;
   c.list = makeNeighbourList(search.method, isa);
-  c.kernels = &contactKernels(isa);
+  c.kernels = &contactKernels(isa, precision);
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
                 : parameters.friction > 0            ? c.kernels->addPairForcesWithFriction
                                                      : c.kernels->addPairForces;
@@ -35,18 +35,19 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies) {
 void resetContacts(Contacts& c, const Bodies& bodies) {
   setInfluenceRadii(c, bodies);
   const std::size_t vertices = std::size_t(bodies.lineCount()) * blockLanes;
-  c.rows.assign((vertices + 1) * 8, 0);
-  const SnapshotRow far{1e100, 1e100, 1e100, 0, 0, 0, 1, 0, 0, 1};
-  std::memcpy(&c.rows[vertices * 8], &far, sizeof far);
+  c.rows.assign(vertices + 1, {});
+  const Precision precision = bodies.parameters.precision;
+  const double far = precision == Precision::binary64 ? 1e100 : 1e18;  // its square is finite
+  c.rows[vertices] = asMemory({far, far, far, 0, 0, 0, 1, 0, 0, 1}, precision);
   c.farthest.assign(bodies.blockCount(), 0);
-  c.list.reference.assign(bodies.position.begin(), bodies.position.end());
+  c.list.reference = bodies.position;
 }
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
   const std::size_t lines = bodies.blocks[index].firstLine;
   c.farthest[index] = c.kernels->takeSnapshot(
       bodies.meshAt(block.coarseness).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
-      &c.list.reference[lines * vertexStride], &c.rows[lines * blockLanes * 8]);
+      c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes]);
 }
 
 void refreshList(Contacts& c, const Bodies& bodies, int threads) {
@@ -68,7 +69,7 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                                    timeStep,
                                    bodies.lineCount() * blockLanes};
   c.addForces(c.list.slices.data() + first, last - first, c.list.indices.data(), c.rows.data(), constants,
-              &bodies.vertexMass[std::size_t(block) * blockLanes], bodies.acceleration.data());
+              &bodies.vertexMass[std::size_t(block) * blockLanes], bodies.acceleration.from(0));
 }
 
 }  // namespace morula

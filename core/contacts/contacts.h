@@ -22,7 +22,7 @@ struct Contacts {
   // State between rebuilds; nothing of it is part of the result
   AlignedVector<double> radius;                // [slot] influence radius [length]
   AlignedVector<double> inverseRadiusSquared;  // [slot] [1/length²]
-  AlignedVector<double> rows;                  // SnapshotRow of every vertex, and the far row
+  AlignedVector<RowMemory> rows;               // of every vertex, and the far row
   AlignedVector<double> farthest;  // [block] largest squared displacement since the list was built
   NeighbourList list;
   bool listIsValid = false;
@@ -32,7 +32,8 @@ struct Contacts {
   std::uint64_t pairEvaluations = 0;
 };
 
-Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search = {});
+Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search = {},
+                      Precision precision = Precision::binary64);
 
 /// To be called when the set of cells has changed: new radii, room for the rows, and the list is void.
 void resetContacts(Contacts& contacts, const Bodies& bodies);

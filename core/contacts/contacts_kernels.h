@@ -1,6 +1,7 @@
 #pragma once
-// The kernels of contact, one table per instruction set. Those that search: search_kernels.h.
+// The kernels of contact, one table per instruction set and precision. Those that search: search_kernels.h.
 #include "base/isa.h"
+#include "base/precision.h"
 #include "contacts/snapshot.h"
 #include "physics/block.h"
 
@@ -29,15 +30,15 @@ struct ContactKernels {
   /// Writes the rows of a block's vertices from position, predicted and gradient. Returns the largest squared
   /// distance of a vertex from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
   double (*takeSnapshot)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
-                         const double* reference, double* rows);
+                         RealPointer reference, RowMemory* rows);
   /// force += contact forces, for a range of one block's slices. `force` [all blocks]: vertex g at
   /// (g / 8)·24 + g % 8. `vertexMass` [lane] of the block.
   using AddForces = void (*)(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                             const double* rows, const ContactConstants&, const double* vertexMass,
-                             double* force);
+                             const RowMemory* rows, const ContactConstants&, const double* vertexMass,
+                             RealPointer force);
   AddForces addPairForces, addPairForcesWithFriction, addThesisForces;
 };
 
-const ContactKernels& contactKernels(Isa isa);
+const ContactKernels& contactKernels(Isa isa, Precision precision = Precision::binary64);
 
 }  // namespace morula

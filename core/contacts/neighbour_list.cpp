@@ -45,7 +45,7 @@ NeighbourList makeNeighbourList(ContactSearch search, Isa isa) {
 void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
                         int threads) {
   const int blocks = bodies.blockCount();
-  list.reference.assign(bodies.position.begin(), bodies.position.end());
+  list.reference = bodies.position;
   list.halfReach.resize(radius.size());
   for (std::size_t slot = 0; slot < radius.size(); ++slot)
     list.halfReach[slot] = rounding * 0.5 * radius[slot];

@@ -24,7 +24,7 @@ struct NeighbourList {
   const SearchKernels* kernels = nullptr;
 
   double skin = 0;                       // [length] with 0, it is good for the positions it was built at
-  AlignedVector<double> reference;       // positions it was built at, as Bodies::position
+  Reals reference;                       // positions it was built at, as Bodies::position
   std::vector<NeighbourSlice> slices;    // by block; vertices without neighbours have none
   std::vector<std::int64_t> firstSlice;  // [block + 1]
   AlignedVector<std::int32_t> indices;   // NeighbourSlice

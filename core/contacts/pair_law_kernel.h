@@ -13,7 +13,6 @@
 // Exchanging i and j turns h and f round and leaves the rest: f_ij = −f_ji bit for bit, so momentum is kept
 // to rounding. Coulomb friction adds −μ|f| t/max(|t|, v_slip) with t the relative velocity along the surface:
 // antisymmetric as well. 1/R² is the mean of the two vertices' 1/R_i², which needs no division.
-#include "contacts/contacts_kernels.h"
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -31,7 +30,7 @@ MORULA_INLINE Vec pairForce(const Rows& i, const Rows& j, const ContactConstants
   const Lanes size = select(acts, fade * fade * push, 0.0);
   Vec f = size * h;
   if constexpr (withFriction) {
-    const Lanes facing = dot(h, h) + 1e-280;
+    const Lanes facing = dot(h, h) + nothing;
     const Vec slip = relative - (opening / facing) * h;
     const Lanes slipSpeed = larger(squareRoot(dot(slip, slip)), Lanes(c.slipSpeed));
     f -= ((Lanes(c.friction) * size) * squareRoot(facing) / slipSpeed) * slip;
@@ -42,7 +41,8 @@ MORULA_INLINE Vec pairForce(const Rows& i, const Rows& j, const ContactConstants
 /// [ContactKernels::addPairForces]
 template <bool withFriction>
 inline void addPairForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                          const double* rows, const ContactConstants& c, const double*, double* force) {
+                          const RowMemory* rows, const ContactConstants& c, const double*,
+                          RealPointer force) {
   for (std::int64_t s = 0; s < count; ++s)
     for (int lane = 0; lane < blockLanes; lane += width) {
       const NeighbourSlice& slice = slices[s];

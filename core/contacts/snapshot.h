@@ -4,6 +4,8 @@
 // threads.
 #include <cstdint>
 
+#include "base/precision.h"
+
 namespace morula {
 
 struct SnapshotRow {
@@ -13,6 +15,25 @@ struct SnapshotRow {
   float inverseRadiusSquared;  // of the influence radius [1/length²]
 };
 static_assert(sizeof(SnapshotRow) == 64);
+
+/// The same in a scene of single precision.
+struct SingleSnapshotRow {
+  float x, y, z;
+  float vx, vy, vz;
+  float nx, ny, nz;
+  float inverseRadiusSquared;
+  float nothing[6];
+};
+static_assert(sizeof(SingleSnapshotRow) == 64);
+
+/// Memory for one or the other.
+struct alignas(64) RowMemory {
+  unsigned char bytes[64];
+  friend bool operator==(const RowMemory&, const RowMemory&) = default;
+};
+
+RowMemory asMemory(const SnapshotRow& row, Precision precision);
+SnapshotRow readRow(const RowMemory& memory, Precision precision);
 
 // Vertex number g = (the block's first line + vertex) · blockLanes + lane: a vertex of all cells of a block
 // side by side. Behind the last one stands a row far away that fills up lists: nothing is within its reach.

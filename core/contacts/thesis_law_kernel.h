@@ -9,15 +9,15 @@
 //
 // Response (§4.3.2, eq. 4.8), per unit of mass, d̂ against the push: f = −½ d̂ (|d|/Δt² + v·d̂/Δt + f_other·d̂).
 // Its stiffness is ∝ 1/Δt², it sees the absolute velocity, and nothing acts back on the other cell.
-#include "contacts/contacts_kernels.h"
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
 
 /// [ContactKernels::addThesisForces]
 inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                            const double* rows, const ContactConstants& c, const double* vertexMass,
-                            double* force) {
+                            const RowMemory* rows, const ContactConstants& c, const double* vertexMass,
+                            RealPointer forces) {
+  Real* force = forces;
   for (std::int64_t s = 0; s < count; ++s)
     for (int lane = 0; lane < blockLanes; lane += width) {
       const NeighbourSlice& slice = slices[s];
@@ -40,14 +40,14 @@ inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, co
         depth += (0.5 * weight) * (seenFromJ * j.n - seenFromI * i.n);
         weights += weight;
       }
-      double x[width], y[width], z[width], vx[width], vy[width], vz[width], w[width];
+      Real x[width], y[width], z[width], vx[width], vy[width], vz[width], w[width];
       store(x, depth.x), store(y, depth.y), store(z, depth.z), store(w, weights);
       store(vx, i.v.x), store(vy, i.v.y), store(vz, i.v.z);
       for (int l = 0; l < width; ++l) {
         const VertexNumber g = slice.vertex[lane + l];
         const double square = x[l] * x[l] + y[l] * y[l] + z[l] * z[l];
         if (g >= c.vertices || !(square > 0)) continue;
-        double* f = force + std::int64_t(g / blockLanes) * vertexStride + g % blockLanes;
+        Real* f = force + std::int64_t(g / blockLanes) * vertexStride + g % blockLanes;
         const double m = vertexMass[g % blockLanes];
         const double length = __builtin_sqrt(square), ux = x[l] / length, uy = y[l] / length,
                      uz = z[l] / length;  // −d̂

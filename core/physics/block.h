@@ -9,10 +9,12 @@
 // living cell are left out.
 #include <cstdint>
 
+#include "base/reals.h"
+
 namespace morula {
 
 constexpr int blockLanes = 8;
-constexpr int vertexStride = 3 * blockLanes;  // doubles from one vertex to the next
+constexpr int vertexStride = 3 * blockLanes;  // numbers from one vertex to the next
 
 /// One step from a vertex around its ring: where a neighbour stands in a [vertex][xyz][lane] array, and where
 /// the edge that leads to it stands in [edge][lane]. Offsets instead of numbers: the kernels' innermost loops
@@ -36,9 +38,9 @@ struct BlockView {
   int coarseness;  // which of the scene's meshes these cells have (Bodies::meshAt)
   int liveLanes;   // living cells in this block, in the first lanes
   // State
-  double* position;      // [v]
-  double* velocity;      // [v]; between drift and kick the velocity at half the step
-  double* acceleration;  // [v]; between drift and kick the force
+  RealPointer position;      // [v]
+  RealPointer velocity;      // [v]; between drift and kick the velocity at half the step
+  RealPointer acceleration;  // [v]; between drift and kick the force
   // Parameters of each cell
   const double* vertexMass;        // [l]
   const double* restScale;         // [l] rest length over the template's
@@ -47,9 +49,9 @@ struct BlockView {
   double* volume;    // [l]
   double* pressure;  // [l]
   // Scratch of the running thread
-  double* predicted;    // [v] velocity estimate at the new time, for damping
-  double* gradient;     // [v] 6∇V: six times the outward area vector that belongs to the vertex
-  double* coefficient;  // [edgeCount + 1][blockLanes] spring force over edge vector
+  RealPointer predicted;    // [v] velocity estimate at the new time, for damping
+  RealPointer gradient;     // [v] 6∇V: six times the outward area vector that belongs to the vertex
+  RealPointer coefficient;  // [edgeCount + 1][blockLanes] spring force over edge vector
 };
 
 /// The constants of a scene, as the kernels need them.

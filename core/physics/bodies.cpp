@@ -6,13 +6,8 @@ namespace morula {
 
 namespace {
 
-constexpr double immovable = 0x1p900;  // [mass] of lanes without a cell
-
-void write(AlignedVector<double>& array, std::size_t at, const Vector& a) {
-  array[at] = a.x;
-  array[at + blockLanes] = a.y;
-  array[at + 2 * blockLanes] = a.z;
-}
+/// [mass] of the vertices of lanes without a cell
+double immovable(Precision precision) { return precision == Precision::binary64 ? 0x1p900 : 0x1p100; }
 
 /// Gives every cell its slot, and every block its lines.
 void arrange(Bodies& b, const std::vector<Body>& cells) {
@@ -46,8 +41,8 @@ void place(Bodies& b, int slot, const Body& cell, double vertexMass) {
   b.restScale[slot] = cell.restScale;
   b.pressureConstant[slot] = cell.pressureConstant;
   for (int v = 0; v < b.vertexCount(slot); ++v) {
-    write(b.position, b.at(slot, v), cell.position[v]);
-    write(b.velocity, b.at(slot, v), cell.velocity[v]);
+    b.write(b.position, slot, v, cell.position[v]);
+    b.write(b.velocity, slot, v, cell.velocity[v]);
   }
 }
 
@@ -74,7 +69,9 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                         parameters.pressure.outside,
                         parameters.drag,
                         {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1}};
-  b.scratch.resize(threads);
+  for (auto* a : {&b.position, &b.velocity, &b.acceleration}) *a = Reals(parameters.precision);
+  b.scratch.assign(threads,
+                   {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});
   for (auto& s : b.scratch) {
     s.predicted.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
     s.gradient.assign(std::size_t(b.mesh.vertexCount()) * vertexStride, 0);
@@ -87,9 +84,10 @@ BlockView Bodies::block(int index, int thread) {
   const BlockPlace& place = blocks[index];
   const std::size_t v = std::size_t(place.firstLine) * vertexStride, l = std::size_t(index) * blockLanes;
   Scratch& s = scratch[thread];
-  return {place.coarseness,   place.liveLanes,   &position[v],         &velocity[v], &acceleration[v],
-          &vertexMass[l],     &restScale[l],     &pressureConstant[l], &volume[l],   &pressure[l],
-          s.predicted.data(), s.gradient.data(), s.coefficient.data()};
+  return {place.coarseness,     place.liveLanes, position.from(v),    velocity.from(v),
+          acceleration.from(v), &vertexMass[l],  &restScale[l],       &pressureConstant[l],
+          &volume[l],           &pressure[l],    s.predicted.from(0), s.gradient.from(0),
+          s.coefficient.from(0)};
 }
 
 Body makeEgg(const Bodies& b) { return makeEgg(b, 0); }
@@ -129,7 +127,8 @@ void setBodies(Bodies& b, const std::vector<Body>& cells) {
   }
   for (int block = 0; block < b.blockCount(); ++block)
     for (int lane = b.liveLanes(block); lane < blockLanes; ++lane)
-      place(b, block * blockLanes + lane, makeEgg(b, b.blocks[block].coarseness), immovable);
+      place(b, block * blockLanes + lane, makeEgg(b, b.blocks[block].coarseness),
+            immovable(b.parameters.precision));
 }
 
 }  // namespace morula

@@ -10,6 +10,7 @@
 
 #include "base/aligned.h"
 #include "base/error.h"
+#include "base/reals.h"
 #include "physics/block.h"
 #include "physics/mesh_template.h"
 #include "physics/parameters.h"
@@ -46,7 +47,7 @@ struct Bodies {
   int livingVertices = 0;          // of all cells
 
   // State: [block][vertex][xyz][lane]
-  AlignedVector<double> position, velocity, acceleration;
+  Reals position, velocity, acceleration;
   // Each cell's parameters, [slot], filled up to whole blocks
   AlignedVector<double> vertexMass, restScale, pressureConstant;
 
@@ -56,7 +57,7 @@ struct Bodies {
 
   // Scratch, one per thread
   struct Scratch {
-    AlignedVector<double> predicted, gradient, coefficient;
+    Reals predicted, gradient, coefficient;
   };
   std::vector<Scratch> scratch;
 
@@ -76,9 +77,13 @@ struct Bodies {
     return std::size_t(blocks[slot / blockLanes].firstLine + vertex) * vertexStride + slot % blockLanes;
   }
   Point vertex(int slot, int v) const { return read(position, slot, v); }
-  Vector read(const AlignedVector<double>& a, int slot, int v) const {
-    const double* p = &a[at(slot, v)];
-    return {p[0], p[blockLanes], p[2 * blockLanes]};
+  Vector read(const Reals& a, int slot, int v) const {
+    const std::size_t i = at(slot, v);
+    return {a[i], a[i + blockLanes], a[i + 2 * blockLanes]};
+  }
+  void write(Reals& a, int slot, int v, const Vector& u) {
+    const std::size_t i = at(slot, v);
+    a[i] = u.x, a[i + blockLanes] = u.y, a[i + 2 * blockLanes] = u.z;
   }
   double mass(int slot) const { return vertexMass[slot] * vertexCount(slot); }
   BlockView block(int index, int thread);

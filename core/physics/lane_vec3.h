@@ -9,17 +9,15 @@ namespace morula::MORULA_ISA {
 using Vec = Vec3<Lanes>;
 
 /// The vectors of `width` cells, from the first lane that `p` points to.
-MORULA_INLINE Vec loadVec(const double* p) {
-  return {load(p), load(p + blockLanes), load(p + 2 * blockLanes)};
-}
+MORULA_INLINE Vec loadVec(const Real* p) { return {load(p), load(p + blockLanes), load(p + 2 * blockLanes)}; }
 
 /// The same from lane `lane` on, at vertex `v` of a [vertex][3][lane] array.
-MORULA_INLINE Vec loadVec(const double* array, int v, int lane) {
+MORULA_INLINE Vec loadVec(const Real* array, int v, int lane) {
   return loadVec(array + v * vertexStride + lane);
 }
 
-MORULA_INLINE void storeVec(double* array, int v, int lane, const Vec& a) {
-  double* p = array + v * vertexStride + lane;
+MORULA_INLINE void storeVec(Real* array, int v, int lane, const Vec& a) {
+  Real* p = array + v * vertexStride + lane;
   store(p, a.x);
   store(p + blockLanes, a.y);
   store(p + 2 * blockLanes, a.z);

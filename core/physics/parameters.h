@@ -3,6 +3,8 @@
 // Every field here changes results.
 #include <optional>
 
+#include "base/precision.h"
+
 namespace morula {
 
 enum class Integrator {
@@ -42,6 +44,8 @@ struct ShellParameters {
 struct PhysicsParameters {
   std::optional<double> timeStep;  // [time]; absent: auto, dyadic, from the stability limits
   Integrator integrator = Integrator::velocityVerlet;
+  Precision precision =
+      Precision::binary64;  // of positions, velocities and forces; a cell's own numbers are doubles
   CellParameters cell;
   MembraneParameters membrane;
   PressureParameters pressure;

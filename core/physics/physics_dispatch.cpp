@@ -2,21 +2,11 @@
 
 namespace morula {
 
-#define MORULA_DECLARE(isa)            \
-  namespace isa {                      \
-  extern const PhysicsKernels physics; \
-  }
-MORULA_DECLARE(scalar)
-MORULA_DECLARE(narrow)
-#if defined(MORULA_WITH_AVX)
-MORULA_DECLARE(avx2)
-MORULA_DECLARE(avx512)
-static const PerIsa<PhysicsKernels> tables{&scalar::physics, &narrow::physics, &avx2::physics,
-                                           &avx512::physics};
-#else
-static const PerIsa<PhysicsKernels> tables{&scalar::physics, &narrow::physics, nullptr, nullptr};
-#endif
+MORULA_TABLES(PhysicsKernels, physics, doubleTables, )
+MORULA_TABLES(PhysicsKernels, physics, singleTables, _single)
 
-const PhysicsKernels& physicsKernels(Isa isa) { return tables[isa]; }
+const PhysicsKernels& physicsKernels(Isa isa, Precision precision) {
+  return precision == Precision::binary64 ? doubleTables[isa] : singleTables[isa];
+}
 
 }  // namespace morula

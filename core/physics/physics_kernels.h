@@ -1,6 +1,7 @@
 #pragma once
-// The kernels of one cell's mechanics, one table per instruction set. Each works on one block.
+// The kernels of one cell's mechanics, one table per instruction set and precision. Each works on one block.
 #include "base/isa.h"
+#include "base/precision.h"
 #include "physics/block.h"
 
 namespace morula {
@@ -17,6 +18,6 @@ struct PhysicsKernels {
   Stage addPressureForces, addPressureAndDragForces;
 };
 
-const PhysicsKernels& physicsKernels(Isa isa);
+const PhysicsKernels& physicsKernels(Isa isa, Precision precision = Precision::binary64);
 
 }  // namespace morula

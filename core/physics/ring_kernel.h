@@ -19,13 +19,13 @@ namespace morula::MORULA_ISA {
 // memory.
 constexpr int unrolled = width == 8 ? 3 : 1;
 
-MORULA_INLINE void gatherRing(const double* __restrict position, const double* __restrict coefficient,
+MORULA_INLINE void gatherRing(const Real* __restrict position, const Real* __restrict coefficient,
                               const RingStep* ring, int steps, const Vec& x, Vec& force, Vec& gradient) {
   force = gradient = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
 #pragma GCC unroll unrolled
   for (int k = 0; k < steps; k += 2) {
-    const double* even = position + ring[k].vertexOffset;
-    const double* next = position + ring[k + 2 < steps ? k + 2 : 0].vertexOffset;
+    const Real* even = position + ring[k].vertexOffset;
+    const Real* next = position + ring[k + 2 < steps ? k + 2 : 0].vertexOffset;
     force += load(coefficient + ring[k].edgeOffset) * (loadVec(even) - x);
     const Vec odd = loadVec(position + ring[k + 1].vertexOffset) - x;
     force += load(coefficient + ring[k + 1].edgeOffset) * odd;
@@ -35,10 +35,10 @@ MORULA_INLINE void gatherRing(const double* __restrict position, const double* _
 
 /// acceleration ← spring force, gradient ← 6∇V, volume ← V.
 inline void gatherRings(const TemplateView& mesh, const BlockView& b, const KernelParameters&) {
-  const double* __restrict position = b.position;
-  const double* __restrict coefficient = b.coefficient;
-  double* __restrict forces = b.acceleration;
-  double* __restrict gradients = b.gradient;
+  const Real* __restrict position = b.position;
+  const Real* __restrict coefficient = b.coefficient;
+  Real* __restrict forces = b.acceleration;
+  Real* __restrict gradients = b.gradient;
   const int liveLanes = b.liveLanes;
   Lanes volume[blockLanes / width];
   for (Lanes& v : volume) v = Lanes(0.0);

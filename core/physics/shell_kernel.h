@@ -22,7 +22,7 @@ struct ShellSlope {
 };
 
 /// Removes the outward part of a vector that belongs to vertex v, in the lanes of `where`.
-MORULA_INLINE void removeOutward(double* array, int v, int lane, const Vec& slope, Mask where) {
+MORULA_INLINE void removeOutward(Real* array, int v, int lane, const Vec& slope, Mask where) {
   const Vec u = loadVec(array, v, lane);
   const Vec kept = u - (larger(dot(u, slope), Lanes(0.0)) / dot(slope, slope)) * slope;
   storeVec(array, v, lane,
@@ -54,13 +54,16 @@ inline void keepInShell(const TemplateView& mesh, const BlockView& b, const Kern
     }
 }
 
+// keepInShell leaves x·slope(x) at 1 to rounding.
+constexpr double onShellWithin = single ? 1e-6 : 1e-12;
+
 /// After the kick.
 inline void slideOnShell(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const Vec x = loadVec(b.position, v, lane), s = slope(x);
-      const Mask onShell = dot(x, s) > Lanes(1.0 - 1e-12);  // keepInShell leaves it at 1 to rounding
+      const Mask onShell = dot(x, s) > Lanes(1.0 - onShellWithin);
       if (!any(onShell)) continue;
       removeOutward(b.velocity, v, lane, s, onShell);
       removeOutward(b.acceleration, v, lane, s, onShell);

@@ -9,13 +9,10 @@
 
 namespace morula::MORULA_ISA {
 
-// Keeps 1/l finite where two ends coincide; the force c d is then 0, as its direction is unknown. Below
-// rounding else.
-constexpr double nothing = 1e-280;
-
 template <bool damped>
 inline void findSpringCoefficients(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   const Lanes stiffness = p.stiffness, damping = p.damping;
+  Real* coefficient = b.coefficient;
   for (int e = 0; e < mesh.edgeCount; ++e) {
     const int first = mesh.edges[2 * e], second = mesh.edges[2 * e + 1];
     const Lanes templateLength = mesh.restLengths[e];
@@ -28,7 +25,7 @@ inline void findSpringCoefficients(const TemplateView& mesh, const BlockView& b,
         const Vec dw = loadVec(b.predicted, second, lane) - loadVec(b.predicted, first, lane);
         tension += damping * (dot(dw, d) * inverse);
       }
-      store(b.coefficient + e * blockLanes + lane, tension * inverse);
+      store(coefficient + e * blockLanes + lane, tension * inverse);
     }
   }
 }

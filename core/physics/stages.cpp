@@ -3,7 +3,7 @@
 namespace morula {
 
 PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa) {
-  const PhysicsKernels& k = physicsKernels(isa);
+  const PhysicsKernels& k = physicsKernels(isa, p.precision);
   const bool thesis = p.integrator == Integrator::thesisVerlet;
   const double* a = p.shell ? p.shell->semiAxes : nullptr;
   const bool sphere = a && a[0] == a[1] && a[1] == a[2];

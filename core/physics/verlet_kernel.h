@@ -17,15 +17,17 @@ namespace morula::MORULA_ISA {
 inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
                                 double dt) {
   const Lanes halfStep = 0.5 * dt, step = dt;
+  Real *position = b.position, *velocity = b.velocity, *predicted = b.predicted,
+       *acceleration = b.acceleration;
   const int lines = 3 * mesh.vertexCount;
   for (int i = 0; i < lines; ++i)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const int at = i * blockLanes + lane;
-      const Lanes impulse = halfStep * load(b.acceleration + at);
-      const Lanes half = load(b.velocity + at) + impulse;
-      store(b.velocity + at, half);
-      store(b.predicted + at, half + impulse);
-      store(b.position + at, load(b.position + at) + step * half);
+      const Lanes impulse = halfStep * load(acceleration + at);
+      const Lanes half = load(velocity + at) + impulse;
+      store(velocity + at, half);
+      store(predicted + at, half + impulse);
+      store(position + at, load(position + at) + step * half);
     }
 }
 
@@ -33,7 +35,7 @@ struct InverseMass {
   explicit InverseMass(const BlockView& b) {
     for (int lane = 0; lane < blockLanes; lane += width) store(value + lane, 1.0 / load(b.vertexMass + lane));
   }
-  double value[blockLanes];
+  Real value[blockLanes];
 };
 
 /// Force → acceleration, velocity ← v'.
@@ -41,13 +43,14 @@ inline void kickVelocityVerlet(const TemplateView& mesh, const BlockView& b, con
                                double dt) {
   const Lanes halfStep = 0.5 * dt;
   const InverseMass inverseMass(b);
+  Real *velocity = b.velocity, *acceleration = b.acceleration;
   const int lines = 3 * mesh.vertexCount;
   for (int i = 0; i < lines; ++i)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const int at = i * blockLanes + lane;
-      const Lanes a = load(b.acceleration + at) * load(inverseMass.value + lane);
-      store(b.acceleration + at, a);
-      store(b.velocity + at, load(b.velocity + at) + halfStep * a);
+      const Lanes a = load(acceleration + at) * load(inverseMass.value + lane);
+      store(acceleration + at, a);
+      store(velocity + at, load(velocity + at) + halfStep * a);
     }
 }
 
@@ -55,25 +58,28 @@ inline void kickVelocityVerlet(const TemplateView& mesh, const BlockView& b, con
 inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
                               double dt) {
   const Lanes step = dt;
+  Real *position = b.position, *velocity = b.velocity, *predicted = b.predicted,
+       *acceleration = b.acceleration;
   const int lines = 3 * mesh.vertexCount;
   for (int i = 0; i < lines; ++i)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const int at = i * blockLanes + lane;
-      const Lanes v = load(b.velocity + at) + step * load(b.acceleration + at);
-      store(b.velocity + at, v);
-      store(b.predicted + at, v);
-      store(b.position + at, load(b.position + at) + step * v);
+      const Lanes v = load(velocity + at) + step * load(acceleration + at);
+      store(velocity + at, v);
+      store(predicted + at, v);
+      store(position + at, load(position + at) + step * v);
     }
 }
 
 /// Force → acceleration.
 inline void kickThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double) {
   const InverseMass inverseMass(b);
+  Real* acceleration = b.acceleration;
   const int lines = 3 * mesh.vertexCount;
   for (int i = 0; i < lines; ++i)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const int at = i * blockLanes + lane;
-      store(b.acceleration + at, load(b.acceleration + at) * load(inverseMass.value + lane));
+      store(acceleration + at, load(acceleration + at) * load(inverseMass.value + lane));
     }
 }
 

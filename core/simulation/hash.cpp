@@ -8,7 +8,7 @@ namespace {
 
 void addPath(Hasher& h, const CellPath& p) { h.add(p.high()).add(p.low()).add(p.depth()); }
 
-void addVectors(Hasher& h, const char* name, const Bodies& b, const AlignedVector<double>& array, int slot) {
+void addVectors(Hasher& h, const char* name, const Bodies& b, const Reals& array, int slot) {
   h.field(name);
   for (int v = 0; v < b.vertexCount(slot); ++v) {
     const Vector a = b.read(array, slot, v);

@@ -36,7 +36,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed);
   world.stages = chooseStages(m.physics, execution.isa);
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads);
-  if (m.contact) world.contacts = makeContacts(*m.contact, execution.isa, execution.search);
+  if (m.contact) world.contacts = makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}};
   setBodies(*world.bodies, {makeEgg(*world.bodies)});
   try {

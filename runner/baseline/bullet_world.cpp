@@ -72,10 +72,10 @@ struct BulletWorld::State {
       for (int v = 0; v < notebook.vertexCount(); ++v)
         visit(bodies[i]->m_nodes[v], notebook.at(static_cast<int>(i), v));
   }
-  static btVector3 read(const AlignedVector<double>& array, std::size_t at) {
+  static btVector3 read(const Reals& array, std::size_t at) {
     return {array[at], array[at + blockLanes], array[at + 2 * blockLanes]};
   }
-  static void write(AlignedVector<double>& array, std::size_t at, const btVector3& a) {
+  static void write(Reals& array, std::size_t at, const btVector3& a) {
     array[at] = a.x(), array[at + blockLanes] = a.y(), array[at + 2 * blockLanes] = a.z();
   }
 

@@ -55,8 +55,8 @@ struct BenchRow {
 struct BenchRatio {
   std::string what;
   double value = 0, bound = 0;
-  bool atLeast = true;    // else at most
-  std::string notJudged;  // why
+  bool atLeast = true;         // else at most
+  std::string notJudged = {};  // why
   bool holds() const { return atLeast ? value >= bound : value <= bound; }
 };
 

@@ -16,14 +16,13 @@ void stir(World& world) {
         wanted * randomDirection({0, world.cells.path[slot], static_cast<std::uint32_t>(world.clock.step),
                                   Purpose::perturbation});
     for (int v = 0; v < b.vertexCount(); ++v) {
-      double* velocity = &b.velocity[b.at(slot, v)];
-      velocity[0] += push.x, velocity[blockLanes] += push.y, velocity[2 * blockLanes] += push.z;
-      const Vector now = b.read(b.velocity, slot, v);
+      const Vector now = b.read(b.velocity, slot, v) + push;
+      b.write(b.velocity, slot, v, now);
       squares += dot(now, now);
     }
   }
   const double scale = wanted / std::sqrt(squares / (double(b.count) * b.vertexCount()));
-  for (double& component : b.velocity) component *= scale;
+  for (std::size_t i = 0; i < b.velocity.size(); ++i) b.velocity[i] = scale * b.velocity[i];
 }
 
 }  // namespace morula

@@ -88,7 +88,7 @@ double Subject::timeIntegration(Isa isa) {
   Bodies& b = *world_.bodies;
   const TemplateView mesh = b.mesh.view();
   // Kicks turn forces into accelerations: without new forces between them, only zero stays what it is.
-  std::fill(b.acceleration.begin(), b.acceleration.end(), 0.0);
+  b.acceleration.assign(b.acceleration.size(), 0);
   const double dt = world_.clock.timeStep;
   const double time = secondsPerCall(ClockKind::cpu, [&] {
     for (int i = 0; i < b.blockCount(); ++i) {

@@ -46,7 +46,9 @@ class Subject {
 
  private:
   struct State {
-    AlignedVector<double> position, velocity, acceleration, rows, farthest;
+    Reals position, velocity, acceleration;
+    AlignedVector<RowMemory> rows;
+    AlignedVector<double> farthest;
   };
   void useIsa(Isa isa, int threads);
   State keep() const;

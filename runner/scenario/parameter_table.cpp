@@ -111,6 +111,10 @@ std::vector<Parameter> parameters() {
       choice("physics.integrator", {"velocity-verlet", "thesis-verlet"},
              "Second order, or first order as the thesis starts it [Nilsson 2008, eq. 4.6, 4.7]",
              PHYSICS(integrator)),
+      choice("physics.precision", {"double", "single"},
+             "Of the numbers that physics computes with: 16 digits, or 7 at half the memory and up to twice "
+             "the speed",
+             PHYSICS(precision)),
       real("physics.drag", "1/time", notNegative, "The medium slows every vertex: acceleration −drag·v",
            PHYSICS(drag)),
 

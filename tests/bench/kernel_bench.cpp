@@ -36,7 +36,7 @@ void addTimedStage(const std::string& what, Isa isa, PhysicsKernels::TimedStage 
   benchmark::RegisterBenchmark((what + "/" + name(isa)).c_str(), [=](benchmark::State& state) {
     Bodies& b = *packed().bodies;
     const auto acceleration = b.acceleration;
-    std::fill(b.acceleration.begin(), b.acceleration.end(), 0.0);
+    b.acceleration.assign(b.acceleration.size(), 0);
     overBlocks(state, [=](const TemplateView& mesh, const BlockView& block, const KernelParameters& p) {
       stage(mesh, block, p, 0);
     });

@@ -34,6 +34,13 @@ Scene cubes() {
   return scene;
 }
 
+/// The same with floats.
+Scene inSingle(Scene scene) {
+  scene.name += "-single";
+  scene.mechanics->physics.precision = Precision::binary32;
+  return scene;
+}
+
 void run(const Scene& scene, const Execution& execution) {
   World world = makeWorld(scene, execution);
   Hash chain = stateHash(world);
@@ -63,7 +70,9 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  for (const Scene& scene : {packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), cubes(),
-                             scenes::lineageOnly(scenes::eventful, 12)})
+  for (const Scene& scene :
+       {packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), cubes(),
+        scenes::lineageOnly(scenes::eventful, 12), inSingle(packed()), inSingle(scenes::ellipsoid()),
+        inSingle(scenes::thesis()), inSingle(scenes::life())})
     run(scene, execution);
 }

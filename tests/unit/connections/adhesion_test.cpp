@@ -16,7 +16,7 @@ struct Scene {
 
   explicit Scene(const std::vector<Vector>& places) : lab(softCell(), makeIcosphere(1), cellsAt(places)) {
     connections.parameters.strength = 0.2;
-    std::fill(lab.bodies.acceleration.begin(), lab.bodies.acceleration.end(), 0.0);
+    lab.bodies.acceleration.assign(lab.bodies.acceleration.size(), 0);
   }
   static std::vector<Body> cellsAt(const std::vector<Vector>& places) {
     std::vector<Body> cells;

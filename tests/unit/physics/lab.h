@@ -50,14 +50,8 @@ struct Lab {
   Vector force(int slot, int v) const { return bodies.read(bodies.acceleration, slot, v); }
   Vector velocity(int slot, int v) const { return bodies.read(bodies.velocity, slot, v); }
   std::vector<Point> positions(int slot = 0) const { return takeBody(bodies, slot).position; }
-  void setPosition(int slot, int v, const Point& x) { write(bodies.position, slot, v, x); }
-  void setVelocity(int slot, int v, const Vector& u) { write(bodies.velocity, slot, v, u); }
-
- private:
-  void write(AlignedVector<double>& array, int slot, int v, const Vector& a) {
-    double* p = &array[bodies.at(slot, v)];
-    p[0] = a.x, p[blockLanes] = a.y, p[2 * blockLanes] = a.z;
-  }
+  void setPosition(int slot, int v, const Point& x) { bodies.write(bodies.position, slot, v, x); }
+  void setVelocity(int slot, int v, const Vector& u) { bodies.write(bodies.velocity, slot, v, u); }
 };
 
 /// The same every time: a number in [−1, 1), keyed by two numbers.

@@ -135,9 +135,8 @@ TEST_CASE("The shell bears the outward force and leaves the rest") {
     free.evaluate();
     for (Lab* lab : {&held, &free})
       for (int v = 0; v < lab->bodies.vertexCount(); ++v) {
-        const Vector f = noiseVector(static_cast<std::uint32_t>(v), 5);
-        double* at = &lab->bodies.acceleration[lab->bodies.at(0, v)];
-        at[0] = f.x, at[blockLanes] = f.y, at[2 * blockLanes] = f.z;
+        Bodies& b = lab->bodies;
+        b.write(b.acceleration, 0, v, noiseVector(static_cast<std::uint32_t>(v), 5));
       }
     held.endEvaluation();
     free.endEvaluation();

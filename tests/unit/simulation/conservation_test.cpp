@@ -61,9 +61,8 @@ TEST_CASE("A division keeps mass and momentum, and adhesion too") {
   World world = makeWorld(scene, {bestIsa(), 1});
   Bodies& b = *world.bodies;
   for (int v = 0; v < b.vertexCount(); ++v) {
-    double* u = &b.velocity[b.at(0, v)];
-    u[0] = 0.3 + 0.1 * noise(static_cast<std::uint32_t>(v));
-    u[blockLanes] = -0.2;
+    const Vector u = b.read(b.velocity, 0, v);
+    b.write(b.velocity, 0, v, {0.3 + 0.1 * noise(static_cast<std::uint32_t>(v)), -0.2, u.z});
   }
   const Vector before = momentum(world);
   Worst drift, massDrift;

@@ -16,6 +16,7 @@ World lived() {
 }
 
 void nudge(double& x) { x = std::nextafter(x, 1e300); }
+void nudge(Reals::Reference x) { x = std::nextafter(double(x), 1e300); }
 
 struct Change {
   const char* what;
@@ -50,7 +51,10 @@ TEST_CASE("A change of any field changes the hash, and no two changes give the s
        }},
       {"two vertices change places",
        [](World& w) {
-         std::swap(w.bodies->position[w.bodies->at(0, 3)], w.bodies->position[w.bodies->at(0, 4)]);
+         Bodies& b = *w.bodies;
+         const Point third = b.vertex(0, 3);
+         b.write(b.position, 0, 3, b.vertex(0, 4));
+         b.write(b.position, 0, 4, third);
        }},
       {"path", [](World& w) { w.cells.path[0] = w.cells.path[0].daughter(true); }},
       {"state", [](World& w) { w.cells.state[0] = w.cells.state[1]; }},

@@ -139,7 +139,8 @@ TEST_CASE("A cell turned inside out stops the run and is named") {
   Body second = ball;
   for (Point& x : second.position) x.x += 5;
   World world = worldOf(scene, {ball, second});
-  for (int v = 0; v < world.bodies->vertexCount(); ++v) world.bodies->position[world.bodies->at(1, v)] *= -1;
+  for (int v = 0; v < world.bodies->vertexCount(); ++v)
+    world.bodies->position[world.bodies->at(1, v)] = -world.bodies->position[world.bodies->at(1, v)];
   try {
     step(world);
     FAIL("it went on");
