@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "base/error.h"
+#include "base/maths.h"
+#include "mesh/nesting.h"
+
 namespace morula {
 
 namespace {
@@ -12,6 +16,13 @@ void write(AlignedVector<double>& array, std::size_t at, const Vector& a) {
   array[at] = a.x;
   array[at + blockLanes] = a.y;
   array[at + 2 * blockLanes] = a.z;
+}
+
+/// The mesh, scaled about the origin.
+Mesh withVolume(Mesh mesh, double volume) {
+  const double scale = cubeRoot(volume / measureVolume(mesh.vertices, mesh.faces));
+  for (Point& x : mesh.vertices) x *= scale;
+  return mesh;
 }
 
 /// Gives every cell its slot, and every block its lines.
@@ -64,10 +75,17 @@ Body makeEgg(const Bodies& b, int coarseness) {
 
 }  // namespace
 
-Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads) {
+Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads,
+                  const std::vector<Mesh>& coarser) {
   Bodies b;
   b.parameters = parameters;
   b.mesh = makeTemplate(egg);
+  for (const Mesh& mesh : coarser) {
+    const Mesh& finer = b.meshAt(static_cast<int>(b.coarser.size())).mesh;
+    CoarserMesh next{makeTemplate(withVolume(mesh, measureVolume(finer.vertices, finer.faces))), {}};
+    next.nested = findNested(next.mesh.mesh.vertices, finer.vertices);
+    b.coarser.push_back(std::move(next));
+  }
   const double* a = parameters.shell ? parameters.shell->semiAxes : nullptr;
   b.kernelParameters = {parameters.membrane.stiffness,
                         parameters.membrane.damping,
@@ -83,13 +101,21 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
   return b;
 }
 
+int Bodies::vertexCount() const {
+  CHECK(coarser.empty(), "cells may have different meshes");
+  return mesh.vertexCount();
+}
+
 BlockView Bodies::block(int index, int thread) {
   const BlockPlace& place = blocks[index];
   const std::size_t v = std::size_t(place.firstLine) * vertexStride, l = std::size_t(index) * blockLanes;
   Scratch& s = scratch[thread];
+  // All meshes share the egg's slack edge, which stands behind the last one and stays 0.
+  double* coefficient = s.coefficient.data() +
+                        std::size_t(mesh.edgeCount() - meshAt(place.coarseness).edgeCount()) * blockLanes;
   return {place.coarseness,   place.liveLanes,   &position[v],         &velocity[v], &acceleration[v],
           &vertexMass[l],     &restScale[l],     &pressureConstant[l], &volume[l],   &pressure[l],
-          s.predicted.data(), s.gradient.data(), s.coefficient.data()};
+          s.predicted.data(), s.gradient.data(), coefficient};
 }
 
 Body makeEgg(const Bodies& b) { return makeEgg(b, 0); }

@@ -12,7 +12,8 @@ std::vector<Scene> allScenes() {
   Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
   ring.name = "life of a torus";
   ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
-  return {scenes::packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring};
+  return {scenes::packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring,
+          scenes::coarsening()};
 }
 
 /// Runs both side by side; the first step after which their states differ, or −1.
