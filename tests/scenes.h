@@ -134,4 +134,35 @@ inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   return s;
 }
 
+/// For cells put together by hand: those with the mesh of 162 vertices may touch those with 42.
+inline Scene mixedMeshes() {
+  Scene s = withBodies(uniqueFour, 1, makeIcosphere(2));
+  s.name = "mixed-meshes";
+  s.mechanics->coarser = {makeIcosphere(1)};
+  s.mechanics->physics.coarsen = 1;
+  s.mechanics->physics.drag = 2;
+  s.mechanics->contact = pairContactWithFriction;
+  return s;
+}
+
+/// Five cells with two meshes between them, in contact, in a shell, and connected: daughter A of the egg
+/// rests and keeps the finer mesh; daughter B's daughters and theirs take the coarser one.
+inline Scene coarsening() {
+  Scene s = withBodies(
+      "START: a0\n"
+      "g1(a1|a0)\ng2(divide|a0)\ng3(a2|a1,A)\ng4(a3|a1,B)\ng5(divide|a1,B)\ng6(a4|a3)\ng7(divide|a3)\n"
+      "g8(a2|a2)\ng9(a4|a4)\n",
+      4, scaled(makeIcosphere(3), 0.95));
+  s.name = "coarsening";
+  MechanicsScene& m = *s.mechanics;
+  m.coarser = {scaled(makeIcosphere(2), 0.95)};
+  m.physics.coarsen = 0.2;
+  m.physics.drag = 2;
+  m.physics.shell = ShellParameters{{1.1, 1, 1}};
+  m.contact = pairContactWithFriction;
+  m.connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, {}};
+  s.stop.time = 3.25;
+  return s;
+}
+
 }  // namespace morula::scenes

@@ -2,12 +2,23 @@
 
 #include <algorithm>
 
+#include "base/error.h"
+#include "base/maths.h"
+#include "mesh/nesting.h"
+
 namespace morula {
 
 namespace {
 
 /// [mass] of the vertices of lanes without a cell
 double immovable(Precision precision) { return precision == Precision::binary64 ? 0x1p900 : 0x1p100; }
+
+/// The mesh, scaled about the origin.
+Mesh withVolume(Mesh mesh, double volume) {
+  const double scale = cubeRoot(volume / measureVolume(mesh.vertices, mesh.faces));
+  for (Point& x : mesh.vertices) x *= scale;
+  return mesh;
+}
 
 /// Gives every cell its slot, and every block its lines.
 void arrange(Bodies& b, const std::vector<Body>& cells) {
@@ -59,10 +70,17 @@ Body makeEgg(const Bodies& b, int coarseness) {
 
 }  // namespace
 
-Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads) {
+Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads,
+                  const std::vector<Mesh>& coarser) {
   Bodies b;
   b.parameters = parameters;
   b.mesh = makeTemplate(egg);
+  for (const Mesh& mesh : coarser) {
+    const Mesh& finer = b.meshAt(static_cast<int>(b.coarser.size())).mesh;
+    CoarserMesh next{makeTemplate(withVolume(mesh, measureVolume(finer.vertices, finer.faces))), {}};
+    next.nested = findNested(next.mesh.mesh.vertices, finer.vertices);
+    b.coarser.push_back(std::move(next));
+  }
   const double* a = parameters.shell ? parameters.shell->semiAxes : nullptr;
   b.kernelParameters = {parameters.membrane.stiffness,
                         parameters.membrane.damping,
@@ -80,14 +98,22 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
   return b;
 }
 
+int Bodies::vertexCount() const {
+  CHECK(coarser.empty(), "cells may have different meshes");
+  return mesh.vertexCount();
+}
+
 BlockView Bodies::block(int index, int thread) {
   const BlockPlace& place = blocks[index];
   const std::size_t v = std::size_t(place.firstLine) * vertexStride, l = std::size_t(index) * blockLanes;
   Scratch& s = scratch[thread];
+  // All meshes share the egg's slack edge, which stands behind the last one and stays 0.
+  const std::size_t coefficients =
+      std::size_t(mesh.edgeCount() - meshAt(place.coarseness).edgeCount()) * blockLanes;
   return {place.coarseness,     place.liveLanes, position.from(v),    velocity.from(v),
           acceleration.from(v), &vertexMass[l],  &restScale[l],       &pressureConstant[l],
           &volume[l],           &pressure[l],    s.predicted.from(0), s.gradient.from(0),
-          s.coefficient.from(0)};
+          s.coefficient.from(coefficients)};
 }
 
 Body makeEgg(const Bodies& b) { return makeEgg(b, 0); }

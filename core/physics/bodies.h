@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/aligned.h"
-#include "base/error.h"
 #include "base/reals.h"
 #include "physics/block.h"
 #include "physics/mesh_template.h"
@@ -34,11 +33,18 @@ struct BlockPlace {
   int liveLanes;   // cells in it
 };
 
+/// A mesh that cells may take instead of the finer one before it.
+struct CoarserMesh {
+  MeshTemplate mesh;
+  std::vector<std::int32_t> nested;  // [vertex] which vertex of the finer mesh it is
+};
+
 struct Bodies {
   // Constant
   PhysicsParameters parameters;
   KernelParameters kernelParameters;
-  MeshTemplate mesh;  // the egg's
+  MeshTemplate mesh;                 // the egg's
+  std::vector<CoarserMesh> coarser;  // finer ones first; empty: all cells have the egg's mesh
 
   // Where cells are
   int count = 0;                   // living cells
@@ -61,11 +67,13 @@ struct Bodies {
   };
   std::vector<Scratch> scratch;
 
-  const MeshTemplate& meshAt(int) const { return mesh; }
+  const MeshTemplate& meshAt(int coarseness) const {
+    return coarseness == 0 ? mesh : coarser[coarseness - 1].mesh;
+  }
   const MeshTemplate& meshOf(int slot) const { return meshAt(blocks[slot / blockLanes].coarseness); }
   int vertexCount(int slot) const { return meshOf(slot).vertexCount(); }
-  /// Of every cell, in a scene with one mesh.
-  int vertexCount() const { return mesh.vertexCount(); }
+  /// Of every cell, in a scene with one mesh; CHECKed.
+  int vertexCount() const;
   int blockCount() const { return static_cast<int>(blocks.size()); }
   int liveLanes(int block) const { return blocks[block].liveLanes; }
   int verticesPerLane(int block) const { return meshAt(blocks[block].coarseness).vertexCount(); }
@@ -89,8 +97,10 @@ struct Bodies {
   BlockView block(int index, int thread);
 };
 
-/// No cells yet; `threads` sets of scratch.
-Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads);
+/// No cells yet; `threads` sets of scratch. `coarser`: meshes of the egg's shape that cells may take, each
+/// with vertices that are some of the mesh's before it.
+Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int threads,
+                  const std::vector<Mesh>& coarser = {});
 
 /// The egg: the mesh as loaded, at rest.
 Body makeEgg(const Bodies& bodies);

@@ -42,6 +42,8 @@ struct ShellParameters {
 };
 
 struct PhysicsParameters {
+  std::optional<double> coarsen;   // [length] a daughter takes the coarsest of the scene's meshes whose mean
+                                   // edge at rest is no longer; absent: every cell has the egg's mesh
   std::optional<double> timeStep;  // [time]; absent: auto, dyadic, from the stability limits
   Integrator integrator = Integrator::velocityVerlet;
   Precision precision =

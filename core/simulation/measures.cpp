@@ -106,12 +106,17 @@ double measureMeanOverlap(const World& world, int columns) {
   return measureOverlap(meshes, columns).meanShare();
 }
 
-std::vector<Point> cellVertices(const World& world, const CellPath& path) {
+Mesh cellMesh(const World& world, const CellPath& path) {
   if (!world.bodies) return {};
   const auto& paths = world.cells.path;
   const auto at = std::lower_bound(paths.begin(), paths.end(), path);
   if (at == paths.end() || *at != path) return {};
-  return verticesOf(*world.bodies, world.bodies->slots[at - paths.begin()]);
+  const int slot = world.bodies->slots[at - paths.begin()];
+  return {verticesOf(*world.bodies, slot), world.bodies->meshOf(slot).mesh.faces};
+}
+
+std::vector<Point> cellVertices(const World& world, const CellPath& path) {
+  return cellMesh(world, path).vertices;
 }
 
 }  // namespace morula

@@ -8,6 +8,7 @@
 #include "base/vec3.h"
 #include "biology/state.h"
 #include "connections/connections.h"
+#include "mesh/mesh.h"
 
 namespace morula {
 
@@ -50,7 +51,10 @@ std::vector<ContactMeasures> measureContacts(const World& world);
 /// grid of `columns` × `columns` columns; O(cells · faces). [1]
 double measureMeanOverlap(const World& world, int columns = 256);
 
-/// The vertex positions of one living cell, in the scene mesh's order.
+/// The surface of one living cell: vertex positions, in the order of its mesh, and faces. Empty if no such
+/// cell lives, or without bodies.
+Mesh cellMesh(const World& world, const CellPath& path);
+/// Its vertices alone.
 std::vector<Point> cellVertices(const World& world, const CellPath& path);
 
 /// The whole state: cells by lineage path, connections, lineage, clock. The same on every machine.

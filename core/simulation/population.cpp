@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "division/coarsen.h"
 #include "division/cut.h"
 #include "simulation/stages.h"
 
@@ -20,7 +21,8 @@ Daughters divide(const World& world, std::size_t i) {
     throw NumericalError(
         world.cells.path[i].text(), world.clock.step, "it cannot divide: " + cut.failure,
         "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
-  return std::move(cut.daughters);
+  auto& [a, b] = cut.daughters;
+  return {coarsen(*world.bodies, std::move(a)), coarsen(*world.bodies, std::move(b))};
 }
 
 /// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3]. `centreOf`

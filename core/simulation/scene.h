@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "biology/dna.h"
 #include "biology/parameters.h"
@@ -25,7 +26,8 @@ struct StopParameters {
 
 struct MechanicsScene {
   PhysicsParameters physics;
-  Mesh mesh;  // of the egg, scaled to physics.cell.radius; every cell keeps its connectivity
+  Mesh mesh;                  // of the egg, scaled to physics.cell.radius
+  std::vector<Mesh> coarser;  // that daughters may take if physics.coarsen is given: see makeBodies
   std::optional<ContactParameters> contact;
   DivisionParameters division;
   std::optional<ConnectionParameters> connections;

@@ -37,9 +37,13 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
   const auto& mechanics = *scenario.scene.mechanics;
   OrganismPicture picture;
   picture.faces = mechanics.mesh.faces;
-  for (std::size_t i = 0; i < world.cells.path.size(); ++i)
-    picture.cells.push_back({world.cells.path[i].text(), cellVertices(world, world.cells.path[i]),
-                             palette.colourOf(world.biology->describe(world.cells.state[i])), 1});
+  for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
+    Mesh mesh = cellMesh(world, world.cells.path[i]);
+    if (mesh.faces == picture.faces) mesh.faces.clear();
+    picture.cells.push_back({world.cells.path[i].text(), std::move(mesh.vertices),
+                             palette.colourOf(world.biology->describe(world.cells.state[i])), 1,
+                             std::move(mesh.faces)});
+  }
   if (const auto& shell = mechanics.physics.shell)
     picture.shell = Vector{shell->semiAxes[0], shell->semiAxes[1], shell->semiAxes[2]};
   picture.title = scenario.scene.name;

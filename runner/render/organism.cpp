@@ -13,18 +13,25 @@ namespace {
 
 bool finite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-void checkCells(const OrganismPicture& picture) {
+/// How many vertices a cell with these faces has at least.
+std::int32_t neededBy(const std::vector<Face>& faces) {
   std::int32_t needed = 0;
-  for (const Face& face : picture.faces)
+  for (const Face& face : faces)
     for (const auto corner : face) {
       if (corner < 0)
         throw InputError("the picture's faces count vertices from 0, not from a negative number");
       needed = std::max(needed, corner + 1);
     }
+  return needed;
+}
+
+void checkCells(const OrganismPicture& picture) {
+  const std::int32_t neededByMost = neededBy(picture.faces);
   for (const CellShape& cell : picture.cells) {
+    const std::int32_t needed = cell.faces.empty() ? neededByMost : neededBy(cell.faces);
     if (cell.vertices.size() < std::size_t(needed))
       throw InputError("cell '" + cell.path + "' has " + std::to_string(cell.vertices.size()) +
-                       " vertices; the faces of the picture need " + std::to_string(needed));
+                       " vertices; its faces in the picture need " + std::to_string(needed));
     if (!std::all_of(cell.vertices.begin(), cell.vertices.end(), finite))
       throw InputError("cell '" + cell.path + "' has a vertex that is not finite and cannot be drawn");
     if (!(cell.opacity >= 0 && cell.opacity <= 1))
@@ -134,7 +141,7 @@ Framing fitFraming(const std::vector<OrganismPicture>& sequence) {
 void addNormals(OrganismPicture& picture, double length, Colour colour) {
   checkCells(picture);
   for (const CellShape& cell : picture.cells) {
-    const std::vector<Vector> normals = vertexNormals(cell.vertices, picture.faces);
+    const std::vector<Vector> normals = vertexNormals(cell.vertices, facesOf(picture, cell));
     for (std::size_t i = 0; i < normals.size(); ++i)
       picture.lines.push_back({cell.vertices[i], cell.vertices[i] + normals[i] * length, colour});
   }

@@ -14,9 +14,10 @@ namespace morula {
 
 struct CellShape {
   std::string path;             // the lineage path; only used in messages
-  std::vector<Point> vertices;  // [length] in the order that OrganismPicture::faces counts them
+  std::vector<Point> vertices;  // [length] in the order that its faces count them
   Colour colour = neutralGrey;
-  double opacity = 1;  // 0 (not drawn) to 1 (solid); lower: what is behind shines through
+  double opacity = 1;         // 0 (not drawn) to 1 (solid); lower: what is behind shines through
+  std::vector<Face> faces{};  // its own mesh; empty: the picture's
 };
 
 /// A straight line in space, for forces, normals and connections.
@@ -44,7 +45,7 @@ struct LegendEntry {
 };
 
 struct OrganismPicture {
-  std::vector<Face> faces;  // the mesh that all cells share
+  std::vector<Face> faces;  // the mesh of all cells that have none of their own
   std::vector<CellShape> cells;
   std::optional<Vector> shell;  // semi-axes [length] of an ellipsoid about the origin, drawn as a faint rim
   std::vector<LineMark> lines;
@@ -60,6 +61,10 @@ enum class Style {
   solid,      // smooth lit surfaces, dark outlines where cells meet
   wireframe,  // the mesh's edges in the cells' colours, hidden ones hidden
 };
+
+inline const std::vector<Face>& facesOf(const OrganismPicture& picture, const CellShape& cell) {
+  return cell.faces.empty() ? picture.faces : cell.faces;
+}
 
 /// Draws the picture; equal input gives equal pixels. No cells (an empty organism) give the background, shell
 /// and texts. Throws InputError for sizes out of range, a cell whose vertex count does not fit the faces, and

@@ -58,7 +58,7 @@ std::uint16_t asUint16(double value) { return std::uint16_t(std::clamp(value, 0.
 void addCell(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes,
              const Point& centre, const Split& split) {
   const CellShape& cell = picture.cells[number];
-  std::vector<Vector> normals = vertexNormals(cell.vertices, picture.faces);
+  std::vector<Vector> normals = vertexNormals(cell.vertices, facesOf(picture, cell));
   std::vector<Vector> positions;
   positions.reserve(cell.vertices.size());
   for (const Point& vertex : cell.vertices) positions.push_back(axes.of(vertex - centre));
@@ -68,7 +68,7 @@ void addCell(Surface& to, const OrganismPicture& picture, std::size_t number, co
   const double light[4] = {linearLight(cell.colour.r), linearLight(cell.colour.g), linearLight(cell.colour.b),
                            cell.opacity};
   std::transform(light, light + 4, vertex.light, asUint16);
-  for (const Face& face : picture.faces) {
+  for (const Face& face : facesOf(picture, cell)) {
     FaceInEye corners;
     for (int i = 0; i < 3; ++i)
       corners.position[i] = positions[face[i]], corners.normal[i] = normals[face[i]];
@@ -108,7 +108,8 @@ std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std:
 }
 
 Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing) {
-  const std::size_t faces = picture.cells.size() * picture.faces.size();
+  std::size_t faces = 0;
+  for (const CellShape& cell : picture.cells) faces += facesOf(picture, cell).size();
   const Split split = splitFace(splitsFor(faces));
   Surface surface;
   surface.vertices.reserve(faces * split.points.size());

@@ -52,11 +52,21 @@ void checkShell(const PhysicsParameters& physics, Reading& reading, const Node& 
                          "needs at most its smallest semi-axis, " + formatReal(smallest) + " [length]");
 }
 
+void checkCoarsening(const Scenario& scenario, Reading& reading, const Node& root) {
+  const MechanicsScene& mechanics = *scenario.scene.mechanics;
+  if (mechanics.physics.coarsen && scenario.mesh.icosphere && mechanics.coarser.empty())
+    reading.problems.add(placeOf(root, "physics.mesh.coarsen"), "physics.mesh.coarsen",
+                         "the egg's mesh is already the coarsest", "needs icosphere 3 or 4, or remove this");
+}
+
 }  // namespace
 
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkSubstances(scenario.scene.dna, reading);
-  if (scenario.scene.mechanics) checkShell(scenario.scene.mechanics->physics, reading, root);
+  if (const auto& mechanics = scenario.scene.mechanics) {
+    checkShell(mechanics->physics, reading, root);
+    checkCoarsening(scenario, reading, root);
+  }
   if (scenario.record.pictures && !scenario.scene.mechanics)
     reading.problems.add(placeOf(root, "record.pictures"), "record.pictures",
                          "cells without bodies cannot be drawn", "add a physics block or remove this");

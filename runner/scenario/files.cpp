@@ -23,6 +23,8 @@ namespace scenario {
 
 namespace {
 
+constexpr int coarsestLevel = 2;  // a sphere's area on 42 vertices is off by more than 1 %
+
 /// Calls `read`; its InputErrors become problems. Line for line they name their own places.
 template <class Read>
 void guarded(Problems& problems, const Place& place, Read read) {
@@ -68,13 +70,18 @@ void readDna(Scenario& scenario, const DnaSource& dna, Problems& problems, const
 void readMesh(Scenario& scenario, const Node& root, Problems& problems, const Places& places) {
   auto& mechanics = *scenario.scene.mechanics;
   if (scenario.mesh.icosphere) {
-    mechanics.mesh = makeIcosphere(static_cast<int>(*scenario.mesh.icosphere));
+    const int level = static_cast<int>(*scenario.mesh.icosphere);
+    mechanics.mesh = makeIcosphere(level);
+    if (mechanics.physics.coarsen)
+      for (int i = level - 1; i >= coarsestLevel; --i) mechanics.coarser.push_back(makeIcosphere(i));
   } else if (scenario.mesh.file) {
     const auto& place = root.find("physics")->value.find("mesh")->value.find("file")->value.place;
     if (const auto* file = readNamedFile(scenario, "mesh", *scenario.mesh.file, place, places, problems))
       guarded(problems, place, [&] { mechanics.mesh = readObj(file->content, file->path); });
   }
   for (auto& vertex : mechanics.mesh.vertices) vertex *= mechanics.physics.cell.radius;
+  for (auto& mesh : mechanics.coarser)
+    for (auto& vertex : mesh.vertices) vertex *= mechanics.physics.cell.radius;
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ struct Parameter {
   Decides decides = Decides::results;
   Json schema;         // JSON Schema of the value
   std::string absent;  // for people: what holds if an optional value is not given
+  std::string needs;   // the key of a neighbour that it refines and makes no sense without
   std::function<void(Scenario&, const Node&, Reading&)> read;
   std::function<Json(const Scenario&)> write;  // null: not given
 
@@ -58,8 +59,8 @@ struct Parameter {
 /// A map of parameters. Absent: its parameters have their defaults, or the part that it describes does not
 /// exist.
 struct Section {
-  enum class Members { any, atLeastOne, exactlyOne };
-  std::string path{};  // "" is the whole file
+  enum class Members { any, atLeastOne, exactlyOne };  // not counting what refines another
+  std::string path{};                                  // "" is the whole file
   std::string meaning{};
   std::string absent{};  // for people: what holds without it
   bool required = false;

@@ -30,7 +30,7 @@ std::vector<Section> sections() {
            },
        .exists = [](const Scenario& s) { return s.scene.mechanics.has_value(); }},
       {.path = "physics.mesh",
-       .meaning = "The egg's surface; every cell keeps its connectivity",
+       .meaning = "The egg's surface; without coarsen every cell keeps its connectivity",
        .members = exactlyOne,
        .make =
            [](Scenario& s) {
@@ -79,6 +79,11 @@ Parameter required(Parameter p) {
   return p;
 }
 
+Parameter refines(const char* key, Parameter p) {
+  p.needs = key;
+  return p;
+}
+
 Parameter presentation(Parameter p) {
   p.decides = Decides::presentation;
   return p;
@@ -121,6 +126,12 @@ std::vector<Parameter> parameters() {
       optionalNatural("physics.mesh.icosphere", {0, 4}, "see file",
                       "Times that an icosahedron is refined: 12, 42, 162, 642, 2562 vertices",
                       AT(mesh.icosphere)),
+      refines(
+          "icosphere",
+          optionalReal("physics.mesh.coarsen", "length", positive, "", "every cell keeps the egg's mesh",
+                       "A daughter takes the coarsest icosphere, 2 at least, whose mean edge at rest is no "
+                       "longer than this",
+                       PHYSICS(coarsen))),
       optionalFile("physics.mesh.file", "Wavefront OBJ of a closed surface of roughly equal triangles",
                    AT(mesh.file)),
 

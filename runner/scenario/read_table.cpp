@@ -26,6 +26,13 @@ std::vector<std::string> keysOf(const std::string& section) {
   return keys;
 }
 
+/// Whether a key refines another of its section instead of standing for itself.
+bool refines(const std::string& section, const std::string& key) {
+  const auto parameters = parameterTable().parametersOf(section);
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [&](const Parameter* p) { return p->key() == key && !p->needs.empty(); });
+}
+
 /// What an unknown key was probably meant to be: a key of this section, or one of another.
 std::string remedy(const std::string& section, const std::string& key) {
   const auto here = keysOf(section);
@@ -54,9 +61,14 @@ class TableReader {
     if (section.make) section.make(scenario_);
     checkKeys(section, node);
     for (const auto* parameter : parameterTable().parametersOf(section.path)) {
-      if (const auto* member = node.find(parameter->key()))
+      const auto* member = node.find(parameter->key());
+      if (!member && parameter->required) missing(node, parameter->path, "needs " + parameter->allowed);
+      if (!member) continue;
+      if (parameter->needs.empty() || node.find(parameter->needs))
         parameter->read(scenario_, member->value, reading_);
-      else if (parameter->required) missing(node, parameter->path, "needs " + parameter->allowed);
+      else
+        reading_.problems.add(member->place, parameter->path, "makes no sense without " + parameter->needs,
+                              "give both, or remove this");
     }
     for (const auto* child : parameterTable().sectionsOf(section.path)) {
       const auto* member = node.find(child->key());
@@ -80,26 +92,28 @@ class TableReader {
 
   void checkKeys(const Section& section, const Node& node) {
     const auto known = keysOf(section.path);
-    std::vector<const Member*> good;
+    std::vector<const Member*> good;  // those that count
     bool unknown = false;
     for (const auto& member : node.members) {
       if (member.key.empty()) continue;
       if (std::find(known.begin(), known.end(), member.key) != known.end()) {
-        good.push_back(&member);
+        if (!refines(section.path, member.key)) good.push_back(&member);
         continue;
       }
       unknown = true;
       reading_.problems.add(member.place, inside(section.path, member.key), "unknown key",
                             remedy(section.path, member.key));
     }
+    auto alternatives = known;
+    std::erase_if(alternatives, [&](const std::string& key) { return refines(section.path, key); });
     if (section.members != Section::Members::any && good.empty() && !unknown)
       reading_.problems.add(
-          node.place, section.path, "is empty",
+          node.place, section.path, node.members.empty() ? "is empty" : "is incomplete",
           (section.members == Section::Members::atLeastOne ? "needs at least one of " : "needs one of ") +
-              join(known));
+              join(alternatives));
     if (section.members == Section::Members::exactlyOne && good.size() > 1)
       reading_.problems.add(good[1]->place, inside(section.path, good[1]->key),
-                            "stands beside " + good[0]->key, "give one of " + join(known, " or "));
+                            "stands beside " + good[0]->key, "give one of " + join(alternatives, " or "));
   }
 
   Scenario& scenario_;

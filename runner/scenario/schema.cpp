@@ -25,12 +25,12 @@ Json sectionSchema(const Section& section, const Scenario& defaults) {
   Json schema{
       {"type", "object"},
       {"description", section.meaning + (section.absent.empty() ? "" : "; absent: " + section.absent)}};
-  Json properties = Json::object(), required = Json::array();
+  Json properties = Json::object(), required = Json::array(), needs = Json::object();
   for (const auto* p : table.parametersOf(section.path)) {
     properties[p->key()] = parameterSchema(*p, defaults);
     if (p->required) required.push_back(p->key());
+    if (!p->needs.empty()) needs[p->key()] = Json::array({p->needs});
   }
-  Json needs = Json::object();
   for (const auto* child : table.sectionsOf(section.path)) {
     properties[child->key()] = sectionSchema(*child, defaults);
     if (child->required) required.push_back(child->key());
@@ -40,8 +40,12 @@ Json sectionSchema(const Section& section, const Scenario& defaults) {
   schema["additionalProperties"] = false;
   if (!required.empty()) schema["required"] = std::move(required);
   if (!needs.empty()) schema["dependentRequired"] = std::move(needs);
-  if (section.members != Section::Members::any) schema["minProperties"] = 1;
-  if (section.members == Section::Members::exactlyOne) schema["maxProperties"] = 1;
+  if (section.members == Section::Members::atLeastOne) schema["minProperties"] = 1;
+  if (section.members == Section::Members::exactlyOne) {
+    schema["oneOf"] = Json::array();
+    for (const auto* p : table.parametersOf(section.path))
+      if (p->needs.empty()) schema["oneOf"].push_back({{"required", {p->key()}}});
+  }
   return schema;
 }
 
@@ -78,8 +82,9 @@ std::string sectionMarkdown(const Section& section, const Scenario& defaults) {
       auto allowed = p->allowed;
       if (const auto unit = " [" + p->unit + "]"; !p->unit.empty())
         if (const auto at = allowed.find(unit); at != allowed.npos) allowed.erase(at, unit.size());
+      const auto meaning = p->meaning + (p->needs.empty() ? "" : "; beside `" + p->needs + "`");
       text += "| `" + p->key() + "` | " + cell(allowed) + " | " + p->unit + " | " +
-              cell(defaultText(*p, defaults)) + " | " + cell(p->meaning) + " |\n";
+              cell(defaultText(*p, defaults)) + " | " + cell(meaning) + " |\n";
     }
   }
   return text + "\n";

@@ -57,7 +57,8 @@ TEST_CASE("ranges, names and defaults stand in the schema") {
   CHECK(physics["integrator"]["enum"] == Json{"velocity-verlet", "thesis-verlet"});
   CHECK(physics["integrator"]["default"] == "velocity-verlet");
   CHECK(physics["mesh"]["properties"]["icosphere"]["maximum"] == 4);
-  CHECK(physics["mesh"]["maxProperties"] == 1);
+  CHECK(physics["mesh"]["oneOf"] == Json::parse(R"([{"required": ["icosphere"]}, {"required": ["file"]}])"));
+  CHECK(physics["mesh"]["dependentRequired"] == Json::parse(R"({"coarsen": ["icosphere"]})"));
   CHECK(properties["stop"]["minProperties"] == 1);
   CHECK(!properties["morula"].contains("default"));
   CHECK(physics["membrane"]["properties"]["stiffness"]["default"] == MembraneParameters{}.stiffness);

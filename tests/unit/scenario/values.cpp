@@ -52,7 +52,10 @@ TEST_CASE("every key arrives in its field") {
   CHECK(scene.mechanics->connections->strength == 0.4);
   CHECK(scene.mechanics->connections->releaseDistance == 1.5);
   // The mesh is scaled to the cell's radius.
-  REQUIRE(scene.mechanics->mesh.vertices.size() == 12);
+  REQUIRE(scene.mechanics->mesh.vertices.size() == 642);
+  REQUIRE(scene.mechanics->coarser.size() == 1);
+  CHECK(scene.mechanics->coarser[0].vertices.size() == 162);
+  CHECK(scene.mechanics->physics.coarsen == 0.5);
   for (const auto& v : scene.mechanics->mesh.vertices) CHECK(norm(v) == Approx(0.5).epsilon(1e-15));
 }
 

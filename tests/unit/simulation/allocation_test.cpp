@@ -100,6 +100,21 @@ TEST_CASE("Threads allocate nothing of ours either; what TBB takes, it takes fro
   }
 }
 
+TEST_CASE("Cells with different meshes allocate nothing, nor do searches among them") {
+  for (ContactSearch search : allContactSearches()) {
+    const Scene scene = scenes::mixedMeshes();
+    World world = worldOf(scene, mixedCells(scene, 17, 2, 0.1), {bestIsa(), 1, {search, 0.15}});
+    allocationsOf(world, 500);
+    std::uint64_t count = allocationsOf(world, 50);
+    for (int i = 0; i < 20; ++i) {
+      world.contacts->listIsValid = false;
+      count += allocationsOf(world, 1);
+    }
+    CAPTURE(name(search));
+    CHECK(count == 0);
+  }
+}
+
 TEST_CASE("Bodies without contact or connections, in a shell, allocate nothing") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
   scene.mechanics->physics.shell = ShellParameters{{3, 3, 3.5}};

@@ -12,8 +12,8 @@ std::vector<Scene> allScenes() {
   Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
   ring.name = "life of a torus";
   ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
-  std::vector<Scene> scenes{
-      scenes::packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring};
+  std::vector<Scene> scenes{scenes::packed(), scenes::ellipsoid(), scenes::thesis(),     scenes::life(), mixed,
+                            ring,             scenes::coarsening()};
   for (Scene single : {scenes::packed(), scenes::thesis(), ring}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;

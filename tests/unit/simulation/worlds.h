@@ -63,6 +63,18 @@ inline std::vector<Body> flyingCells(const Mesh& ball, int count, double distanc
   return cells;
 }
 
+/// As flyingCells, every second cell with the scene's first coarser mesh.
+inline std::vector<Body> mixedCells(const Scene& scene, int count, double distance, double speed) {
+  const MechanicsScene& m = *scene.mechanics;
+  std::vector<Body> cells = flyingCells(m.mesh, count, distance, speed);
+  const std::vector<Body> coarse = flyingCells(m.coarser[0], count, distance, speed);
+  for (int i = 1; i < count; i += 2) {
+    cells[i] = coarse[i];
+    cells[i].coarseness = 1;
+  }
+  return cells;
+}
+
 inline std::vector<std::string> pathsOf(const World& world) {
   std::vector<std::string> texts;
   for (const CellPath& p : world.cells.path) texts.push_back(p.text());

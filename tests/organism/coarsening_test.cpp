@@ -1,0 +1,61 @@
+// Level of detail against the fine run: what it saves and what it costs.
+#include <algorithm>
+#include <cmath>
+
+#include "catch.h"
+#include "scenario/scenario.h"
+#include "simulation/measures.h"
+#include "simulation/world.h"
+#include "worst.h"
+
+using namespace morula;
+
+namespace {
+
+struct Run {
+  World world;
+  double vertexSteps = 0;
+
+  explicit Run(const Scene& scene) : world(makeWorld(scene)) {
+    while (!finished(world)) {
+      step(world);
+      vertexSteps += world.bodies->livingVertices;
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "coarsening: nine cells lie, and are as large, as in the fine run, for less than a quarter of the work") {
+  const std::string file = MORULA_SOURCE_DIR "/scenarios/organisms/coarsening.yaml";
+  const Scene scene = loadScenario(file, {parseOverride("stop.time=4.9375")}).scene;
+  Scene fineScene = scene;
+  fineScene.mechanics->physics.coarsen.reset();
+  fineScene.mechanics->coarser.clear();
+  const Run coarse(scene), fine(fineScene);
+
+  const auto a = measureCells(coarse.world), b = measureCells(fine.world);
+  REQUIRE(a.size() == 9);
+  REQUIRE(b.size() == 9);
+  Worst centre, volume, area;
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].path == b[i].path);
+    const double radius = std::cbrt(3 * b[i].volume / 12.566370614359172);
+    const double distance = norm(a[i].centroid - b[i].centroid) / radius;
+    centre.see(distance);
+    sum += distance;
+    volume.see(std::abs(a[i].volume / b[i].volume - 1));
+    area.see(std::abs(a[i].area / b[i].area - 1));
+  }
+  CAPTURE(sum / 9, double(centre), double(volume), double(area), fine.vertexSteps / coarse.vertexSteps);
+  CHECK(sum / 9 < 0.1);  // cell radii
+  CHECK(centre < 0.2);
+  CHECK(volume < 0.03);
+  CHECK(area < 0.02);
+  CHECK(coarse.world.bodies->livingVertices == 642 + 8 * 162);
+  CHECK(fine.vertexSteps > 4 * coarse.vertexSteps);
+  CHECK(measureMeanOverlap(coarse.world) < 0.01);
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i].sphericity > 0.75);
+}
