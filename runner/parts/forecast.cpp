@@ -84,7 +84,8 @@ void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const F
   for (const Outlook& o : eras) f.steps += o.steps, f.searches += o.searches, f.pairs += o.pairs;
   f.vertexSteps = sums.cellSteps * f.vertices;
 
-  const StepRates rates = measureRates(world);
+  const MemoryUse memory = foretellMemory(f.life, rehearsal);
+  const StepRates rates = measureRates(world, double(memory.bodies + memory.contact()));
   const ObservationRates watching = measureObservation(world);
   const auto total = [&](const Sums& s, double pairs) {
     const double lanes = s.laneSteps * f.vertices, all = s.cellSteps * f.vertices;
@@ -102,9 +103,7 @@ void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const F
     for (const auto& [name, cost] : costs) sum += name == "biology" ? 0 : cost.seconds.value_or(0);
     return sum;
   };
-  // Rates are those of one stage after itself, which finds its numbers near. In a step it does not, and calls
-  // and checks come with it: that all is what the rehearsal took beyond its rates, and each part's in
-  // proportion.
+  // What the rehearsal took beyond its rates, for calls and checks, is each part's in proportion.
   const Life past{{f.life.eras.begin(), f.life.eras.begin() + std::ptrdiff_t(rehearsal.stretches.size())}};
   std::vector<Outlook> counted;
   double pastPairs = 0;
@@ -124,12 +123,11 @@ void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const F
   costs["hashes"].seconds = watching.hash * f.vertices * sums.cellSteps / double(stepsPerHash);
   costs["samples"].seconds = watching.sample * f.vertices * sums.sampledCells;
 
-  const MemoryUse m = foretellMemory(f.life, rehearsal);
-  costs["biology"].bytes = double(m.cells);
-  costs["bodies"].bytes = double(m.mesh + m.bodies + m.scratch);
-  costs["contact"].bytes = double(m.snapshots + m.listRows + m.listPairs);
-  costs["search"].bytes = double(m.search);
-  costs["connections"].bytes = double(m.connections);
+  costs["biology"].bytes = double(memory.cells);
+  costs["bodies"].bytes = double(memory.mesh + memory.bodies + memory.scratch);
+  costs["contact"].bytes = double(memory.snapshots + memory.listRows + memory.listPairs);
+  costs["search"].bytes = double(memory.search);
+  costs["connections"].bytes = double(memory.connections);
   costs["samples"].bytes = recordBytes(sums, world);
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(StepHash);
   if (scenario.scene.mechanics->physics.timeStep &&

@@ -5,6 +5,7 @@
 
 #include "bench/clock.h"
 #include "bench/packed_world.h"
+#include "bench/statistics.h"
 #include "bench/work.h"
 #include "simulation/measures.h"
 
@@ -32,6 +33,33 @@ double quickest(const Prepare& prepare, const Call& call) {
     best = std::min(best, time / turns);
   }
   return best;
+}
+
+/// What goes through caches between two passes over the same numbers.
+class OtherMemory {
+ public:
+  explicit OtherMemory(double bytes)
+      : numbers_(std::size_t(std::clamp(bytes, 0.0, mostBytes)) / sizeof(double), 1) {}
+  void goThrough() {
+    for (std::size_t i = 0; i < numbers_.size(); i += 8) numbers_[i] += 1;
+  }
+
+ private:
+  static constexpr double mostBytes = 64 << 20;  // more than caches hold
+  std::vector<double> numbers_;
+};
+
+/// [s] of one call that finds nothing in the caches but what the call before has left there, after all of a
+/// step's other memory.
+template <class Prepare, class Call>
+double fromMemory(OtherMemory& other, const Prepare& prepare, const Call& call) {
+  std::vector<double> times;
+  for (int i = 0; i < timings; ++i) {
+    prepare();
+    other.goThrough();
+    times.push_back(timeOf(ClockKind::cpu, call));
+  }
+  return median(times);
 }
 
 int widthOf(Isa isa) {
@@ -78,6 +106,16 @@ class Trial {
                                  });
     return time / vertices(world_);
   }
+  /// The same for a pass over all blocks that comes after another one.
+  template <class Call>
+  double timePass(OtherMemory& other, const Call& ofBlock) {
+    const double time = fromMemory(
+        other, [&] { restore(); },
+        [&] {
+          for (int i = 0; i < world_.bodies->blockCount(); ++i) ofBlock(world_.bodies->block(i, 0), i);
+        });
+    return time / vertices(world_);
+  }
   /// From now on it begins without forces.
   void dropForces() { start_.assign(start_.size(), 0); }
 
@@ -106,7 +144,7 @@ double timeOwnStep(World& world, Trial& trial, const PhysicsParameters& paramete
   return time;
 }
 
-void measureOwnStep(World& world, StepRates& rates) {
+void measureOwnStep(World& world, OtherMemory& memory, StepRates& rates) {
   Trial trial(world);
   Bodies& b = *world.bodies;
   const PhysicsParameters all = b.parameters;
@@ -121,7 +159,7 @@ void measureOwnStep(World& world, StepRates& rates) {
   rates.damping = without(all.membrane.damping > 0, [](auto& p) { p.membrane.damping = 0; });
   rates.drag = without(all.drag > 0, [](auto& p) { p.drag = 0; });
   rates.shell = without(all.shell.has_value(), [](auto& p) { p.shell.reset(); });
-  // Its two halves stand in different passes; in the same one they find their numbers near.
+  // Its two halves come first in their passes, and bring what all others then find near.
   trial.dropForces();  // kicks turn forces into accelerations: without new ones only zero stays what it is
   const auto drift = [&](const BlockView& block, int) {
     world.stages.drift(b.mesh.view(), block, b.kernelParameters, world.clock.timeStep);
@@ -129,7 +167,7 @@ void measureOwnStep(World& world, StepRates& rates) {
   const auto end = [&](const BlockView& block, int) {
     world.stages.kick(b.mesh.view(), block, b.kernelParameters, world.clock.timeStep);
   };
-  rates.integration = trial.time(drift) + trial.time(end);
+  rates.integration = trial.timePass(memory, drift) + trial.timePass(memory, end);
   const double inOnePass = trial.time([&](const BlockView& block, int i) { drift(block, i), end(block, i); });
   // Springs and pressure share a walk around each vertex; they are told apart by counting.
   const double rest = std::max(whole - rates.damping - rates.drag - rates.shell - inOnePass, 0.0);
@@ -140,43 +178,41 @@ void measureOwnStep(World& world, StepRates& rates) {
   rates.pressure = (1 - share) * rest;
 }
 
-double timeForces(World& world, Trial& trial) {
-  return trial.time([&](const BlockView&, int i) {
+double timeForces(World& world, OtherMemory& memory, Trial& trial) {
+  return trial.timePass(memory, [&](const BlockView&, int i) {
     addContactForces(*world.contacts, *world.bodies, i, world.clock.timeStep);
   });
 }
 
-void measureContact(World& world, StepRates& rates) {
+void measureContact(World& world, OtherMemory& memory, StepRates& rates) {
   Trial trial(world);
   Bodies& b = *world.bodies;
   Contacts& c = *world.contacts;
-  rates.snapshots = trial.time([&](const BlockView& block, int i) { takeSnapshot(c, b, block, i); });
+  rates.snapshots =
+      trial.timePass(memory, [&](const BlockView& block, int i) { takeSnapshot(c, b, block, i); });
   const double perVertex = double(c.list.pairs) / vertices(world);
-  const double forces = timeForces(world, trial);
+  const double forces = timeForces(world, memory, trial);
   rates.pair = forces / perVertex;
   if (c.parameters.law == ContactLaw::pair && c.parameters.friction > 0) {
     ContactParameters smooth = c.parameters;
     smooth.friction = 0;
     const auto own = std::exchange(c.addForces, makeContacts(smooth, world.execution.isa).addForces);
-    rates.frictionOfPair = std::max(forces - timeForces(world, trial), 0.0) / perVertex;
+    rates.frictionOfPair = std::max(forces - timeForces(world, memory, trial), 0.0) / perVertex;
     rates.pair -= rates.frictionOfPair;
     c.addForces = own;
   }
   Contacts other = makeContacts(c.parameters, world.execution.isa, world.execution.search);
   resetContacts(other, b);
-  rates.search = quickest([&] { other.listIsValid = false; },
-                          [&] {
-                            refreshList(other, b, 1);
-                            other.listIsValid = false;
-                          }) /
+  rates.search = fromMemory(
+                     memory, [&] { other.listIsValid = false; }, [&] { refreshList(other, b, 1); }) /
                  vertices(world);
 }
 
 /// Few and coarse cells, so that they are packed in a moment.
-void borrowContact(const World& world, StepRates& rates) {
+void borrowContact(const World& world, OtherMemory& memory, StepRates& rates) {
   const PackedScene packed{.cells = 8, .level = 1, .friction = world.contacts->parameters.friction};
   World other = makePackedWorld(packed, world.execution, "", [](const std::string&) {});
-  measureContact(other, rates);
+  measureContact(other, memory, rates);
 }
 
 }  // namespace
@@ -187,17 +223,18 @@ double laneShare(Isa isa, std::uint64_t cells) {
   return double((cells + width - 1) / width * width) / double(cells);
 }
 
-StepRates measureRates(World& world) {
+StepRates measureRates(World& world, double bytes) {
   StepRates rates;
+  OtherMemory memory(bytes);
   if (world.bodies->count == 0) return rates;
-  measureOwnStep(world, rates);
+  measureOwnStep(world, memory, rates);
   const double share = laneShare(world.execution.isa, static_cast<std::uint64_t>(world.bodies->count));
   if (world.contacts) {
     if (world.contacts->list.pairs > 0) {
-      measureContact(world, rates);
+      measureContact(world, memory, rates);
       rates.snapshots /= share;
     } else {
-      borrowContact(world, rates);
+      borrowContact(world, memory, rates);
     }
   }
   for (double* rate :

@@ -20,8 +20,9 @@ struct StepRates {
 double laneShare(Isa isa, std::uint64_t cells);
 
 /// Rates for cells that fill all lanes; connections per vertex of the cells that are there. The world stays
-/// as it was. Where no vertices of this scene touch, rates of contact are those of a few small packed cells.
-StepRates measureRates(World& world);
+/// as it was. `bytes`: what a step goes through, at the largest number of cells. Where no vertices of this
+/// scene touch, rates of contact are those of a few small packed cells.
+StepRates measureRates(World& world, double bytes);
 
 /// [s] to write down the state's hash, and everything that a sample holds, for one vertex.
 struct ObservationRates {
