@@ -15,7 +15,8 @@ std::size_t searchBytes(const GridSearch& s) { return bytes(s.start, s.binOf) + 
 std::size_t searchBytes(const SpatialHash& s) { return bytes(s.start, s.binOf) + bytes(s.points); }
 std::size_t searchBytes(const BruteForce&) { return 0; }
 std::size_t searchBytes(const TreeSearch& s) {
-  std::size_t sum = bytes(s.shape.nodes, s.shape.order, s.boxes) + bytes(s.points);
+  std::size_t sum = bytes(s.boxes) + bytes(s.points);
+  for (const TreeShape& shape : s.shapes) sum += bytes(shape.nodes, shape.order);
   for (const TreeSearch::Scratch& scratch : s.scratch) {
     sum += bytes(scratch.open);
     for (const auto& row : scratch.rows) sum += bytes(row);
@@ -34,7 +35,7 @@ MemoryUse measureMemory(const World& world) {
     m.mesh = bytes(b.mesh.mesh.vertices, b.mesh.mesh.faces, b.mesh.edges, b.mesh.restLengths,
                    b.mesh.ringStart, b.mesh.ring);
     m.bodies = bytes(b.position, b.velocity, b.acceleration, b.vertexMass, b.restScale, b.pressureConstant,
-                     b.volume, b.pressure);
+                     b.volume, b.pressure, b.slots, b.blocks);
     for (const Bodies::Scratch& s : b.scratch) m.scratch += bytes(s.predicted, s.gradient, s.coefficient);
   }
   if (world.contacts) {

@@ -54,10 +54,11 @@ CellTrend measureTrend(const World& world) {
   const double egg = b.parameters.cell.mass;
   CellTrend trend;
   double mass = 0, volume = 0;
-  for (int slot = 0; slot < b.count; ++slot) {
+  for (int i = 0; i < b.count; ++i) {
+    const int slot = b.slots[i];
     mass += b.mass(slot);
     volume += b.volume[slot];
-    const int depth = world.cells.path[slot].depth();
+    const int depth = world.cells.path[i].depth();
     if (depth == 0) continue;
     // The lightest is light because at each division it was the lighter one.
     const double share = std::ldexp(b.mass(slot) / egg, depth);

@@ -76,7 +76,7 @@ int widthOf(Isa isa) {
   return 1;
 }
 
-double vertices(const World& world) { return double(world.bodies->count) * world.bodies->vertexCount(); }
+double vertices(const World& world) { return world.bodies->livingVertices; }
 
 /// A world whose state comes back, however it was moved.
 class Trial {

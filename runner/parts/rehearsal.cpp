@@ -7,7 +7,7 @@ namespace morula {
 Rehearsal rehearse(World world, const Life& life, double vertexSteps) {
   Rehearsal r{.world = std::move(world), .stretches = {{}}};
   World& w = r.world;
-  for (double done = 0; done < vertexSteps; done += double(w.bodies->count) * w.bodies->vertexCount()) {
+  for (double done = 0; done < vertexSteps; done += w.bodies->livingVertices) {
     if (finished(w)) {
       r.whole = true;
       break;

@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
     const Work work = works().at(argv[2]);
     work(world);  // what is allocated once does not count
     countedWork(work, &world, std::atoi(argv[4]));
-    std::cout << world.bodies->count * world.bodies->vertexCount() << '\n';
+    std::cout << world.bodies->livingVertices << '\n';
   } else {
     std::cerr << "cost_program counts | build | kernels | work KERNEL ISA TURNS FOLDER\n";
     return 2;
