@@ -1,9 +1,12 @@
 #include "parts/forecast.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "base/maths.h"
 #include "parts/outlook.h"
 #include "parts/rates.h"
 #include "simulation/measures.h"
@@ -72,6 +75,25 @@ void foretellLineage(Costs& costs, Forecast& f, const Scenario& scenario, const 
   f.rehearsedTime = f.life.eras.back().to;
 }
 
+/// An automatic step is a power of two. Where its limit lies just above one, little makes it half as long.
+void warnOfTimeSteps(Forecast& f, const Rehearsal& rehearsal) {
+  constexpr double near = 1.1;  // limits are foretold to within 10 %
+  const auto& fixed = rehearsal.world.bodies->parameters.timeStep;
+  for (std::size_t i = rehearsal.stretches.size(); i < f.life.eras.size(); ++i) {
+    const Era& era = f.life.eras[i];
+    const double limit = foretellTimeStepLimit(rehearsal, era.generation);
+    if (fixed && *fixed > limit)
+      f.remarks.push_back(fmt::format(
+          "physics.time_step will be too long from {} cells on: cells get lighter with each division",
+          era.cells));
+    else if (!fixed && limit < near * powerOfTwoBelow(limit))
+      f.remarks.push_back(fmt::format(
+          "from {} cells on the time step may be half as long, and steps twice as many", era.cells));
+    else continue;
+    return;
+  }
+}
+
 void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const ForecastOptions& options) {
   Rehearsal rehearsal = rehearse(makeWorld(scenario.scene, options.execution), f.life, options.rehearsal);
   World& world = rehearsal.world;
@@ -130,10 +152,7 @@ void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const F
   costs["connections"].bytes = double(memory.connections);
   costs["samples"].bytes = recordBytes(sums, world);
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(StepHash);
-  if (scenario.scene.mechanics->physics.timeStep &&
-      !foretellTimeStep(scenario.scene, f.life.eras.back().generation, measureTrend(world)))
-    f.remarks.push_back(
-        "physics.time_step will be too long before the end: cells get lighter with each division");
+  warnOfTimeSteps(f, rehearsal);
   if (scenario.scene.mechanics->physics.growth)
     f.remarks.push_back("what growth does to the time step is not foreseen beyond the rehearsal");
 }

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "base/maths.h"
 #include "bench/packed_world.h"
-#include "mesh/measures.h"
 #include "simulation/population.h"
+#include "simulation/stages.h"
 
 namespace morula {
 
@@ -47,49 +46,35 @@ ContactTrend measureContactTrend(const Life& life, const Rehearsal& rehearsal) {
 
 std::size_t scaled(std::size_t bytes, double by) { return static_cast<std::size_t>(double(bytes) * by); }
 
-}  // namespace
-
-CellTrend measureTrend(const World& world) {
-  const Bodies& b = *world.bodies;
-  const double egg = b.parameters.cell.mass;
-  CellTrend trend;
-  double mass = 0, volume = 0;
-  for (int i = 0; i < b.count; ++i) {
-    const int slot = b.slots[i];
-    mass += b.mass(slot);
-    volume += b.volume[slot];
-    const int depth = world.cells.path[i].depth();
-    if (depth == 0) continue;
-    // The lightest is light because at each division it was the lighter one.
-    const double share = std::ldexp(b.mass(slot) / egg, depth);
-    trend.lightness = std::min(trend.lightness, std::pow(share, 1.0 / depth));
-  }
-  const double eggVolume = measureVolume(b.mesh.mesh.vertices, b.mesh.mesh.faces);
-  if (b.count > 0) trend.compression = std::min(volume / eggVolume * egg / mass, 1.0);
-  return trend;
-}
-
-std::optional<double> foretellTimeStep(const Scene& scene, int generation, const CellTrend& trend) {
-  World world = makeWorld(scene);
-  Body cell = makeEgg(*world.bodies);
-  const double uneven = std::pow(trend.lightness, generation);
-  const double share = std::ldexp(uneven, -generation), scale = cubeRoot(share * trend.compression);
+/// Of an equal part of the egg, free and round.
+double idealLimit(const Scene& scene, int generation) {
+  Scene any = scene;
+  any.mechanics->physics.timeStep.reset();  // to ask is not to use it
+  const World egg = makeWorld(any);
+  Body cell = makeEgg(*egg.bodies);
+  const double share = std::ldexp(1.0, -generation), scale = cubeRoot(share);
   for (Point& x : cell.position) x *= scale;
   cell.mass *= share;
   cell.pressureConstant *= share;
   // Each cut makes `production` times the membrane, for two.
-  const double production = scene.mechanics->physics.membrane.production;
-  cell.restScale = cubeRoot(uneven) * std::pow(production / 2, 0.5 * generation);
-  try {
-    World small = makeWorldOf(scene, {CellPath{}}, {cell}, {});
-    beginWithBodies(small);
-    return small.clock.timeStep;
-  } catch (const NumericalError&) { return std::nullopt; }
+  cell.restScale = std::pow(any.mechanics->physics.membrane.production / 2, 0.5 * generation);
+  World part = makeWorldOf(any, {CellPath{}}, {cell}, {});
+  beginWithBodies(part);
+  return timeStepLimit(part);
+}
+
+}  // namespace
+
+double foretellTimeStepLimit(const Rehearsal& rehearsal, int generation) {
+  const Scene& scene = rehearsal.world.model;
+  const double ideal = idealLimit(scene, generation);
+  if (rehearsal.generation == 0) return ideal;
+  const double loss = rehearsal.timeStepLimit / idealLimit(scene, rehearsal.generation);
+  return ideal * std::pow(loss, double(generation) / rehearsal.generation);
 }
 
 std::vector<Outlook> lookAhead(const Life& life, const Rehearsal& rehearsal) {
   const World& world = rehearsal.world;
-  const CellTrend trend = measureTrend(world);
   const double vertices = world.bodies->vertexCount();
   const ContactTrend contact = measureContactTrend(life, rehearsal);
   std::vector<Outlook> all;
@@ -109,7 +94,9 @@ std::vector<Outlook> lookAhead(const Life& life, const Rehearsal& rehearsal) {
         continue;
       }
     } else if (era.generation != generation) {
-      timeStep = foretellTimeStep(world.model, generation = era.generation, trend).value_or(timeStep);
+      generation = era.generation;
+      const auto& fixed = world.bodies->parameters.timeStep;
+      timeStep = fixed ? *fixed : powerOfTwoBelow(foretellTimeStepLimit(rehearsal, generation));
     }
     const double steps = std::ceil(std::max(era.to - from, 0.0) / timeStep);
     o.steps += steps;

@@ -1,6 +1,5 @@
 #pragma once
 // From the eras that were rehearsed to those that were not.
-#include <optional>
 #include <vector>
 
 #include "parts/memory.h"
@@ -13,16 +12,10 @@ struct Outlook {
   double steps = 0, searches = 0, pairs = 0;
 };
 
-/// How cells differ from equal parts of a free egg.
-struct CellTrend {
-  double lightness = 1;    // mass of the lighter daughter over half her mother's
-  double compression = 1;  // volume over that of the same contents in the egg
-};
-CellTrend measureTrend(const World& world);
-
-/// [time] The step of the lightest cells after so many divisions; none with a fixed step that would be above
-/// their limit.
-std::optional<double> foretellTimeStep(const Scene& scene, int generation, const CellTrend& trend);
+/// [time] Up to which a time step will be stable after so many divisions: for equal parts of a free egg,
+/// times what the rehearsal has found real cells to lose against them with each division, being uneven and
+/// pressed.
+double foretellTimeStepLimit(const Rehearsal& rehearsal, int generation);
 
 /// One for each era of a life with bodies.
 std::vector<Outlook> lookAhead(const Life& life, const Rehearsal& rehearsal);

@@ -1,6 +1,9 @@
 #include "parts/rehearsal.h"
 
+#include <algorithm>
+
 #include "bench/clock.h"
+#include "simulation/stages.h"
 
 namespace morula {
 
@@ -28,6 +31,8 @@ Rehearsal rehearse(World world, const Life& life, double vertexSteps) {
     if (w.lineage.entries.size() == ever && w.cells.path.size() == cells) continue;
     r.upheavalSeconds += seconds;
     r.upheavalCells += w.cells.path.size();
+    if (w.bodies->count > 0) r.timeStepLimit = timeStepLimit(w);
+    r.generation = life.eras[std::min(era + 1, life.eras.size() - 1)].generation;
     if (era + 1 < life.eras.size()) r.stretches.emplace_back().until = w.clock.time;
   }
   return r;

@@ -24,6 +24,9 @@ struct Rehearsal {
   // Of these, the steps in which cells were born or died, and the cells that were there then, added up.
   double upheavalSeconds = 0;
   std::uint64_t upheavalCells = 0;
+  // After the last of them: up to which a time step was stable, and the divisions before the youngest cell.
+  double timeStepLimit = 0;
+  int generation = 0;
 
   const Stretch& last() const { return stretches.back(); }
 };

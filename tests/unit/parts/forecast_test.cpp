@@ -160,26 +160,19 @@ TEST_CASE("Memory is that of the arrays") {
 
 TEST_CASE("Time steps of later generations are those that a run takes") {
   Scene scene = crowd();
-  World world = makeWorld(scene);
-  CHECK(foretellTimeStep(scene, 0, {}) == world.clock.timeStep);
-  int right = 0, generations = 0;
-  while (!finished(world)) {
-    const std::size_t before = world.cells.path.size();
-    step(world);
-    if (world.cells.path.size() == before) continue;
-    ++generations;
-    const auto foretold = foretellTimeStep(scene, generations, measureTrend(world));
-    REQUIRE(foretold);
-    CHECK(*foretold / world.clock.timeStep <= 2);
-    CHECK(*foretold / world.clock.timeStep >= 0.5);
-    right += *foretold == world.clock.timeStep;
-  }
-  CHECK(generations == 6);
-  CHECK(right >= 4);
-
-  scene.mechanics->physics.timeStep = world.clock.timeStep;
-  CHECK(foretellTimeStep(scene, 2, {}) == world.clock.timeStep);
-  CHECK_FALSE(foretellTimeStep(scene, 20, {}));  // so fixed a step is too long for so light cells
+  const Life life = foretellLife(scene);
+  const Rehearsal whole = rehearse(makeWorld(scene), life, 1e9);
+  const Rehearsal start = rehearse(makeWorld(scene), life, 2e5);
+  REQUIRE(start.generation == 3);
+  REQUIRE(whole.generation == 6);
+  CHECK(foretellTimeStepLimit(whole, 6) == Approx(whole.timeStepLimit));
+  CHECK(foretellTimeStepLimit(start, 3) == Approx(start.timeStepLimit));
+  CHECK(foretellTimeStepLimit(start, 6) == Approx(whole.timeStepLimit).epsilon(0.2));
+  // Of a free round egg, before anything happened: what makeWorld chose.
+  const Rehearsal nothing = rehearse(makeWorld(scene), life, 0);
+  const double limit = foretellTimeStepLimit(nothing, 0), step = nothing.world.clock.timeStep;
+  CHECK(step <= limit);
+  CHECK(2 * step > limit);
 }
 
 TEST_CASE("Measuring rates changes nothing, and what the scene lacks has none") {
@@ -245,6 +238,19 @@ TEST_CASE("A forecast has a line for each part, and shares of one whole") {
   CHECK_THAT(text, ContainsSubstring("up to 4 cells of 162 vertices") &&
                        ContainsSubstring("absent, and free") &&
                        ContainsSubstring("unique-four.yaml:33:9: physics.drag"));
+}
+
+TEST_CASE("A fixed time step that later cells will not stand is told beforehand") {
+  auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/elegans-128.yaml");
+  ForecastOptions options;
+  options.rehearsal = 2e5;
+  scenario.scene.mechanics->mesh = makeIcosphere(0);
+  scenario.scene.mechanics->physics.timeStep = 0x1p-9;
+  const Forecast f = foretell(scenario, options);
+  REQUIRE(f.remarks.size() == 1);
+  CHECK_THAT(f.remarks[0], ContainsSubstring("physics.time_step will be too long from "));
+  scenario.scene.mechanics->physics.timeStep = 0x1p-14;
+  CHECK(foretell(scenario, options).remarks.empty());
 }
 
 TEST_CASE("The forecast of a lineage needs no rehearsal") {
