@@ -46,23 +46,21 @@ Json orNull(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json toJson(const Forecast& f, const PartCost& c) {
-  const bool perStep = c.seconds && !c.afterwards;
-  const double vertices = double(f.vertices) * double(f.cells);
+Json toJson(const PartCost& c) {
   return {{"part", c.part.name},
           {"engaged", true},
           {"how", c.part.what},
           {"why", c.part.why},
           {"seconds", orNull(c.seconds)},
-          {"share", perStep ? Json(*c.seconds / f.seconds()) : Json()},
-          {"ns_per_vertex_step", perStep && f.vertices ? Json(1e9 * *c.seconds / f.vertexSteps) : Json()},
+          {"share", orNull(c.share)},
+          {"ns_per_vertex_step", orNull(c.nsPerVertexStep)},
           {"bytes", orNull(c.bytes)},
-          {"bytes_per_vertex", c.bytes && f.vertices ? Json(*c.bytes / vertices) : Json()}};
+          {"bytes_per_vertex", orNull(c.bytesPerVertex)}};
 }
 
 Json toJson(const Forecast& f, const Scenario& scenario, const Execution& how) {
   Json parts = Json::array();
-  for (const PartCost& c : f.costs) parts.push_back(toJson(f, c));
+  for (const PartCost& c : f.costs) parts.push_back(toJson(c));
   for (const Part& p : f.absent) parts.push_back({{"part", p.name}, {"engaged", false}, {"needs", p.why}});
   return {{"scenario", scenario.scene.name},
           {"isa", name(how.isa)},

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "parts/forecast.h"
 
@@ -20,7 +21,9 @@ std::string timeText(double seconds) {
   if (seconds < 1e-3) return fmt::format("{:.0f} µs", 1e6 * seconds);
   if (seconds < 1) return fmt::format("{:.0f} ms", 1e3 * seconds);
   if (seconds < 600) return fmt::format("{:.1f} s", seconds);
-  return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 2 * 3600) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 2 * 86400) return fmt::format("{:.0f} h", seconds / 3600);
+  return fmt::format("{:.0f} d", seconds / 86400);
 }
 
 std::string plural(double count, const std::string& word) {
@@ -41,25 +44,25 @@ std::string right(const std::string& text, std::size_t width) {
 }
 
 std::string line(const Forecast& f, const PartCost& c) {
-  const auto or_ = [](const auto& value, auto&& text) { return value ? text(*value) : std::string("–"); };
-  const double vertices = f.vertices ? double(f.vertices) * double(f.cells) : 0;
-  std::string text = "  " + padded(c.part.name, 13);
-  text += right(or_(c.seconds, timeText), 9);
-  text +=
-      right(c.afterwards || !c.seconds ? "–" : fmt::format("{:.1f} %", 100 * *c.seconds / f.seconds()), 9);
-  if (f.vertices) {
-    text +=
-        right(c.afterwards || !c.seconds ? "–" : fmt::format("{:.2f}", 1e9 * *c.seconds / f.vertexSteps), 11);
-    text += right(c.bytes ? fmt::format("{:.1f}", *c.bytes / vertices) : "–", 10);
-  }
-  text += right(or_(c.bytes, memoryText), 11);
+  const auto column = [](const std::optional<double>& value, auto&& textOf, std::size_t width) {
+    return right(value ? textOf(*value) : "–", width);
+  };
+  const auto number = [](const char* format, double scale) {
+    return [=](double value) { return fmt::format(fmt::runtime(format), scale * value); };
+  };
+  std::string text = "  " + padded(c.part.name, 13) + column(c.seconds, timeText, 9);
+  text += column(c.share, number("{:.1f} %", 100), 9);
+  if (f.vertices)
+    text += column(c.nsPerVertexStep, number("{:.2f}", 1), 11) +
+            column(c.bytesPerVertex, number("{:.1f}", 1), 10);
+  text += column(c.bytes, memoryText, 11);
   return text + "  " + c.part.why + (c.part.what.empty() ? "" : " (" + c.part.what + ")") + "\n";
 }
 
 }  // namespace
 
 std::string describe(const Forecast& f, const std::string& title) {
-  std::string text = title + ": up to " + plural(double(f.cells), "cell");
+  std::string text = title + (f.life.whole ? ": up to " : ": at least ") + plural(double(f.cells), "cell");
   if (f.vertices) text += fmt::format(" of {} vertices, {}", f.vertices, plural(f.steps, "step"));
   text += fmt::format("\n  foreseen on one thread: {}, {} of arrays", timeText(f.seconds()),
                       memoryText(f.bytes()));

@@ -59,18 +59,15 @@ double recordBytes(const Sums& sums, const World& world) {
 }
 
 /// Without bodies: the genes, and what is written down.
-void foretellLineage(Costs& costs, Forecast& f, const Scenario& scenario, const ForecastOptions& options,
-                     const Sums& sums) {
-  World world = makeWorld(scenario.scene, options.execution);
+void foretellLineage(Costs& costs, Forecast& f, const Scenario& scenario, const ForecastOptions& options) {
+  const World world = makeWorld(scenario.scene, options.execution);
+  const Sums sums = addUp(f.life, {}, scenario, options.execution.isa);
+  f.steps = double(f.life.moments);
   costs["biology"].bytes =
       double(sizeof(LineageEntry)) * double(2 * f.life.divisions + 1) + 36.0 * double(f.cells);
   costs["samples"].bytes = recordBytes(sums, world);
-  // A hash at every step, over all cells there ever were.
-  Scene genes = scenario.scene;
-  double ever = 0;
-  for (const Era& era : f.life.eras) ever += 2.0 * double(era.cells);
-  costs["hashes"].seconds = measureObservation(world).hash * ever;
-  costs["samples"].seconds = 0;
+  // A hash at every moment, over living cells and the mothers of as many.
+  costs["hashes"].seconds = measureObservation(world).hash * 2 * double(f.life.cellsAsked);
   f.rehearsed = f.life.whole;
   f.rehearsedTime = f.life.eras.back().to;
 }
@@ -94,62 +91,76 @@ void warnOfTimeSteps(Forecast& f, const Rehearsal& rehearsal) {
   }
 }
 
+/// What the steps themselves cost.
+Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, double vertices) {
+  const double lanes = sums.laneSteps * vertices;
+  Costs costs;
+  costs["springs"].seconds = rates.springs * lanes;
+  costs["damping"].seconds = rates.damping * lanes;
+  costs["pressure"].seconds = rates.pressure * lanes;
+  costs["drag"].seconds = rates.drag * lanes;
+  costs["integration"].seconds = rates.integration * lanes;
+  costs["shell"].seconds = rates.shell * lanes;
+  costs["contact"].seconds = rates.snapshots * lanes + rates.pair * pairs;
+  costs["friction"].seconds = rates.frictionOfPair * pairs;
+  costs["search"].seconds = rates.search * sums.cellSearches * vertices;
+  costs["connections"].seconds = rates.connections * sums.cellSteps * vertices;
+  return costs;
+}
+
+/// How much longer the rehearsal took than its rates explain, for calls and checks.
+double slowness(const Forecast& f, const Rehearsal& rehearsal, const StepRates& rates,
+                const Scenario& scenario, Isa isa) {
+  const std::size_t count = rehearsal.stretches.size();
+  const Life past{{f.life.eras.begin(), f.life.eras.begin() + std::ptrdiff_t(count)}};
+  std::vector<Outlook> counted;
+  double pairs = 0, explained = 0;
+  for (const Stretch& s : rehearsal.stretches) {
+    counted.push_back({double(s.steps), double(s.rebuilds), double(s.pairs)});
+    pairs += double(s.pairs);
+  }
+  for (const auto& [name, cost] : costsOfSteps(rates, addUp(past, counted, scenario, isa), pairs, f.vertices))
+    explained += *cost.seconds;
+  const double took = rehearsal.seconds - rehearsal.upheavalSeconds;
+  return explained > 0 ? std::clamp(took / explained, 1.0, 3.0) : 1;
+}
+
+void addMemory(Costs& costs, const MemoryUse& m) {
+  costs["biology"].bytes = double(m.cells);
+  costs["bodies"].bytes = double(m.mesh + m.bodies + m.scratch);
+  costs["contact"].bytes = double(m.snapshots + m.listRows + m.listPairs);
+  costs["search"].bytes = double(m.search);
+  costs["connections"].bytes = double(m.connections);
+}
+
 void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const ForecastOptions& options) {
   Rehearsal rehearsal = rehearse(makeWorld(scenario.scene, options.execution), f.life, options.rehearsal);
   World& world = rehearsal.world;
+  const Isa isa = options.execution.isa;
   f.vertices = world.bodies->vertexCount();
   f.rehearsed = rehearsal.whole;
   f.rehearsedTime = world.clock.time;
   const auto eras = lookAhead(f.life, rehearsal);
-  const Isa isa = options.execution.isa;
   const Sums sums = addUp(f.life, eras, scenario, isa);
   for (const Outlook& o : eras) f.steps += o.steps, f.searches += o.searches, f.pairs += o.pairs;
   f.vertexSteps = sums.cellSteps * f.vertices;
 
   const MemoryUse memory = foretellMemory(f.life, rehearsal);
-  const StepRates rates = measureRates(world, double(memory.bodies + memory.contact()));
-  const ObservationRates watching = measureObservation(world);
-  const auto total = [&](const Sums& s, double pairs) {
-    const double lanes = s.laneSteps * f.vertices, all = s.cellSteps * f.vertices;
-    costs["springs"].seconds = rates.springs * lanes;
-    costs["damping"].seconds = rates.damping * lanes;
-    costs["pressure"].seconds = rates.pressure * lanes;
-    costs["drag"].seconds = rates.drag * lanes;
-    costs["integration"].seconds = rates.integration * lanes;
-    costs["shell"].seconds = rates.shell * lanes;
-    costs["contact"].seconds = rates.snapshots * lanes + rates.pair * pairs;
-    costs["friction"].seconds = rates.frictionOfPair * pairs;
-    costs["search"].seconds = rates.search * s.cellSearches * f.vertices;
-    costs["connections"].seconds = rates.connections * all;
-    double sum = 0;
-    for (const auto& [name, cost] : costs) sum += name == "biology" ? 0 : cost.seconds.value_or(0);
-    return sum;
-  };
-  // What the rehearsal took beyond its rates, for calls and checks, is each part's in proportion.
-  const Life past{{f.life.eras.begin(), f.life.eras.begin() + std::ptrdiff_t(rehearsal.stretches.size())}};
-  std::vector<Outlook> counted;
-  double pastPairs = 0;
-  for (const Stretch& s : rehearsal.stretches) {
-    counted.push_back({double(s.steps), double(s.rebuilds), double(s.pairs)});
-    pastPairs += double(s.pairs);
-  }
-  const Sums pastSums = addUp(past, counted, scenario, isa);
-  const double explained = total(pastSums, pastPairs);
-  const double unrest = rehearsal.upheavalSeconds;
-  const double factor = explained > 0 ? std::clamp((rehearsal.seconds - unrest) / explained, 1.0, 3.0) : 1;
-  total(sums, f.pairs);
-  for (auto& [name, cost] : costs)
-    if (name != "biology" && cost.seconds) *cost.seconds *= factor;
-  const double perUpheaval = rehearsal.upheavalCells ? unrest / double(rehearsal.upheavalCells) : 0;
+  // Where everybody has died an egg stands in.
+  World egg = makeWorld(scenario.scene, options.execution);
+  const StepRates rates =
+      measureRates(world.bodies->count > 0 ? world : egg, double(memory.bodies + memory.contact()));
+  const double factor = slowness(f, rehearsal, rates, scenario, isa);
+  for (const auto& [name, cost] : costsOfSteps(rates, sums, f.pairs, f.vertices))
+    costs[name].seconds = factor * *cost.seconds;
+  const double perUpheaval =
+      rehearsal.upheavalCells ? rehearsal.upheavalSeconds / double(rehearsal.upheavalCells) : 0;
   costs["division"].seconds = perUpheaval * sums.upheavals;
+  const ObservationRates watching = measureObservation(world);
   costs["hashes"].seconds = watching.hash * f.vertices * sums.cellSteps / double(stepsPerHash);
   costs["samples"].seconds = watching.sample * f.vertices * sums.sampledCells;
 
-  costs["biology"].bytes = double(memory.cells);
-  costs["bodies"].bytes = double(memory.mesh + memory.bodies + memory.scratch);
-  costs["contact"].bytes = double(memory.snapshots + memory.listRows + memory.listPairs);
-  costs["search"].bytes = double(memory.search);
-  costs["connections"].bytes = double(memory.connections);
+  addMemory(costs, memory);
   costs["samples"].bytes = recordBytes(sums, world);
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(StepHash);
   warnOfTimeSteps(f, rehearsal);
@@ -163,6 +174,16 @@ void addPictures(Costs& costs, const Forecast& f, const Scenario& scenario, cons
   if (scenario.record.pictures)
     pictures += std::floor(f.life.eras.back().to / *scenario.record.pictures + 1e-9) + 1;
   costs["pictures"].seconds = pictures * *options.secondsPerPicture;
+}
+
+void addShares(Forecast& f) {
+  const double whole = f.seconds(), vertices = double(f.vertices) * double(f.cells);
+  for (PartCost& c : f.costs) {
+    const bool inSteps = c.seconds && !c.afterwards;
+    if (inSteps && whole > 0) c.share = *c.seconds / whole;
+    if (inSteps && f.vertexSteps > 0) c.nsPerVertexStep = 1e9 * *c.seconds / f.vertexSteps;
+    if (c.bytes && vertices > 0) c.bytesPerVertex = *c.bytes / vertices;
+  }
 }
 
 }  // namespace
@@ -188,7 +209,7 @@ Forecast foretell(const Scenario& scenario, const ForecastOptions& options) {
   Costs costs;
   costs["biology"].seconds = f.life.seconds;
   if (scenario.scene.mechanics) foretellBodies(costs, f, scenario, options);
-  else foretellLineage(costs, f, scenario, options, addUp(f.life, {}, scenario, options.execution.isa));
+  else foretellLineage(costs, f, scenario, options);
   addPictures(costs, f, scenario, options);
   for (Part& part : partsOf(scenario, options.ask)) {
     if (!part.engaged) {
@@ -197,8 +218,10 @@ Forecast foretell(const Scenario& scenario, const ForecastOptions& options) {
     }
     const Cost cost = costs[part.name];
     const bool afterwards = part.name == "pictures" || part.name == "golden";
-    f.costs.push_back({std::move(part), cost.seconds, cost.bytes, afterwards});
+    f.costs.push_back(
+        {.part = std::move(part), .seconds = cost.seconds, .bytes = cost.bytes, .afterwards = afterwards});
   }
+  addShares(f);
   return f;
 }
 

@@ -15,7 +15,10 @@ struct PartCost {
   Part part;
   std::optional<double> seconds;  // [s] of CPU time; none: too little to be told from the others
   std::optional<double> bytes;    // at the largest number of cells
-  bool afterwards = false;        // once the cells have stopped: no share of the steps
+  // Shares of the steps and what goes on between them; none of what has no time, or comes afterwards.
+  std::optional<double> share = {}, nsPerVertexStep = {};
+  std::optional<double> bytesPerVertex = {};  // of bodies
+  bool afterwards = false;                    // once the cells have stopped: no share of the steps
 };
 
 struct Forecast {

@@ -45,6 +45,7 @@ Life foretellLife(const Scene& scene, std::uint64_t most) {
     }
   };
   life.seconds = timeOf(ClockKind::cpu, follow);
+  life.moments = world.clock.step;
   life.divisions = world.lineage.entries.size() / 2;
   std::set<StateId> states;
   for (const LineageEntry& e : world.lineage.entries) states.insert(e.state);

@@ -240,6 +240,32 @@ TEST_CASE("A forecast has a line for each part, and shares of one whole") {
                        ContainsSubstring("unique-four.yaml:33:9: physics.drag"));
 }
 
+TEST_CASE("Odd lives have forecasts, too: nothing to do, everybody dead, far too many") {
+  auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/unique-four.yaml");
+  ForecastOptions options;
+  options.rehearsal = 1e5;
+  scenario.scene.mechanics->mesh = makeIcosphere(0);
+  scenario.scene.stop = {};
+  scenario.scene.stop.cells = 1;
+  Forecast f = foretell(scenario, options);
+  CHECK(f.steps == 0);
+  for (const PartCost& c : f.costs) CHECK_FALSE(c.nsPerVertexStep);
+  scenario.scene.stop.cells.reset();
+  scenario.scene.stop.cycles = 3;
+  scenario.scene.dna = parseDna("START: a0\ng1(die|a0)\n", "test.dna");
+  f = foretell(scenario, options);
+  CHECK(f.steps > 0);
+  CHECK(f.cells == 1);
+  CHECK(f.seconds() > 1e-6);
+  scenario.scene.dna = parseDna(scenes::everybodyDivides, "test.dna");
+  scenario.scene.stop.cycles = 60;
+  f = foretell(scenario, options);
+  CHECK(f.cells >= 100'000);
+  CHECK(std::isfinite(f.seconds()));
+  CHECK(f.bytes() > 1e9);
+  CHECK_THAT(describe(f, "many"), ContainsSubstring("many: at least "));
+}
+
 TEST_CASE("A fixed time step that later cells will not stand is told beforehand") {
   auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/elegans-128.yaml");
   ForecastOptions options;
