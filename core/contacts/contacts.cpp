@@ -54,10 +54,12 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   const double limit = 0.25 * c.list.skin * c.list.skin;
   // Not `<=`: a NaN must lead to a rebuild, never to a stale list.
   const bool still = std::all_of(c.farthest.begin(), c.farthest.end(), [&](double f) { return f < limit; });
-  if (c.listIsValid && still) return;
-  buildNeighbourList(c.list, bodies, c.radius, threads);
-  c.listIsValid = true;
-  ++c.rebuilds;
+  if (!c.listIsValid || !still) {
+    buildNeighbourList(c.list, bodies, c.radius, threads);
+    c.listIsValid = true;
+    ++c.rebuilds;
+  }
+  c.pairEvaluations += c.list.pairs;  // the forces come next
 }
 
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {

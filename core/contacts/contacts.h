@@ -29,7 +29,7 @@ struct Contacts {
 
   // Counters
   std::uint64_t rebuilds = 0;
-  std::uint64_t pairEvaluations = 0;
+  std::uint64_t pairEvaluations = 0;  // of a vertex and one in its list, each pair from both sides
 };
 
 Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search = {},

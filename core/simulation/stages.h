@@ -21,9 +21,13 @@ void runCellCycles(World& world);
 /// Ends connections whose cells are too far apart. Returns at once where there are none.
 void releaseConnections(World& world);
 
+/// [time] Up to which a time step is stable for the cells as they are, with some margin; an automatic one is
+/// the power of two below. Needs at least one cell.
+double timeStepLimit(const World& world);
+
 /// Sets the time step for the cells as they are now: the scene's own, or the largest dyadic one that is
-/// stable, and evaluates the forces for it if it has changed. Throws NumericalError if the scene's own lies above 0.8 of a stability limit, which the text
-/// names.
+/// stable, and evaluates the forces for it if it has changed. Throws NumericalError if the scene's own lies
+/// above 0.8 of a stability limit, which the text names.
 void chooseTimeStep(World& world);
 
 }  // namespace morula

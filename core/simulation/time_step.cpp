@@ -13,6 +13,8 @@ namespace morula {
 
 namespace {
 
+constexpr double margin = 0.8;  // of a stability limit
+
 struct Limit {
   double spring, pressure, contact;  // [time]; contact is infinite without pair contact
   int cell;
@@ -38,14 +40,21 @@ Limit tightestLimit(const World& world, double& combined) {
 }
 
 void refuseAbove(double limit, const char* mode, const World& world, int cell, double timeStep) {
-  if (timeStep <= 0.8 * limit) return;
-  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
-                       "physics.time_step " + exactText(timeStep) + " is above 0.8 of the stability limit " +
-                           numberText(limit) + " of its " + mode,
-                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(0.8 * limit)));
+  if (timeStep <= margin * limit) return;
+  throw NumericalError(
+      world.cells.path[cell].text(), world.clock.step,
+      "physics.time_step " + exactText(timeStep) + " is above 0.8 of the stability limit " +
+          numberText(limit) + " of its " + mode,
+      "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(margin * limit)));
 }
 
 }  // namespace
+
+double timeStepLimit(const World& world) {
+  double combined;
+  tightestLimit(world, combined);
+  return margin * combined;
+}
 
 void chooseTimeStep(World& world) {
   if (world.bodies->count == 0) return;
@@ -59,7 +68,7 @@ void chooseTimeStep(World& world) {
     refuseAbove(limit.pressure, "pressure", world, limit.cell, timeStep);
     refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
   } else {
-    timeStep = powerOfTwoBelow(0.8 * combined);
+    timeStep = powerOfTwoBelow(margin * combined);
   }
   Clock& clock = world.clock;
   if (timeStep == clock.timeStep && !world.timeSteps.empty()) return;

@@ -1,14 +1,21 @@
 #pragma once
-// Two clocks. On a machine that others use too, only the time that a thread was given says what it costs.
+// Clocks. On a machine that others use too, only the time that threads were given says what it costs.
 #include <ctime>
 
 namespace morula {
 
-enum class ClockKind { cpu, wall };  // cpu: of this thread alone
+enum class ClockKind {
+  cpu,      // of this thread alone
+  process,  // of all threads together
+  wall,
+};
 
 inline double seconds(ClockKind kind) {
   timespec t{};
-  clock_gettime(kind == ClockKind::cpu ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &t);
+  clock_gettime(kind == ClockKind::cpu       ? CLOCK_THREAD_CPUTIME_ID
+                : kind == ClockKind::process ? CLOCK_PROCESS_CPUTIME_ID
+                                             : CLOCK_MONOTONIC,
+                &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 

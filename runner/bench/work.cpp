@@ -10,23 +10,48 @@ constexpr double vectorBytes = 24, rowBytes = 64, indexBytes = 4;
 
 }  // namespace
 
-Work internalWork(const MeshTemplate& mesh, const PhysicsParameters& p) {
+namespace {
+
+/// Operations per vertex.
+struct InternalWork {
+  double springs = 0, rings = 0, pressure = 0;
+};
+
+InternalWork count(const MeshTemplate& mesh, const PhysicsParameters& p) {
   const double vertices = mesh.vertexCount(), edges = mesh.edgeCount();
   // Per edge: d 3, |d|² 5, Δl 2, k_s Δl 1, over l 1; and with damping Δw 3, Δw·d 5, over l 1, k_d 1, sum 1.
   double perEdge = 12;
   if (p.membrane.damping > 0) perEdge += 11;
+  InternalWork work;
   // Per ring of n neighbours (n even): n differences 3n, forces c d 6n − 3, n/2 differences and products
   // d × (d' − d") summed (3 + 9 + 3) n/2 − 3; and once G·(x − x_0) with its sum 9.
-  double ring = 0;
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     const double n = mesh.ringStart[v + 1] - mesh.ringStart[v];
-    ring += 3 * n + (6 * n - 3) + (7.5 * n - 3) + 9;
+    work.rings += 3 * n / vertices;
+    work.springs += (6 * n - 3) / vertices;
+    work.pressure += (7.5 * n - 3 + 9) / vertices;
   }
-  // Per vertex: F + P/6 G 6, drag 6.
-  const double perVertex = 6 + (p.drag > 0 ? 6 : 0);
+  work.springs += perEdge * edges / vertices;
+  work.pressure += 6;  // F + P/6 G
+  return work;
+}
+
+}  // namespace
+
+Work internalWork(const MeshTemplate& mesh, const PhysicsParameters& p) {
+  const InternalWork work = count(mesh, p);
+  const double drag = p.drag > 0 ? 6 : 0;
   // x in, the force out.
-  return {perEdge * edges / vertices + ring / vertices + perVertex, edges / vertices, 2 * vectorBytes,
-          2 * vectorBytes};
+  return {work.springs + work.rings + work.pressure + drag, mesh.edgeCount() / double(mesh.vertexCount()),
+          2 * vectorBytes, 2 * vectorBytes};
+}
+
+double springShare(const MeshTemplate& mesh, const PhysicsParameters& p) {
+  const InternalWork work = count(mesh, p);
+  // A root and a division per edge take as long as about eight operations each way.
+  const double roots = 16 * mesh.edgeCount() / double(mesh.vertexCount());
+  const double springs = work.springs + roots + work.rings / 2;
+  return springs / (springs + work.pressure + work.rings / 2);
 }
 
 Work contactWork(double pairs, bool friction) {

@@ -16,6 +16,8 @@ struct Work {
 
 /// Springs, volume and its gradient, pressure, drag.
 Work internalWork(const MeshTemplate& mesh, const PhysicsParameters& physics);
+/// Which share of it is for the springs. [1]
+double springShare(const MeshTemplate& mesh, const PhysicsParameters& physics);
 /// Snapshots and pair forces; `pairs`: entries in a vertex's list.
 Work contactWork(double pairs, bool friction);
 /// Drift, shell, kick.

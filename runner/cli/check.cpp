@@ -59,7 +59,7 @@ int act(const CheckOptions& options) {
   int code = fine;
   for (const auto& scenario : scenarios) {
     Progress progress(scenario.scene.name, options.output.quiet);
-    const auto run = simulate(scenario, makeScenarioWorld(scenario, how), progress);
+    const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
     if (run.signal) return signalled + run.signal;
     const auto report =
         run.end.status == RunStatus::done ? check(scenario, run, true) : failed(scenario, run);

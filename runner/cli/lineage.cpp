@@ -38,7 +38,7 @@ Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run);
   scenario.scene.mechanics.reset();
   Progress progress(scenario.scene.name, options.output.quiet);
-  auto run = simulate(scenario, makeScenarioWorld(scenario, {}), progress);
+  auto run = simulate(makeScenarioWorld(scenario, {}), {}, progress);
   return {scenario.scene.name, std::move(run.results)};
 }
 

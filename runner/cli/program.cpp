@@ -74,6 +74,7 @@ Action parse(int argc, char** argv) {
   app.set_version_flag("--version", versionText());
   Action action;
   addRun(app, action);
+  addParts(app, action);
   addCheck(app, action);
   addReview(app, action);
   addValidate(app, action);

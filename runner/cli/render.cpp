@@ -49,7 +49,7 @@ int act(const RenderOptions& options) {
     stop = stop ? std::min(*stop, time) : time;
   }
   Progress progress(scenario.scene.name, options.messages.quiet);
-  const auto run = simulate(scenario, makeScenarioWorld(scenario, execution(options.execution)), progress);
+  const auto run = simulate(makeScenarioWorld(scenario, execution(options.execution)), {}, progress);
   if (run.signal) return signalled + run.signal;
   if (run.end.status == RunStatus::failed) {
     tellError(run.end.failure);

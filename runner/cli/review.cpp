@@ -46,7 +46,7 @@ int act(const ReviewOptions& options) {
   Json accepted = Json::array();
   for (const auto& scenario : scenarios) {
     Progress progress(scenario.scene.name, options.output.quiet);
-    const auto run = simulate(scenario, makeScenarioWorld(scenario, how), progress);
+    const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
     if (run.signal) return signalled + run.signal;
     if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
     const auto report = check(scenario, run, true);

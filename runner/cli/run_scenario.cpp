@@ -4,6 +4,7 @@
 #include "cli/exit_codes.h"
 #include "cli/pictures.h"
 #include "cli/verbs.h"
+#include "parts/parts.h"
 #include "store/store.h"
 
 namespace morula::cli {
@@ -21,6 +22,10 @@ RunRecord recordOf(const Scenario& scenario, const RunSettings& settings) {
   record.isa = name(settings.execution.isa);
   record.threads = settings.execution.threads;
   return record;
+}
+
+bool willBeChecked(const Scenario& scenario, const RunSettings& settings) {
+  return settings.check && !settings.changed && std::filesystem::exists(goldenFile(scenario));
 }
 
 void checkOutcome(const Scenario& scenario, const RunSettings& settings, const Simulation& run,
@@ -50,7 +55,9 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   outcome.id = store.begin(recordOf(scenario, settings));
   FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
   Progress progress(scenario.scene.name + " " + std::to_string(scenario.scene.seed), settings.quiet);
-  auto run = simulate(scenario, std::move(world), progress, [&](const World& w) { frames.observe(w); });
+  auto run = simulate(std::move(world),
+                      recordingOf(scenario, wantsHashes(scenario, willBeChecked(scenario, settings))),
+                      progress, [&](const World& w) { frames.observe(w); });
 
   outcome.end = run.end;
   const bool done = run.end.status == RunStatus::done;

@@ -2,15 +2,9 @@
 
 #include "base/error.h"
 #include "cli/signals.h"
+#include "parts/parts.h"
 
 namespace morula::cli {
-
-namespace {
-
-/// State hashes on the way tell at which step two runs part. A hash costs about as much as a step.
-constexpr std::uint64_t stepsPerHash = 64;
-
-}  // namespace
 
 World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
   try {
@@ -26,10 +20,16 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
   }
 }
 
-Simulation simulate(const Scenario& scenario, World world, Progress& progress,
+RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
+  RecordOptions record{scenario.record.every, {}};
+  if (hashes) record.hashEvery = scenario.scene.mechanics ? stepsPerHash : 1;
+  return record;
+}
+
+Simulation simulate(World world, const RecordOptions& record, Progress& progress,
                     const std::function<void(const World&)>& watch) {
   Simulation run{std::move(world), {}, {}, 0};
-  Recorder recorder({scenario.record.every, scenario.scene.mechanics ? stepsPerHash : 1});
+  Recorder recorder(record);
   const auto observe = [&] {
     recorder.observe(run.world);
     if (watch) watch(run.world);

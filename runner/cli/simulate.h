@@ -20,9 +20,13 @@ struct Simulation {
 /// Builds the scenario's world. InputErrors name the scenario's file.
 World makeScenarioWorld(const Scenario& scenario, const Execution& execution);
 
-/// Runs it. `watch`, if given, sees the world at the start and after every step. A NumericalError is not
-/// thrown but told in `end.failure`.
-Simulation simulate(const Scenario& scenario, World world, Progress& progress,
+/// What a run of the scenario writes down: its samples, and hashes of the states on the way if somebody looks
+/// at them.
+RecordOptions recordingOf(const Scenario& scenario, bool hashes);
+
+/// Runs it and writes down what `record` says. `watch`, if given, sees the world at the start and after every
+/// step. A NumericalError is not thrown but told in `end.failure`.
+Simulation simulate(World world, const RecordOptions& record, Progress& progress,
                     const std::function<void(const World&)>& watch = {});
 
 }  // namespace morula::cli

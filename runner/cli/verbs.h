@@ -13,6 +13,7 @@ namespace morula::cli {
 using Action = std::function<int()>;
 
 void addRun(CLI::App& app, Action& action);
+void addParts(CLI::App& app, Action& action);
 void addCheck(CLI::App& app, Action& action);
 void addReview(CLI::App& app, Action& action);
 void addValidate(CLI::App& app, Action& action);

@@ -40,7 +40,7 @@ TEST_CASE("every verb that help lists is there") {
 }
 
 TEST_CASE("misspelt verbs and options are guessed") {
-  refused({}, 2, "no verb; one of run, check");
+  refused({}, 2, "no verb; one of run, parts, check");
   refused({"rnu", four}, 2, "unknown verb 'rnu'; did you mean run?");
   refused({"valdate", four}, 2, "did you mean validate?");
   refused({"frobnicate"}, 2, "unknown verb 'frobnicate'; one of run, ");

@@ -128,3 +128,8 @@ TEST_CASE("goldens without a scenario are found") {
   CHECK(orphans[0] == folder / "golden/a/lost.golden");
   CHECK(orphans[1] == folder / "golden/b/lost.golden");
 }
+
+TEST_CASE("every golden file that the project ships has its scenario") {
+  REQUIRE(std::filesystem::exists("golden/thesis/unique-four.golden"));
+  CHECK(goldensWithoutScenario("golden", "scenarios").empty());
+}

@@ -1,0 +1,108 @@
+// morula parts: what a scenario engages, why, and what each part will cost.
+#include "parts/parts.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "base/error.h"
+#include "bench/clock.h"
+#include "cli/check_run.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/pictures.h"
+#include "cli/simulate.h"
+#include "cli/verbs.h"
+#include "parts/forecast.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct PartsOptions {
+  std::string scenario;
+  SceneOptions scene;
+  ExecutionOptions execution;
+  OutputOptions output;
+};
+
+/// [s] of CPU time that drawing takes: of a small picture of the egg, and most of it goes with the pixels.
+double secondsPerPicture(const Scenario& scenario, const World& world) {
+  auto picture = pictureOf(world, scenario);
+  const auto secondsOf = [&](int width) {
+    const double before = seconds(ClockKind::process);
+    auto small = picture;
+    small.width = small.height = width;
+    drawOrganism(small);
+    return seconds(ClockKind::process) - before;
+  };
+  // Of width/6 and width/3: 1 and 4 parts of 36.
+  const double few = secondsOf(picture.width / 6), more = secondsOf(picture.width / 3);
+  return few + std::max(more - few, 0.0) / 3 * 35;
+}
+
+template <class T>
+Json orNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json toJson(const PartCost& c) {
+  return {{"part", c.part.name},
+          {"engaged", true},
+          {"how", c.part.what},
+          {"why", c.part.why},
+          {"seconds", orNull(c.seconds)},
+          {"share", orNull(c.share)},
+          {"ns_per_vertex_step", orNull(c.nsPerVertexStep)},
+          {"bytes", orNull(c.bytes)},
+          {"bytes_per_vertex", orNull(c.bytesPerVertex)}};
+}
+
+Json toJson(const Forecast& f, const Scenario& scenario, const Execution& how) {
+  Json parts = Json::array();
+  for (const PartCost& c : f.costs) parts.push_back(toJson(c));
+  for (const Part& p : f.absent) parts.push_back({{"part", p.name}, {"engaged", false}, {"needs", p.why}});
+  return {{"scenario", scenario.scene.name},
+          {"isa", name(how.isa)},
+          {"cells", f.cells},
+          {"vertices", f.vertices},
+          {"steps", f.steps},
+          {"vertex_steps", f.vertexSteps},
+          {"pair_evaluations", f.pairs},
+          {"searches", f.searches},
+          {"seconds", f.seconds()},
+          {"bytes", f.bytes()},
+          {"rehearsed_time", f.rehearsedTime},
+          {"rehearsed", f.rehearsed},
+          {"parts", parts},
+          {"remarks", f.remarks}};
+}
+
+int act(const PartsOptions& options) {
+  const auto scenario = loadScenario(options.scenario, overrides(options.scene));
+  ForecastOptions how;
+  how.execution = execution(options.execution);
+  how.ask.search = how.execution.search.method;
+  if (options.scene.empty() && std::filesystem::exists(goldenFile(scenario)))
+    how.ask.golden = goldenFile(scenario).string();
+  const World world = makeScenarioWorld(scenario, how.execution);  // its mistakes are told with their places
+  if (world.bodies) how.secondsPerPicture = secondsPerPicture(scenario, world);
+  const Forecast forecast = foretell(scenario, how);
+  if (options.output.json) printJson(toJson(forecast, scenario, how.execution));
+  else print(describe(forecast, scenario.scene.name + ", " + name(how.execution.isa)));
+  return fine;
+}
+
+}  // namespace
+
+void addParts(CLI::App& app, Action& action) {
+  auto options = std::make_shared<PartsOptions>();
+  auto* verb = app.add_subcommand("parts", "Tell what a scenario engages, why, and what each part will cost");
+  verb->add_option("scenario", options->scenario, "A scenario file")->required()->type_name("FILE");
+  add(*verb, options->scene);
+  add(*verb, options->execution);
+  add(*verb, options->output);
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli

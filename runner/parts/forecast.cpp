@@ -1,0 +1,228 @@
+#include "parts/forecast.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/maths.h"
+#include "parts/outlook.h"
+#include "parts/rates.h"
+#include "simulation/measures.h"
+#include "store/recorder.h"
+
+namespace morula {
+
+namespace {
+
+struct Cost {
+  std::optional<double> seconds, bytes;
+};
+using Costs = std::map<std::string, Cost>;
+
+/// Sums over the whole run.
+struct Sums {
+  double cellSteps = 0, laneSteps = 0;  // laneSteps: with the lanes that nobody uses
+  double cellSearches = 0;
+  double upheavals = 0;  // cells that are there when others are born or die, over all such moments
+  double samples = 0, sampledCells = 0;
+};
+
+double samplesIn(const Era& era, bool last, double every) {
+  return std::ceil(era.to / every - 1e-9) - std::ceil(era.from / every - 1e-9) + last;
+}
+
+Sums addUp(const Life& life, const std::vector<Outlook>& eras, const Scenario& scenario, Isa isa) {
+  Sums s;
+  for (std::size_t i = 0; i < life.eras.size(); ++i) {
+    const double cells = double(life.eras[i].cells);
+    if (!eras.empty()) {
+      s.cellSteps += eras[i].steps * cells;
+      s.laneSteps += eras[i].steps * cells * laneShare(isa, life.eras[i].cells);
+      s.cellSearches += eras[i].searches * cells;
+    }
+    if (i > 0) s.upheavals += cells;
+    if (scenario.record.every) {
+      const double n = samplesIn(life.eras[i], i + 1 == life.eras.size(), *scenario.record.every);
+      s.samples += n;
+      s.sampledCells += n * cells;
+    }
+  }
+  return s;
+}
+
+double recordBytes(const Sums& sums, const World& world) {
+  double perCell = sizeof(CellMeasures);
+  if (world.contacts) perCell += 6 * sizeof(ContactMeasures);  // a dozen neighbours, shared by two
+  return sums.samples * sizeof(Sample) + (world.bodies ? sums.sampledCells * perCell : 0);
+}
+
+/// Without bodies: the genes, and what is written down.
+void foretellLineage(Costs& costs, Forecast& f, const Scenario& scenario, const ForecastOptions& options) {
+  const World world = makeWorld(scenario.scene, options.execution);
+  const Sums sums = addUp(f.life, {}, scenario, options.execution.isa);
+  f.steps = double(f.life.moments);
+  costs["biology"].bytes =
+      double(sizeof(LineageEntry)) * double(2 * f.life.divisions + 1) + 36.0 * double(f.cells);
+  costs["samples"].bytes = recordBytes(sums, world);
+  // A hash at every moment, over living cells and the mothers of as many.
+  costs["hashes"].seconds = measureObservation(world).hash * 2 * double(f.life.cellsAsked);
+  f.rehearsed = f.life.whole;
+  f.rehearsedTime = f.life.eras.back().to;
+}
+
+/// An automatic step is a power of two. Where its limit lies just above one, little makes it half as long.
+void warnOfTimeSteps(Forecast& f, const Rehearsal& rehearsal) {
+  constexpr double near = 1.1;  // limits are foretold to within 10 %
+  const auto& fixed = rehearsal.world.bodies->parameters.timeStep;
+  for (std::size_t i = rehearsal.stretches.size(); i < f.life.eras.size(); ++i) {
+    const Era& era = f.life.eras[i];
+    const double limit = foretellTimeStepLimit(rehearsal, era.generation);
+    if (fixed && *fixed > limit)
+      f.remarks.push_back(fmt::format(
+          "physics.time_step will be too long from {} cells on: cells get lighter with each division",
+          era.cells));
+    else if (!fixed && limit < near * powerOfTwoBelow(limit))
+      f.remarks.push_back(fmt::format(
+          "from {} cells on the time step may be half as long, and steps twice as many", era.cells));
+    else continue;
+    return;
+  }
+}
+
+/// What the steps themselves cost.
+Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, double vertices) {
+  const double lanes = sums.laneSteps * vertices;
+  Costs costs;
+  costs["springs"].seconds = rates.springs * lanes;
+  costs["damping"].seconds = rates.damping * lanes;
+  costs["pressure"].seconds = rates.pressure * lanes;
+  costs["drag"].seconds = rates.drag * lanes;
+  costs["integration"].seconds = rates.integration * lanes;
+  costs["shell"].seconds = rates.shell * lanes;
+  costs["contact"].seconds = rates.snapshots * lanes + rates.pair * pairs;
+  costs["friction"].seconds = rates.frictionOfPair * pairs;
+  costs["search"].seconds = rates.search * sums.cellSearches * vertices;
+  costs["connections"].seconds = rates.connections * sums.cellSteps * vertices;
+  return costs;
+}
+
+/// How much longer the rehearsal took than its rates explain, for calls and checks.
+double slowness(const Forecast& f, const Rehearsal& rehearsal, const StepRates& rates,
+                const Scenario& scenario, Isa isa) {
+  const std::size_t count = rehearsal.stretches.size();
+  const Life past{{f.life.eras.begin(), f.life.eras.begin() + std::ptrdiff_t(count)}};
+  std::vector<Outlook> counted;
+  double pairs = 0, explained = 0;
+  for (const Stretch& s : rehearsal.stretches) {
+    counted.push_back({double(s.steps), double(s.rebuilds), double(s.pairs)});
+    pairs += double(s.pairs);
+  }
+  for (const auto& [name, cost] : costsOfSteps(rates, addUp(past, counted, scenario, isa), pairs, f.vertices))
+    explained += *cost.seconds;
+  const double took = rehearsal.seconds - rehearsal.upheavalSeconds;
+  return explained > 0 ? std::clamp(took / explained, 1.0, 3.0) : 1;
+}
+
+void addMemory(Costs& costs, const MemoryUse& m) {
+  costs["biology"].bytes = double(m.cells);
+  costs["bodies"].bytes = double(m.mesh + m.bodies + m.scratch);
+  costs["contact"].bytes = double(m.snapshots + m.listRows + m.listPairs);
+  costs["search"].bytes = double(m.search);
+  costs["connections"].bytes = double(m.connections);
+}
+
+void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const ForecastOptions& options) {
+  Rehearsal rehearsal = rehearse(makeWorld(scenario.scene, options.execution), f.life, options.rehearsal);
+  World& world = rehearsal.world;
+  const Isa isa = options.execution.isa;
+  f.vertices = world.bodies->vertexCount();
+  f.rehearsed = rehearsal.whole;
+  f.rehearsedTime = world.clock.time;
+  const auto eras = lookAhead(f.life, rehearsal);
+  const Sums sums = addUp(f.life, eras, scenario, isa);
+  for (const Outlook& o : eras) f.steps += o.steps, f.searches += o.searches, f.pairs += o.pairs;
+  f.vertexSteps = sums.cellSteps * f.vertices;
+
+  const MemoryUse memory = foretellMemory(f.life, rehearsal);
+  // Where everybody has died an egg stands in.
+  World egg = makeWorld(scenario.scene, options.execution);
+  const StepRates rates =
+      measureRates(world.bodies->count > 0 ? world : egg, double(memory.bodies + memory.contact()));
+  const double factor = slowness(f, rehearsal, rates, scenario, isa);
+  for (const auto& [name, cost] : costsOfSteps(rates, sums, f.pairs, f.vertices))
+    costs[name].seconds = factor * *cost.seconds;
+  const double perUpheaval =
+      rehearsal.upheavalCells ? rehearsal.upheavalSeconds / double(rehearsal.upheavalCells) : 0;
+  costs["division"].seconds = perUpheaval * sums.upheavals;
+  const ObservationRates watching = measureObservation(world);
+  costs["hashes"].seconds = watching.hash * f.vertices * sums.cellSteps / double(stepsPerHash);
+  costs["samples"].seconds = watching.sample * f.vertices * sums.sampledCells;
+
+  addMemory(costs, memory);
+  costs["samples"].bytes = recordBytes(sums, world);
+  costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(StepHash);
+  warnOfTimeSteps(f, rehearsal);
+  if (scenario.scene.mechanics->physics.growth)
+    f.remarks.push_back("what growth does to the time step is not foreseen beyond the rehearsal");
+}
+
+void addPictures(Costs& costs, const Forecast& f, const Scenario& scenario, const ForecastOptions& options) {
+  if (!options.secondsPerPicture || !f.vertices) return;
+  double pictures = 2;
+  if (scenario.record.pictures)
+    pictures += std::floor(f.life.eras.back().to / *scenario.record.pictures + 1e-9) + 1;
+  costs["pictures"].seconds = pictures * *options.secondsPerPicture;
+}
+
+void addShares(Forecast& f) {
+  const double whole = f.seconds(), vertices = double(f.vertices) * double(f.cells);
+  for (PartCost& c : f.costs) {
+    const bool inSteps = c.seconds && !c.afterwards;
+    if (inSteps && whole > 0) c.share = *c.seconds / whole;
+    if (inSteps && f.vertexSteps > 0) c.nsPerVertexStep = 1e9 * *c.seconds / f.vertexSteps;
+    if (c.bytes && vertices > 0) c.bytesPerVertex = *c.bytes / vertices;
+  }
+}
+
+}  // namespace
+
+double Forecast::seconds() const {
+  double sum = 0;
+  for (const PartCost& c : costs) sum += c.afterwards ? 0 : c.seconds.value_or(0);
+  return sum;
+}
+
+double Forecast::bytes() const {
+  double sum = 0;
+  for (const PartCost& c : costs) sum += c.bytes.value_or(0);
+  return sum;
+}
+
+Forecast foretell(const Scenario& scenario, const ForecastOptions& options) {
+  Forecast f;
+  f.life = foretellLife(scenario.scene);
+  f.cells = f.life.mostCells();
+  if (!f.life.whole)
+    f.remarks.push_back("there are more cells than were followed: this is the beginning of the run only");
+  Costs costs;
+  costs["biology"].seconds = f.life.seconds;
+  if (scenario.scene.mechanics) foretellBodies(costs, f, scenario, options);
+  else foretellLineage(costs, f, scenario, options);
+  addPictures(costs, f, scenario, options);
+  for (Part& part : partsOf(scenario, options.ask)) {
+    if (!part.engaged) {
+      f.absent.push_back(std::move(part));
+      continue;
+    }
+    const Cost cost = costs[part.name];
+    const bool afterwards = part.name == "pictures" || part.name == "golden";
+    f.costs.push_back(
+        {.part = std::move(part), .seconds = cost.seconds, .bytes = cost.bytes, .afterwards = afterwards});
+  }
+  addShares(f);
+  return f;
+}
+
+}  // namespace morula

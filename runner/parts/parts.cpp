@@ -1,0 +1,137 @@
+#include "parts/parts.h"
+
+#include <fmt/format.h>
+
+namespace morula {
+
+namespace {
+
+class Reasons {
+ public:
+  explicit Reasons(const Scenario& scenario) : scenario_(scenario) {}
+
+  bool given(const std::string& path) const { return scenario_.places.contains(path); }
+
+  /// Where the first of these that is given stands.
+  std::string of(std::initializer_list<const char*> paths) const {
+    for (const std::string path : paths)
+      if (const auto place = scenario_.places.find(path); place != scenario_.places.end())
+        return place->second + (place->second.ends_with(path) ? "" : ": " + path);
+    return "default";
+  }
+
+ private:
+  const Scenario& scenario_;
+};
+
+const char* planeText(DivisionPlane plane) {
+  switch (plane) {
+    case DivisionPlane::longest:
+      return "across the longest axis";
+    case DivisionPlane::axis:
+      return "across a fixed axis";
+    case DivisionPlane::random:
+      return "across a random axis";
+  }
+  return "";
+}
+
+Part absent(const char* name, const std::string& key) { return {name, false, "", key}; }
+
+void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons& why) {
+  if (!scenario.scene.mechanics) {
+    for (const char* name :
+         {"bodies", "springs", "damping", "pressure", "drag", "integration", "growth", "shell"})
+      parts.push_back(absent(name, "physics"));
+    return;
+  }
+  const MechanicsScene& m = *scenario.scene.mechanics;
+  const PhysicsParameters& p = m.physics;
+  parts.push_back({"bodies", true, fmt::format("{} vertices each", m.mesh.vertices.size()),
+                   why.of({"physics.mesh", "physics"})});
+  parts.push_back({"springs", true, "", why.of({"physics.membrane.stiffness"})});
+  parts.push_back(p.membrane.damping > 0 ? Part{"damping", true, "", why.of({"physics.membrane.damping"})}
+                                         : absent("damping", "physics.membrane.damping > 0"));
+  parts.push_back({"pressure", true, "", why.of({"physics.pressure"})});
+  parts.push_back(p.drag > 0 ? Part{"drag", true, "", why.of({"physics.drag"})}
+                             : absent("drag", "physics.drag > 0"));
+  const char* verlet = p.integrator == Integrator::thesisVerlet ? "the thesis' Verlet" : "velocity Verlet";
+  parts.push_back({"integration", true,
+                   fmt::format("{}, {}", verlet, p.timeStep ? "fixed time step" : "automatic time step"),
+                   why.of({"physics.integrator", "physics.time_step"})});
+  parts.push_back(p.growth ? Part{"growth", true, "", why.of({"physics.growth"})}
+                           : absent("growth", "physics.growth"));
+  if (!p.shell) {
+    parts.push_back(absent("shell", "physics.shell"));
+    return;
+  }
+  const double* a = p.shell->semiAxes;
+  parts.push_back(
+      {"shell", true, a[0] == a[1] && a[1] == a[2] ? "sphere" : "ellipsoid", why.of({"physics.shell"})});
+}
+
+void addContact(std::vector<Part>& parts, const Scenario& scenario, const RunAsk& ask, const Reasons& why) {
+  const auto& mechanics = scenario.scene.mechanics;
+  if (!mechanics || !mechanics->contact) {
+    for (const char* name : {"contact", "friction", "search"})
+      parts.push_back(absent(name, "physics.contact"));
+    return;
+  }
+  const ContactParameters& c = *mechanics->contact;
+  const bool thesis = c.law == ContactLaw::thesis;
+  parts.push_back({"contact", true, thesis ? "the thesis' law" : "pair law",
+                   why.of({"physics.contact.law", "physics.contact"})});
+  parts.push_back(!thesis && c.friction > 0
+                      ? Part{"friction", true, "", why.of({"physics.contact.friction"})}
+                      : absent("friction", thesis ? "physics.contact.law: pair, and friction > 0"
+                                                  : "physics.contact.friction > 0"));
+  parts.push_back({"search", true, name(ask.search),
+                   ask.search == ContactSearch::grid ? why.of({"physics.contact"}) : "--search"});
+}
+
+void addRecord(std::vector<Part>& parts, const Scenario& scenario, const RunAsk& ask, const Reasons& why) {
+  const auto& record = scenario.record;
+  parts.push_back(record.every ? Part{"samples", true, fmt::format("every {:.6g}", *record.every),
+                                      why.of({"record.every"})}
+                               : absent("samples", "record.every"));
+  const std::string golden = ask.golden.empty() ? "" : "golden file " + ask.golden;
+  if (wantsHashes(scenario, !golden.empty()))
+    parts.push_back(
+        {"hashes", true, "of the states on the way", golden.empty() ? why.of({"check"}) : golden});
+  else parts.push_back(absent("hashes", "a golden file, or check"));
+  parts.push_back(golden.empty() ? absent("golden", "morula review --accept")
+                                 : Part{"golden", true, "the result against the accepted one", golden});
+  if (!ask.pictures) parts.push_back(absent("pictures", "a run without --no-pictures"));
+  else
+    parts.push_back({"pictures", true,
+                     record.pictures && scenario.scene.mechanics
+                         ? fmt::format("at the end, and every {:.6g}", *record.pictures)
+                         : "at the end",
+                     why.of({"record.pictures"})});
+}
+
+}  // namespace
+
+bool wantsHashes(const Scenario& scenario, bool hasGolden) {
+  return hasGolden || scenario.places.contains("check");
+}
+
+std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
+  const Reasons why(scenario);
+  const auto& mechanics = scenario.scene.mechanics;
+  std::vector<Part> parts;
+  const std::size_t genes = scenario.scene.dna.genes.size();
+  parts.push_back(
+      {"biology", true, fmt::format("{} gene{}", genes, genes == 1 ? "" : "s"), why.of({"dna.file", "dna"})});
+  addBodies(parts, scenario, why);
+  addContact(parts, scenario, ask, why);
+  parts.push_back(mechanics && mechanics->connections ? Part{"connections", true, "", why.of({"connections"})}
+                                                      : absent("connections", "connections"));
+  parts.push_back(mechanics ? Part{"division", true, planeText(mechanics->division.plane),
+                                   why.of({"division.plane", "division"})}
+                            : absent("division", "physics"));
+  addRecord(parts, scenario, ask, why);
+  return parts;
+}
+
+}  // namespace morula

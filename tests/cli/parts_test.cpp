@@ -1,0 +1,103 @@
+// morula parts as its users and other programs read it. How long things take is not judged here.
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string four = "scenarios/thesis/unique-four.yaml";
+
+Json jsonOf(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "parts");
+  arguments.push_back("--json");
+  const auto run = launch(arguments);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(run.err.empty());
+  return Json::parse(run.out);
+}
+
+Json part(const Json& json, const std::string& name) {
+  for (const auto& p : json["parts"])
+    if (p["part"] == name) return p;
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("parts --json: what is engaged, why, and its shares of one whole") {
+  const auto json = jsonOf({four});
+  CHECK(json["morula"] == 1);
+  CHECK(json["scenario"] == "unique-four");
+  CHECK(json["cells"] == 4);
+  CHECK(json["vertices"] == 162);
+  CHECK(json["rehearsed"] == true);
+  CHECK(json["remarks"].empty());
+  double shares = 0, bytes = 0;
+  for (const auto& p : json["parts"]) {
+    CAPTURE(p.dump());
+    if (!p["engaged"]) {
+      CHECK(p["needs"].is_string());
+      continue;
+    }
+    CHECK(p["why"].is_string());
+    if (p["share"].is_number()) shares += p["share"].get<double>();
+    if (p["bytes"].is_number()) bytes += p["bytes"].get<double>();
+    CHECK(p["share"].is_null() == p["ns_per_vertex_step"].is_null());
+    CHECK(p["bytes"].is_null() == p["bytes_per_vertex"].is_null());
+  }
+  CHECK(shares == Approx(1));
+  CHECK(bytes == Approx(json["bytes"].get<double>()));
+  CHECK(part(json, "drag")["why"] == four + ":33:9: physics.drag");
+  CHECK(part(json, "hashes")["why"] == "golden file golden/thesis/unique-four.golden");
+  CHECK(part(json, "growth")["engaged"] == false);
+  CHECK(part(json, "pictures")["seconds"] > 0);
+  CHECK(part(json, "pictures")["share"].is_null());
+}
+
+TEST_CASE("parts foresees the steps that the run then takes") {
+  const TemporaryFolder folder;
+  const auto run = launch({"run", four, "--json", "--no-pictures", "--out", folder.path()});
+  REQUIRE(run.code == 0);
+  CHECK(jsonOf({four})["steps"] == Json::parse(run.out)["steps"]);
+}
+
+TEST_CASE("parts follows changes of the scene and of the search") {
+  const auto changed = jsonOf({four, "--set", "physics.drag=0", "--search", "aabb-tree", "--isa", "scalar"});
+  CHECK(part(changed, "drag")["engaged"] == false);
+  CHECK(part(changed, "search")["how"] == "aabb-tree");
+  CHECK(part(changed, "search")["why"] == "--search");
+  CHECK(part(changed, "golden")["engaged"] == false);  // a changed scene is not held against it
+  CHECK(part(changed, "hashes")["why"] == four + ":41:8: check");
+  CHECK(changed["isa"] == "scalar");
+}
+
+TEST_CASE("parts of a lineage: genes only") {
+  const auto json = jsonOf({"scenarios/thesis/elegans-1024.yaml"});
+  CHECK(json["cells"] == 1024);
+  CHECK(json["vertices"] == 0);
+  CHECK(part(json, "bodies")["engaged"] == false);
+  CHECK(part(json, "contact")["needs"] == "physics.contact");
+  const auto text = launch({"parts", "scenarios/thesis/elegans-1024.yaml"});
+  CHECK(text.code == 0);
+  CHECK_THAT(text.out, ContainsSubstring("elegans-1024") && ContainsSubstring("4094 genes") &&
+                           ContainsSubstring("absent, and free") && !ContainsSubstring("B/vertex"));
+}
+
+TEST_CASE("parts: mistakes are told as everywhere") {
+  const auto bad = launch({"parts", "tests/bad_scenarios/octal.yaml"});
+  CHECK(bad.code == 3);
+  CHECK(bad.out.empty());
+  CHECK_THAT(bad.err, ContainsSubstring("tests/bad_scenarios/octal.yaml:"));
+  CHECK(launch({"parts"}).code == 2);
+  CHECK(launch({"parts", four, "--serach", "grid"}).code == 2);
+  CHECK(launch({"parts", four, "--threads", "0"}).code == 2);
+  CHECK(launch({"parts", "no-such.yaml"}).code == 6);
+  const auto step = launch({"parts", four, "--set", "physics.time_step=1"});
+  CHECK(step.code == 3);
+  CHECK_THAT(step.err, ContainsSubstring("--set physics.time_step") && ContainsSubstring("stability limit"));
+}

@@ -1,0 +1,111 @@
+// Costs that can be counted instead of timed.
+//
+//   cost_program counts                    steps, searches and pairs of two scenes: the same on every machine
+//   cost_program build                     what instructions depend on: the compiler, and whether it
+//   optimised cost_program kernels                   the names that `work` knows cost_program work KERNEL ISA
+//   TURNS FOLDER
+//                                          does it so often, for a program that counts instructions, and
+//                                          prints the number of vertices in one turn; FOLDER keeps the packed
+//                                          cells
+#include <cstring>
+#include <iostream>
+#include <map>
+
+#include "bench/packed_world.h"
+#include "scenario/scenario.h"
+#include "scenes.h"
+
+using namespace morula;
+
+namespace {
+
+void count(const Scene& scene) {
+  World world = makeWorld(scene);
+  while (!finished(world)) step(world);
+  const Contacts& c = *world.contacts;
+  const auto line = [&](const char* what, std::uint64_t n) {
+    std::cout << scene.name << ' ' << what << ' ' << n << '\n';
+  };
+  line("steps", world.clock.step);
+  line("rebuilds", c.rebuilds);
+  line("pair_evaluations", c.pairEvaluations);
+  line("pairs_found", c.list.counters.pairs);
+  line("distance_tests", c.list.counters.distanceTests);
+}
+
+std::string build() {
+#ifdef __clang__
+  std::string text = "clang " __clang_version__;
+#else
+  std::string text = "gcc " __VERSION__;
+#endif
+#if !defined(__OPTIMIZE__) || !defined(NDEBUG)
+  text += " not optimised";
+#endif
+#ifdef __SANITIZE_ADDRESS__
+  text += " with sanitizers";
+#endif
+  return text;
+}
+
+using Work = void (*)(World&);
+
+void overBlocks(World& world, PhysicsKernels::Stage stage) {
+  Bodies& b = *world.bodies;
+  for (int i = 0; i < b.blockCount(); ++i) stage(b.mesh.view(), b.block(i, 0), b.kernelParameters);
+}
+
+const std::map<std::string, Work>& works() {
+  static const std::map<std::string, Work> all{
+      {"internal",
+       [](World& world) {
+         overBlocks(world, world.stages.findSpringCoefficients);
+         overBlocks(world, world.stages.gatherRings);
+         overBlocks(world, world.stages.addPressureForces);
+       }},
+      {"contact",
+       [](World& world) {
+         Bodies& b = *world.bodies;
+         for (int i = 0; i < b.blockCount(); ++i) takeSnapshot(*world.contacts, b, b.block(i, 0), i);
+         for (int i = 0; i < b.blockCount(); ++i)
+           addContactForces(*world.contacts, b, i, world.clock.timeStep);
+       }},
+      {"search",
+       [](World& world) {
+         world.contacts->listIsValid = false;
+         refreshList(*world.contacts, *world.bodies, 1);
+       }},
+      {"step", [](World& world) { step(world); }},
+  };
+  return all;
+}
+
+}  // namespace
+
+// By this name callgrind finds what to count.
+extern "C" [[gnu::noinline]] void countedWork(Work work, World* world, int turns) {
+  for (int i = 0; i < turns; ++i) work(*world);
+}
+
+int main(int argc, char** argv) {
+  const std::string verb = argc > 1 ? argv[1] : "";
+  if (verb == "counts") {
+    count(scenes::packed());
+    count(loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/unique-four.yaml").scene);
+  } else if (verb == "build") {
+    std::cout << build() << '\n';
+  } else if (verb == "kernels") {
+    for (const auto& [name, work] : works()) std::cout << name << '\n';
+  } else if (verb == "work" && argc == 6 && works().contains(argv[2])) {
+    // Two blocks of cells with coarse meshes: counting programs are slow.
+    World world = makePackedWorld({.cells = 16, .level = 1, .friction = 0.3}, {.isa = parseIsa(argv[3])},
+                                  argv[5], [](const std::string&) {});
+    const Work work = works().at(argv[2]);
+    work(world);  // what is allocated once does not count
+    countedWork(work, &world, std::atoi(argv[4]));
+    std::cout << world.bodies->livingVertices << '\n';
+  } else {
+    std::cerr << "cost_program counts | build | kernels | work KERNEL ISA TURNS FOLDER\n";
+    return 2;
+  }
+}

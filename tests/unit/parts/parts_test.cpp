@@ -1,0 +1,112 @@
+// What is said to be engaged is what the world really has.
+#include "parts/parts.h"
+
+#include <map>
+#include <set>
+
+#include "simulation/world.h"
+#include "unit/scenario/helpers.h"
+
+using namespace morula;
+using morula::test::read;
+
+namespace {
+
+std::map<std::string, Part> byName(const Scenario& scenario, const RunAsk& ask = {}) {
+  std::map<std::string, Part> all;
+  for (const Part& part : partsOf(scenario, ask)) {
+    CHECK_FALSE(all.contains(part.name));
+    CHECK_FALSE(part.why.empty());
+    all[part.name] = part;
+  }
+  return all;
+}
+
+const std::string genes =
+    "morula: 1\nname: some\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 2}\n";
+
+/// The blocks that bit k of `choice` asks for.
+std::string sceneOf(unsigned choice) {
+  std::string text = genes + "physics:\n  mesh: {icosphere: 0}\n";
+  text += choice & 1 ? "  drag: 2\n" : "";
+  text += choice & 2 ? "  membrane: {damping: 0.03}\n" : "  membrane: {damping: 0}\n";
+  text += choice & 4 ? (choice & 2 ? "  shell: {sphere: 1}\n" : "  shell: {ellipsoid: [2, 1.5, 1]}\n") : "";
+  text += choice & 8 ? (choice & 16 ? "  contact: {friction: 0.3}\n" : "  contact: {}\n") : "";
+  text += choice & 32 ? "  growth: {}\n" : "";
+  text += choice & 64 ? "connections: {}\n" : "";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("For every choice of blocks: the parts that are told are those that makeWorld makes") {
+  std::set<std::set<std::string>> different;
+  for (unsigned choice = 0; choice < 128; ++choice) {
+    if (!(choice & 8) && choice & 16) continue;
+    INFO(sceneOf(choice));
+    const Scenario scenario = read(sceneOf(choice));
+    const World world = makeWorld(scenario.scene);
+    const PhysicsKernels& kernels = physicsKernels(world.execution.isa);
+    auto parts = byName(scenario);
+    CHECK(parts["bodies"].engaged == world.bodies.has_value());
+    CHECK(parts["springs"].engaged);
+    CHECK(parts["pressure"].engaged);
+    CHECK(parts["integration"].engaged);
+    CHECK(parts["damping"].engaged ==
+          (world.stages.findSpringCoefficients == kernels.findDampedSpringCoefficients));
+    CHECK(parts["drag"].engaged == (world.stages.addPressureForces == kernels.addPressureAndDragForces));
+    CHECK(parts["shell"].engaged == (world.stages.keepInShell != nullptr));
+    CHECK(parts["shell"].what == (choice & 4 ? choice & 2 ? "sphere" : "ellipsoid" : ""));
+    CHECK(parts["contact"].engaged == world.contacts.has_value());
+    CHECK(parts["search"].engaged == world.contacts.has_value());
+    CHECK(
+        parts["friction"].engaged ==
+        (world.contacts && world.contacts->addForces == world.contacts->kernels->addPairForcesWithFriction));
+    CHECK(parts["connections"].engaged == world.connections.has_value());
+    CHECK(parts["growth"].engaged == world.model.mechanics->physics.growth.has_value());
+    CHECK(parts["division"].engaged == (world.divisionPolicy != nullptr));
+    std::set<std::string> engaged;
+    for (const auto& [name, part] : parts)
+      if (part.engaged) engaged.insert(name);
+    different.insert(engaged);
+  }
+  CHECK(different.size() == 96);
+}
+
+TEST_CASE("Without physics there are genes, and nothing that needs a body") {
+  const Scenario scenario = read(genes);
+  const World world = makeWorld(scenario.scene);
+  REQUIRE_FALSE(world.bodies);
+  std::set<std::string> engaged;
+  for (const auto& [name, part] : byName(scenario, {.pictures = false}))
+    if (part.engaged) engaged.insert(name);
+  CHECK(engaged == std::set<std::string>{"biology"});
+}
+
+TEST_CASE("Each part names the line that asks for it, or says that it is a default") {
+  auto parts = byName(read(test::everyPart));
+  CHECK(parts["biology"].why == "test.yaml:5:6: dna");
+  CHECK(parts["drag"].why == "test.yaml:17:9: physics.drag");
+  CHECK(parts["shell"].why == "test.yaml:23:10: physics.shell");
+  CHECK(parts["contact"].why == "test.yaml:24:18: physics.contact.law");
+  CHECK(parts["contact"].what == "the thesis' law");
+  CHECK_FALSE(parts["friction"].engaged);  // the thesis' law has none, whatever its coefficient
+  CHECK(parts["connections"].why == "test.yaml:26:14: connections");
+  CHECK(parts["samples"].why == "test.yaml:28:17: record.every");
+  CHECK(parts["hashes"].why == "test.yaml:29:8: check");
+  parts = byName(read(sceneOf(8), {{"physics.drag", "2", "--set physics.drag"}}));
+  CHECK(parts["drag"].why == "--set physics.drag");
+  CHECK(parts["springs"].why == "default");
+  CHECK(parts["friction"].why == "physics.contact.friction > 0");
+  CHECK(byName(read(sceneOf(8)), {.search = ContactSearch::aabbTree})["search"].why == "--search");
+}
+
+TEST_CASE("States are hashed on the way only where somebody looks at them") {
+  const Scenario plain = read(sceneOf(0)), checked = read(sceneOf(0) + "check: {}\n");
+  CHECK_FALSE(wantsHashes(plain, false));
+  CHECK(wantsHashes(plain, true));
+  CHECK(wantsHashes(checked, false));
+  CHECK(byName(plain, {.golden = "some.golden"})["hashes"].why == "golden file some.golden");
+  CHECK_FALSE(byName(plain)["golden"].engaged);
+  CHECK_FALSE(byName(plain, {.pictures = false})["pictures"].engaged);
+}
