@@ -41,6 +41,7 @@ class Reals {
     if (precision_ == Precision::binary64) doubles_.assign(size, a);
     else floats_.assign(size, static_cast<float>(a));
   }
+  std::size_t bytes() const { return doubles_.size() * sizeof(double) + floats_.size() * sizeof(float); }
   double operator[](std::size_t i) const { return read(i); }
   /// What is written is rounded to the nearest number of the array's precision.
   Reference operator[](std::size_t i) { return {*this, i}; }

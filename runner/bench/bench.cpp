@@ -22,6 +22,8 @@ std::vector<Planned> plan(const BenchOptions& options) {
     for (const int level : options.levels) {
       scenes.push_back({{.cells = cells, .level = level}, "packed", true});
       scenes.push_back({{.cells = cells, .level = level, .friction = 0.3}, "packed-friction", false});
+      scenes.push_back(
+          {{.cells = cells, .level = level, .precision = Precision::binary32}, "packed-single", false});
       scenes.push_back({{.cells = cells, .level = level, .contact = false}, "free", false});
     }
   for (const int level : options.extraLevels)

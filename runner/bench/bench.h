@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/precision.h"
 #include "bench/machine_limits.h"
 #include "contacts/contact_search.h"
 
@@ -33,11 +34,12 @@ struct BenchOptions {
 };
 
 struct BenchRow {
-  std::string scene;   // packed, packed-friction, free
+  std::string scene;   // packed, packed-friction, packed-single, free
   std::string engine;  // morula, bullet-b1, bullet-b2, scalar
   Stage stage = Stage::step;
   int cells = 0, vertices = 0;
   std::string isa;
+  Precision precision = Precision::binary64;
   int threads = 1;
   bool wallClock = false;                   // else CPU time
   std::optional<double> processors;         // that were free for a row on several threads

@@ -97,6 +97,7 @@ Scene describe(const PackedScene& packed) {
   MechanicsScene& m = scene.mechanics.emplace();
   m.mesh = makeIcosphere(packed.level);
   m.physics.drag = 20;
+  m.physics.precision = packed.precision;
   if (packed.contact) {
     m.physics.shell = ShellParameters{};
     m.contact = ContactParameters{};

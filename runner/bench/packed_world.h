@@ -14,6 +14,7 @@ struct PackedScene {
   int level = 2;        // of the icosphere: 1, 2, 3 for 42, 162, 642 vertices
   double friction = 0;  // Coulomb's coefficient; elegans-128 has 0.3
   bool contact = true;  // false: no contact and no shell: each cell for itself
+  Precision precision = Precision::binary64;
 };
 
 /// What makeWorld needs for it. Its one egg stands for no cell of the packed world.

@@ -25,7 +25,8 @@ SceneBench::SceneBench(const BenchOptions& options, const PackedScene& packed, s
       packed_(packed),
       name_(std::move(name)),
       whole_(whole),
-      isas_(whole || !packed.contact ? options.isas : std::vector{options.isas.back()}),
+      everyStage_(whole || !packed.contact || packed.precision == Precision::binary32),
+      isas_(everyStage_ ? options.isas : std::vector{options.isas.back()}),
       subject_(packed, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
                options.tell) {
   // By the size alone, so that what is counted on the way is the same everywhere.
@@ -45,6 +46,7 @@ SceneBench::Series& SceneBench::series(const std::string& engine, Stage stage, c
       return s;
   Series s;
   s.row.scene = name_, s.row.engine = engine, s.row.stage = stage, s.row.isa = isa;
+  s.row.precision = packed_.precision;
   s.row.cells = packed_.cells, s.row.vertices = subject_.world().bodies->vertexCount();
   s.row.threads = threads, s.row.wallClock = wall, s.row.search = search;
   all_.push_back(std::move(s));
@@ -52,11 +54,11 @@ SceneBench::Series& SceneBench::series(const std::string& engine, Stage stage, c
 }
 
 void SceneBench::measureStages(Isa isa) {
-  if (wants(Stage::internal) && (whole_ || !subject_.touching()))
+  if (wants(Stage::internal) && everyStage_)
     series("morula", Stage::internal, name(isa)).samples.push_back(subject_.timeInternal(isa));
   if (wants(Stage::contact) && subject_.touching())
     series("morula", Stage::contact, name(isa)).samples.push_back(subject_.timeContact(isa));
-  if (wants(Stage::integrate) && (whole_ || !subject_.touching()))
+  if (wants(Stage::integrate) && everyStage_)
     series("morula", Stage::integrate, name(isa)).samples.push_back(subject_.timeIntegration(isa));
 }
 
@@ -177,9 +179,9 @@ void SceneBench::finish(const Series& s, std::vector<MeasuredRow>& rows) const {
   }
   if (!s.searches.empty()) time += rebuildsPerStep() * typical(s.searches);
   row.nsPerVertexStep = 1e9 * time;
-  if (row.engine == "morula" && row.threads == 1 && row.stage != Stage::rebuild) {
+  const bool knownLimit = row.precision == Precision::binary64;  // the machine's is measured with doubles
+  if (row.engine == "morula" && row.threads == 1 && row.stage != Stage::rebuild && knownLimit)
     measured.work = workOf(row.stage);
-  }
   const bool goesThroughPairs = row.stage == Stage::step || row.stage == Stage::contact;
   if (row.engine == "morula" && subject_.touching() && (goesThroughPairs || row.stage == Stage::rebuild)) {
     row.pairsPerVertexStep = pairsPerVertex();

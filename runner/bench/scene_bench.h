@@ -15,8 +15,7 @@ struct MeasuredRow {
 
 class SceneBench {
  public:
-  /// `whole`: with everything beside it. Else only what this variant of a scene changes, on the widest
-  /// instruction set.
+  /// `whole`: with everything beside it. Else only what this variant of a scene changes.
   SceneBench(const BenchOptions& options, const PackedScene& packed, std::string name, bool whole);
 
   void round();
@@ -46,7 +45,7 @@ class SceneBench {
   const BenchOptions& options_;
   PackedScene packed_;
   std::string name_;
-  bool whole_;
+  bool whole_, everyStage_;
   std::vector<Isa> isas_;
   Subject subject_;
   int steps_;  // of a round

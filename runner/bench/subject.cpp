@@ -46,7 +46,8 @@ void Subject::useIsa(Isa isa, int threads) {
   world_.stages = chooseStages(world_.bodies->parameters, isa);
   if (!world_.contacts) return;
   Contacts& c = *world_.contacts;
-  const Contacts other = makeContacts(c.parameters, isa, world_.execution.search);
+  const Contacts other =
+      makeContacts(c.parameters, isa, world_.execution.search, world_.bodies->parameters.precision);
   c.kernels = other.kernels;
   c.addForces = other.addForces;
   c.list.kernels = other.list.kernels;
@@ -120,7 +121,8 @@ double Subject::timeContact(Isa isa) {
 }
 
 double Subject::timeRebuild(Isa isa, ContactSearch method, ClockKind clock, int threads) {
-  Contacts other = makeContacts(world_.contacts->parameters, isa, {.method = method});
+  Contacts other =
+      makeContacts(world_.contacts->parameters, isa, {.method = method}, world_.bodies->parameters.precision);
   resetContacts(other, *world_.bodies);
   return secondsPerCall(clock,
                         [&] {
@@ -169,7 +171,8 @@ StepTimes Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
   // The state's own list of neighbours waits for its return.
   std::optional<Contacts> other;
   if (world_.contacts) {
-    other = makeContacts(world_.contacts->parameters, isa, world_.execution.search);
+    other = makeContacts(world_.contacts->parameters, isa, world_.execution.search,
+                         world_.bodies->parameters.precision);
     resetContacts(*other, *world_.bodies);
     std::swap(other, world_.contacts);
   }

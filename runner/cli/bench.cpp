@@ -114,7 +114,7 @@ Json toJson(const BenchRow& row) {
           {"vertices", row.vertices},
           {"isa", row.isa.empty() ? Json() : Json(row.isa)},
           {"threads", row.threads},
-          {"precision", "double"},
+          {"precision", row.precision == Precision::binary64 ? "double" : "single"},
           {"clock", row.wallClock ? "wall" : "cpu"},
           {"processors_free", orNull(row.processors)},
           {"search", row.search.empty() ? Json() : Json(row.search)},

@@ -35,11 +35,13 @@ double samplesIn(const Era& era, bool last, double every) {
 
 Sums addUp(const Life& life, const std::vector<Outlook>& eras, const Scenario& scenario, Isa isa) {
   Sums s;
+  const Precision precision =
+      scenario.scene.mechanics ? scenario.scene.mechanics->physics.precision : Precision::binary64;
   for (std::size_t i = 0; i < life.eras.size(); ++i) {
     const double cells = double(life.eras[i].cells);
     if (!eras.empty()) {
       s.cellSteps += eras[i].steps * cells;
-      s.laneSteps += eras[i].steps * cells * laneShare(isa, life.eras[i].cells);
+      s.laneSteps += eras[i].steps * cells * laneShare(isa, life.eras[i].cells, precision);
       s.cellSearches += eras[i].searches * cells;
     }
     if (i > 0) s.upheavals += cells;

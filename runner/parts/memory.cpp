@@ -4,9 +4,15 @@ namespace morula {
 
 namespace {
 
+template <class Array>
+std::size_t bytesOf(const Array& array) {
+  return array.size() * sizeof(array[0]);
+}
+std::size_t bytesOf(const Reals& array) { return array.bytes(); }
+
 template <class... Arrays>
 std::size_t bytes(const Arrays&... arrays) {
-  return ((arrays.size() * sizeof(arrays[0])) + ... + 0);
+  return (bytesOf(arrays) + ... + 0);
 }
 
 std::size_t bytes(const PointTable& t) { return bytes(t.x, t.y, t.z, t.slot, t.halfReach, t.vertex); }

@@ -62,7 +62,9 @@ double fromMemory(OtherMemory& other, const Prepare& prepare, const Call& call) 
   return median(times);
 }
 
-int widthOf(Isa isa) {
+/// Cells side by side; a block has eight, however wide the registers.
+int widthOf(Isa isa, Precision precision) {
+  if (precision == Precision::binary32) return isa == Isa::scalar ? 1 : isa == Isa::narrow ? 4 : 8;
   switch (isa) {
     case Isa::scalar:
       return 1;
@@ -126,7 +128,9 @@ class Trial {
     if (world_.contacts) world_.contacts->rows = rows_, world_.contacts->farthest = farthest_;
   }
   World& world_;
-  AlignedVector<double> position_, velocity_, acceleration_, start_, rows_, farthest_;
+  Reals position_, velocity_, acceleration_, start_;
+  AlignedVector<RowMemory> rows_;
+  AlignedVector<double> farthest_;
 };
 
 /// A cell's own step with other parameters than the scene's.
@@ -196,12 +200,14 @@ void measureContact(World& world, OtherMemory& memory, StepRates& rates) {
   if (c.parameters.law == ContactLaw::pair && c.parameters.friction > 0) {
     ContactParameters smooth = c.parameters;
     smooth.friction = 0;
-    const auto own = std::exchange(c.addForces, makeContacts(smooth, world.execution.isa).addForces);
+    const auto own = std::exchange(
+        c.addForces, makeContacts(smooth, world.execution.isa, {}, b.parameters.precision).addForces);
     rates.frictionOfPair = std::max(forces - timeForces(world, memory, trial), 0.0) / perVertex;
     rates.pair -= rates.frictionOfPair;
     c.addForces = own;
   }
-  Contacts other = makeContacts(c.parameters, world.execution.isa, world.execution.search);
+  Contacts other =
+      makeContacts(c.parameters, world.execution.isa, world.execution.search, b.parameters.precision);
   resetContacts(other, b);
   rates.search = fromMemory(
                      memory, [&] { other.listIsValid = false; }, [&] { refreshList(other, b, 1); }) /
@@ -210,16 +216,19 @@ void measureContact(World& world, OtherMemory& memory, StepRates& rates) {
 
 /// Few and coarse cells, so that they are packed in a moment.
 void borrowContact(const World& world, OtherMemory& memory, StepRates& rates) {
-  const PackedScene packed{.cells = 8, .level = 1, .friction = world.contacts->parameters.friction};
+  const PackedScene packed{.cells = 8,
+                           .level = 1,
+                           .friction = world.contacts->parameters.friction,
+                           .precision = world.bodies->parameters.precision};
   World other = makePackedWorld(packed, world.execution, "", [](const std::string&) {});
   measureContact(other, memory, rates);
 }
 
 }  // namespace
 
-double laneShare(Isa isa, std::uint64_t cells) {
+double laneShare(Isa isa, std::uint64_t cells, Precision precision) {
   if (cells == 0) return 1;
-  const auto width = static_cast<std::uint64_t>(widthOf(isa));
+  const auto width = static_cast<std::uint64_t>(widthOf(isa, precision));
   return double((cells + width - 1) / width * width) / double(cells);
 }
 
@@ -228,7 +237,8 @@ StepRates measureRates(World& world, double bytes) {
   OtherMemory memory(bytes);
   if (world.bodies->count == 0) return rates;
   measureOwnStep(world, memory, rates);
-  const double share = laneShare(world.execution.isa, static_cast<std::uint64_t>(world.bodies->count));
+  const double share = laneShare(world.execution.isa, static_cast<std::uint64_t>(world.bodies->count),
+                                 world.bodies->parameters.precision);
   if (world.contacts) {
     if (world.contacts->list.pairs > 0) {
       measureContact(world, memory, rates);

@@ -17,7 +17,7 @@ struct StepRates {
 
 /// Lanes that nobody uses are paid for, too: the vertices of the cells that kernels of this width go through
 /// when `cells` live, over those of the cells.
-double laneShare(Isa isa, std::uint64_t cells);
+double laneShare(Isa isa, std::uint64_t cells, Precision precision = Precision::binary64);
 
 /// Rates for cells that fill all lanes; connections per vertex of the cells that are there. The world stays
 /// as it was. `bytes`: what a step goes through, at the largest number of cells. Where no vertices of this
