@@ -64,9 +64,7 @@ struct Lanes {
   RawLanes v;
   Lanes() = default;
   MORULA_INLINE Lanes(RawLanes raw) : v(raw) {}
-  MORULA_INLINE Lanes(double a) {
-    for (int i = 0; i < MORULA_WIDTH; ++i) v[i] = static_cast<Real>(a);
-  }
+  MORULA_INLINE Lanes(double a) : v(static_cast<Real>(a) - RawLanes{}) {}  // in every lane; −0 stays −0
   friend MORULA_INLINE Lanes operator+(Lanes a, Lanes b) { return a.v + b.v; }
   friend MORULA_INLINE Lanes operator-(Lanes a, Lanes b) { return a.v - b.v; }
   friend MORULA_INLINE Lanes operator-(Lanes a) { return -a.v; }

@@ -54,6 +54,8 @@ struct BlockView {
   RealPointer coefficient;  // [edgeCount + 1][blockLanes] spring force over edge vector
 };
 
+enum class ShellShape { none, sphere, ellipsoid };
+
 /// The constants of a scene, as the kernels need them.
 struct KernelParameters {
   double stiffness, damping;  // springs

@@ -110,9 +110,18 @@ BlockView Bodies::block(int index, int thread) {
   // All meshes share the egg's slack edge, which stands behind the last one and stays 0.
   const std::size_t coefficients =
       std::size_t(mesh.edgeCount() - meshAt(place.coarseness).edgeCount()) * blockLanes;
-  return {place.coarseness,     place.liveLanes, position.from(v),    velocity.from(v),
-          acceleration.from(v), &vertexMass[l],  &restScale[l],       &pressureConstant[l],
-          &volume[l],           &pressure[l],    s.predicted.from(0), s.gradient.from(0),
+  return {place.coarseness,
+          place.liveLanes,
+          position.from(v),
+          velocity.from(v),
+          acceleration.from(v),
+          &vertexMass[l],
+          &restScale[l],
+          &pressureConstant[l],
+          &volume[l],
+          &pressure[l],
+          s.predicted.from(0),
+          s.gradient.from(0),
           s.coefficient.from(coefficients)};
 }
 

@@ -3,7 +3,6 @@
 
 #include "physics/pressure_kernel.h"
 #include "physics/ring_kernel.h"
-#include "physics/shell_kernel.h"
 #include "physics/spring_kernel.h"
 #include "physics/verlet_kernel.h"
 
@@ -11,13 +10,12 @@ namespace morula::MORULA_ISA {
 
 extern const PhysicsKernels physics;
 const PhysicsKernels physics = {
-    driftVelocityVerlet,
-    kickVelocityVerlet,
-    driftThesisVerlet,
-    kickThesisVerlet,
-    keepInShell<true>,
-    keepInShell<false>,
-    slideOnShell,
+    {driftVelocityVerlet<ShellShape::none>, driftVelocityVerlet<ShellShape::sphere>,
+     driftVelocityVerlet<ShellShape::ellipsoid>},
+    {driftThesisVerlet<ShellShape::none>, driftThesisVerlet<ShellShape::sphere>,
+     driftThesisVerlet<ShellShape::ellipsoid>},
+    {kick<Integrator::velocityVerlet, false>, kick<Integrator::velocityVerlet, true>},
+    {kick<Integrator::thesisVerlet, false>, kick<Integrator::thesisVerlet, true>},
     findSpringCoefficients<false>,
     findSpringCoefficients<true>,
     gatherRings,

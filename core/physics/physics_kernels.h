@@ -10,9 +10,8 @@ struct PhysicsKernels {
   using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
   using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&,
                               double timeStep);
-  TimedStage driftVelocityVerlet, kickVelocityVerlet;
-  TimedStage driftThesisVerlet, kickThesisVerlet;
-  Stage keepInSphere, keepInEllipsoid, slideOnShell;
+  TimedStage driftVelocityVerlet[3], driftThesisVerlet[3];  // [ShellShape]
+  TimedStage kickVelocityVerlet[2], kickThesisVerlet[2];    // [is there a shell]
   Stage findSpringCoefficients, findDampedSpringCoefficients;
   Stage gatherRings;
   Stage addPressureForces, addPressureAndDragForces;

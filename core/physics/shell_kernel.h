@@ -21,53 +21,40 @@ struct ShellSlope {
   double inverseSquare[3];
 };
 
-/// Removes the outward part of a vector that belongs to vertex v, in the lanes of `where`.
-MORULA_INLINE void removeOutward(Real* array, int v, int lane, const Vec& slope, Mask where) {
-  const Vec u = loadVec(array, v, lane);
+/// Removes the outward part of a vector, in the lanes of `where`.
+MORULA_INLINE void removeOutward(Vec& u, const Vec& slope, Mask where) {
   const Vec kept = u - (larger(dot(u, slope), Lanes(0.0)) / dot(slope, slope)) * slope;
-  storeVec(array, v, lane,
-           {select(where, kept.x, u.x), select(where, kept.y, u.y), select(where, kept.z, u.z)});
+  u = {select(where, kept.x, u.x), select(where, kept.y, u.y), select(where, kept.z, u.z)};
 }
 
-template <bool sphere>
-inline void keepInShell(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
-  const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      Vec x = loadVec(b.position, v, lane);
-      const Mask outside = dot(x, slope(x)) > Lanes(1.0);
-      if (!any(outside)) continue;
-      Vec s = slope(x);
-      if constexpr (!sphere) {
-        x = x - (0.5 * (dot(x, s) - 1.0) / dot(s, s)) * s;  // (q − 1)/|2s|² · 2s
-        s = slope(x);
-      }
-      const Lanes scale = 1.0 / squareRoot(dot(x, s));
-      x = scale * x;
-      s = slope(x);
-      const Vec before = loadVec(b.position, v, lane);
-      storeVec(
-          b.position, v, lane,
-          {select(outside, x.x, before.x), select(outside, x.y, before.y), select(outside, x.z, before.z)});
-      removeOutward(b.velocity, v, lane, s, outside);
-      removeOutward(b.predicted, v, lane, s, outside);
-    }
+/// One vertex after the drift.
+template <ShellShape shape>
+MORULA_INLINE void keepInShell(const ShellSlope& slope, Vec& x, Vec& velocity, Vec& predicted) {
+  const Mask outside = dot(x, slope(x)) > Lanes(1.0);
+  if (!any(outside)) return;
+  Vec y = x, s = slope(x);
+  if constexpr (shape == ShellShape::ellipsoid) {
+    y = y - (0.5 * (dot(y, s) - 1.0) / dot(s, s)) * s;  // (q − 1)/|2s|² · 2s
+    s = slope(y);
+  }
+  const Lanes scale = 1.0 / squareRoot(dot(y, s));
+  y = scale * y;
+  s = slope(y);
+  x = {select(outside, y.x, x.x), select(outside, y.y, x.y), select(outside, y.z, x.z)};
+  removeOutward(velocity, s, outside);
+  removeOutward(predicted, s, outside);
 }
 
 // keepInShell leaves x·slope(x) at 1 to rounding.
 constexpr double onShellWithin = single ? 1e-6 : 1e-12;
 
-/// After the kick.
-inline void slideOnShell(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
-  const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const Vec x = loadVec(b.position, v, lane), s = slope(x);
-      const Mask onShell = dot(x, s) > Lanes(1.0 - onShellWithin);
-      if (!any(onShell)) continue;
-      removeOutward(b.velocity, v, lane, s, onShell);
-      removeOutward(b.acceleration, v, lane, s, onShell);
-    }
+/// One vertex after the kick.
+MORULA_INLINE void slideOnShell(const ShellSlope& slope, const Vec& x, Vec& velocity, Vec& acceleration) {
+  const Vec s = slope(x);
+  const Mask onShell = dot(x, s) > Lanes(1.0 - onShellWithin);
+  if (!any(onShell)) return;
+  removeOutward(velocity, s, onShell);
+  removeOutward(acceleration, s, onShell);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -5,11 +5,9 @@
 
 namespace morula {
 
-/// The kernels that a scene's parameters call for, chosen once. A mechanism that is absent is null and never
-/// called.
+/// The kernels that a scene's parameters call for, chosen once: none does what the scene has not.
 struct PhysicsStages {
   PhysicsKernels::TimedStage drift, kick;
-  PhysicsKernels::Stage keepInShell, slideOnShell;  // null without a shell
   PhysicsKernels::Stage findSpringCoefficients, gatherRings, addPressureForces;
 };
 

@@ -8,26 +8,44 @@
 //
 // The thesis' Verlet, x' = 2x − x_prev + a Δt² [Nilsson 2008, eq. 4.6], written with its velocity v = (x −
 // x_prev)/Δt [eq. 4.7]: v' = v + Δt a, x' = x + Δt v'. Damping sees that lagged velocity: first order.
-#include "base/lanes.h"
-#include "physics/block.h"
+#include "physics/parameters.h"
+#include "physics/shell_kernel.h"
 
 namespace morula::MORULA_ISA {
 
-/// x ← x', velocity ← v½, predicted ← w.
-inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
+/// x ← x', velocity ← v½, predicted ← w; and the shell keeps what would leave it.
+template <ShellShape shell>
+inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                 double dt) {
   const Lanes halfStep = 0.5 * dt, step = dt;
-  Real *position = b.position, *velocity = b.velocity, *predicted = b.predicted,
-       *acceleration = b.acceleration;
-  const int lines = 3 * mesh.vertexCount;
-  for (int i = 0; i < lines; ++i)
+  const ShellSlope slope(p);
+  for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const int at = i * blockLanes + lane;
-      const Lanes impulse = halfStep * load(acceleration + at);
-      const Lanes half = load(velocity + at) + impulse;
-      store(velocity + at, half);
-      store(predicted + at, half + impulse);
-      store(position + at, load(position + at) + step * half);
+      const Vec impulse = halfStep * loadVec(b.acceleration, v, lane);
+      Vec half = loadVec(b.velocity, v, lane) + impulse, predicted = half + impulse;
+      Vec x = loadVec(b.position, v, lane) + step * half;
+      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, half, predicted);
+      storeVec(b.velocity, v, lane, half);
+      storeVec(b.predicted, v, lane, predicted);
+      storeVec(b.position, v, lane, x);
+    }
+}
+
+/// The same for the thesis' Verlet: x ← x', velocity and predicted ← v'.
+template <ShellShape shell>
+inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
+                              double dt) {
+  const Lanes step = dt;
+  const ShellSlope slope(p);
+  for (int v = 0; v < mesh.vertexCount; ++v)
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      Vec velocity = loadVec(b.velocity, v, lane) + step * loadVec(b.acceleration, v, lane),
+          predicted = velocity;
+      Vec x = loadVec(b.position, v, lane) + step * velocity;
+      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
+      storeVec(b.velocity, v, lane, velocity);
+      storeVec(b.predicted, v, lane, predicted);
+      storeVec(b.position, v, lane, x);
     }
 }
 
@@ -38,48 +56,23 @@ struct InverseMass {
   Real value[blockLanes];
 };
 
-/// Force → acceleration, velocity ← v'.
-inline void kickVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
-                               double dt) {
+/// Force → acceleration; velocity Verlet: velocity ← v'. The shell bears what presses against it.
+template <Integrator integrator, bool shell>
+inline void kick(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   const Lanes halfStep = 0.5 * dt;
   const InverseMass inverseMass(b);
-  Real *velocity = b.velocity, *acceleration = b.acceleration;
-  const int lines = 3 * mesh.vertexCount;
-  for (int i = 0; i < lines; ++i)
+  const ShellSlope slope(p);
+  for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const int at = i * blockLanes + lane;
-      const Lanes a = load(acceleration + at) * load(inverseMass.value + lane);
-      store(acceleration + at, a);
-      store(velocity + at, load(velocity + at) + halfStep * a);
-    }
-}
-
-/// x ← x', velocity and predicted ← v'.
-inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
-                              double dt) {
-  const Lanes step = dt;
-  Real *position = b.position, *velocity = b.velocity, *predicted = b.predicted,
-       *acceleration = b.acceleration;
-  const int lines = 3 * mesh.vertexCount;
-  for (int i = 0; i < lines; ++i)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const int at = i * blockLanes + lane;
-      const Lanes v = load(velocity + at) + step * load(acceleration + at);
-      store(velocity + at, v);
-      store(predicted + at, v);
-      store(position + at, load(position + at) + step * v);
-    }
-}
-
-/// Force → acceleration.
-inline void kickThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double) {
-  const InverseMass inverseMass(b);
-  Real* acceleration = b.acceleration;
-  const int lines = 3 * mesh.vertexCount;
-  for (int i = 0; i < lines; ++i)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const int at = i * blockLanes + lane;
-      store(acceleration + at, load(acceleration + at) * load(inverseMass.value + lane));
+      Vec a = load(inverseMass.value + lane) * loadVec(b.acceleration, v, lane);
+      Vec velocity;
+      if constexpr (integrator == Integrator::velocityVerlet || shell)
+        velocity = loadVec(b.velocity, v, lane);
+      if constexpr (integrator == Integrator::velocityVerlet) velocity += halfStep * a;
+      if constexpr (shell) slideOnShell(slope, loadVec(b.position, v, lane), velocity, a);
+      if constexpr (integrator == Integrator::velocityVerlet || shell)
+        storeVec(b.velocity, v, lane, velocity);
+      storeVec(b.acceleration, v, lane, a);
     }
 }
 

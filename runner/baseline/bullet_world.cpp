@@ -26,8 +26,7 @@ Bodies makeNotebook(const BulletScene& scene) {
 struct BulletWorld::State {
   BulletScene scene;
   Bodies notebook;
-  PhysicsKernels::Stage keepInShell = nullptr;
-  PhysicsStages forces{};  // without the shell
+  PhysicsStages forces{}, shell{};  // one without a shell, one for its sake
 
   btSoftBodyRigidBodyCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
@@ -39,8 +38,10 @@ struct BulletWorld::State {
   explicit State(const BulletScene& asked) : scene(asked), notebook(makeNotebook(asked)) {
     // The thesis' Verlet, for its prediction of the velocity is the velocity itself, as Bullet's.
     scene.physics.integrator = Integrator::thesisVerlet;
-    forces = chooseStages(scene.physics, bestIsa());
-    std::swap(keepInShell, forces.keepInShell);
+    PhysicsParameters open = scene.physics;
+    open.shell.reset();
+    forces = chooseStages(open, bestIsa());
+    shell = chooseStages(scene.physics, bestIsa());
     world.setGravity({0, 0, 0});
     btSoftBodyWorldInfo& info = world.getWorldInfo();
     info.m_gravity.setZero();
@@ -86,10 +87,10 @@ struct BulletWorld::State {
         bodies[i]->addForce(read(notebook.acceleration, notebook.at(static_cast<int>(i), v)), v);
   }
 
-  /// Bullet has no contact on the inside of a shell: the core's.
+  /// Bullet has no contact on the inside of a shell: the core's, at the end of a drift that takes no time.
   void keepAllInShell() {
     for (int i = 0; i < notebook.blockCount(); ++i)
-      keepInShell(notebook.mesh.view(), notebook.block(i, 0), notebook.kernelParameters);
+      shell.drift(notebook.mesh.view(), notebook.block(i, 0), notebook.kernelParameters, 0);
     eachNode([&](btSoftBody::Node& node, std::size_t at) {
       node.m_x = read(notebook.position, at);
       node.m_v = read(notebook.velocity, at);
@@ -107,12 +108,12 @@ void BulletWorld::step() {
     for (std::size_t i = 0; i < s.bodies.size(); ++i)
       setPressure(*s.bodies[i], s.scene.cells[i].pressureConstant, s.scene.physics.pressure.outside);
   s.world.stepSimulation(s.scene.timeStep, 0);
-  if (s.scene.baseline == Baseline::b2 && !s.keepInShell) return;  // nobody reads the notebook
+  if (s.scene.baseline == Baseline::b2 && !s.scene.physics.shell) return;  // nobody reads the notebook
   s.eachNode([&](const btSoftBody::Node& node, std::size_t at) {
     State::write(s.notebook.position, at, node.m_x);
     State::write(s.notebook.velocity, at, node.m_v);
   });
-  if (s.keepInShell) s.keepAllInShell();
+  if (s.scene.physics.shell) s.keepAllInShell();
 }
 
 std::vector<Body> BulletWorld::cells() const {

@@ -95,7 +95,6 @@ double Subject::timeIntegration(Isa isa) {
     for (int i = 0; i < b.blockCount(); ++i) {
       const BlockView block = b.block(i, 0);
       world_.stages.drift(mesh, block, b.kernelParameters, dt);
-      if (world_.stages.keepInShell) world_.stages.keepInShell(mesh, block, b.kernelParameters);
       kick(world_.stages, b, block, dt);
     }
   });

@@ -165,11 +165,14 @@ void measureOwnStep(World& world, OtherMemory& memory, StepRates& rates) {
   rates.shell = without(all.shell.has_value(), [](auto& p) { p.shell.reset(); });
   // Its two halves come first in their passes, and bring what all others then find near.
   trial.dropForces();  // kicks turn forces into accelerations: without new ones only zero stays what it is
+  PhysicsParameters open = all;
+  open.shell.reset();
+  const PhysicsStages inTheOpen = chooseStages(open, world.execution.isa);
   const auto drift = [&](const BlockView& block, int) {
-    world.stages.drift(b.mesh.view(), block, b.kernelParameters, world.clock.timeStep);
+    inTheOpen.drift(b.mesh.view(), block, b.kernelParameters, world.clock.timeStep);
   };
   const auto end = [&](const BlockView& block, int) {
-    world.stages.kick(b.mesh.view(), block, b.kernelParameters, world.clock.timeStep);
+    inTheOpen.kick(b.mesh.view(), block, b.kernelParameters, world.clock.timeStep);
   };
   rates.integration = trial.timePass(memory, drift) + trial.timePass(memory, end);
   const double inOnePass = trial.time([&](const BlockView& block, int i) { drift(block, i), end(block, i); });

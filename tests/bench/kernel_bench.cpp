@@ -87,10 +87,10 @@ int main(int argc, char** argv) {
     // Only the last of a step: forces pile up, which changes no time.
     addStage("pressure", isa, k.addPressureForces);
     addStage("pressure and drag", isa, k.addPressureAndDragForces);
-    addTimedStage("drift", isa, k.driftVelocityVerlet);
-    addTimedStage("kick", isa, k.kickVelocityVerlet);
-    addStage("shell", isa, k.keepInSphere);
-    addStage("slide on shell", isa, k.slideOnShell);
+    addTimedStage("drift", isa, k.driftVelocityVerlet[int(ShellShape::none)]);
+    addTimedStage("drift in a sphere", isa, k.driftVelocityVerlet[int(ShellShape::sphere)]);
+    addTimedStage("kick", isa, k.kickVelocityVerlet[false]);
+    addTimedStage("kick in a shell", isa, k.kickVelocityVerlet[true]);
     addContact(isa, 0);
     addContact(isa, 0.3);
     for (const ContactSearch method : allContactSearches()) addSearch(isa, method);

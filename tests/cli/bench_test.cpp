@@ -42,7 +42,7 @@ TEST_CASE("bench --json: rows, machine and picture as the contract says") {
   REQUIRE(json["rows"].size() > 20);
   for (const auto& row : json["rows"]) {
     CAPTURE(row.dump());
-    CHECK(isOneOf(row["scene"], {"packed", "packed-friction", "free"}));
+    CHECK(isOneOf(row["scene"], {"packed", "packed-friction", "packed-single", "free"}));
     CHECK(isOneOf(row["engine"], {"morula", "bullet-b1", "bullet-b2", "scalar"}));
     CHECK(isOneOf(row["stage"], {"step", "internal", "contact", "rebuild", "integrate"}));
     CHECK(row["cells"] == 8);
@@ -50,7 +50,7 @@ TEST_CASE("bench --json: rows, machine and picture as the contract says") {
     CHECK((row["isa"].is_null() || isOneOf(row["isa"], {"scalar", "narrow", "avx2", "avx512"})));
     CHECK(row["isa"].is_null() == (row["engine"] != "morula"));
     CHECK((row["threads"] == 1 || row["threads"] == 2));
-    CHECK(row["precision"] == "double");
+    CHECK(row["precision"] == (row["scene"] == "packed-single" ? "single" : "double"));
     CHECK(row["ns_per_vertex_step"].is_number());
     CHECK((row["share_of_limit"].is_null() || row["share_of_limit"] > 0));
     steps += row["stage"] == "step";

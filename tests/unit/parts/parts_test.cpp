@@ -55,7 +55,7 @@ TEST_CASE("For every choice of blocks: the parts that are told are those that ma
     CHECK(parts["damping"].engaged ==
           (world.stages.findSpringCoefficients == kernels.findDampedSpringCoefficients));
     CHECK(parts["drag"].engaged == (world.stages.addPressureForces == kernels.addPressureAndDragForces));
-    CHECK(parts["shell"].engaged == (world.stages.keepInShell != nullptr));
+    CHECK(parts["shell"].engaged == (world.stages.kick == kernels.kickVelocityVerlet[true]));
     CHECK(parts["shell"].what == (choice & 4 ? choice & 2 ? "sphere" : "ellipsoid" : ""));
     CHECK(parts["contact"].engaged == world.contacts.has_value());
     CHECK(parts["search"].engaged == world.contacts.has_value());

@@ -43,9 +43,9 @@ TEST_CASE("Without a contact block cells pass through each other and no neighbou
 TEST_CASE("A scene without drag, damping or shell calls no kernel for them") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
   const World plain = makeWorld(scene);
-  CHECK(plain.stages.keepInShell == nullptr);
-  CHECK(plain.stages.slideOnShell == nullptr);
   const PhysicsKernels& k = physicsKernels(plain.execution.isa);
+  CHECK(plain.stages.drift == k.driftVelocityVerlet[int(ShellShape::none)]);
+  CHECK(plain.stages.kick == k.kickVelocityVerlet[false]);
   CHECK(plain.stages.addPressureForces == k.addPressureForces);
   CHECK(plain.stages.findSpringCoefficients == k.findDampedSpringCoefficients);
   scene.mechanics->physics.membrane.damping = 0;
@@ -54,7 +54,10 @@ TEST_CASE("A scene without drag, damping or shell calls no kernel for them") {
   const World other = makeWorld(scene);
   CHECK(other.stages.findSpringCoefficients == k.findSpringCoefficients);
   CHECK(other.stages.addPressureForces == k.addPressureAndDragForces);
-  CHECK(other.stages.keepInShell == k.keepInSphere);
+  CHECK(other.stages.drift == k.driftVelocityVerlet[int(ShellShape::sphere)]);
+  CHECK(other.stages.kick == k.kickVelocityVerlet[true]);
+  scene.mechanics->physics.shell = ShellParameters{{1, 1, 1.5}};
+  CHECK(makeWorld(scene).stages.drift == k.driftVelocityVerlet[int(ShellShape::ellipsoid)]);
 }
 
 TEST_CASE("Contact of a cell that is alone changes nothing") {
