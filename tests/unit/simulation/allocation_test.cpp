@@ -1,4 +1,6 @@
 // A steady step allocates nothing. The operators below count for this whole program.
+#include <malloc.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -9,13 +11,20 @@
 namespace {
 
 std::atomic<std::uint64_t> allocations = 0;
+std::atomic<std::int64_t> bytesInUse = 0;
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++allocations;
   const std::size_t whole = (size + alignment - 1) / alignment * alignment;
   void* p = alignment <= alignof(std::max_align_t) ? std::malloc(size) : std::aligned_alloc(alignment, whole);
   if (p == nullptr) throw std::bad_alloc();
+  bytesInUse += static_cast<std::int64_t>(malloc_usable_size(p));
   return p;
+}
+
+void release(void* p) {
+  bytesInUse -= static_cast<std::int64_t>(malloc_usable_size(p));
+  std::free(p);
 }
 
 }  // namespace
@@ -28,10 +37,10 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return co
 void* operator new(std::size_t size, std::align_val_t line) {
   return counted(size, static_cast<std::size_t>(line));
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p) noexcept { release(p); }
+void operator delete(void* p, std::size_t) noexcept { release(p); }
+void operator delete(void* p, std::align_val_t) noexcept { release(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { release(p); }
 
 using namespace morula;
 
@@ -90,6 +99,32 @@ TEST_CASE("A step that builds the neighbour list anew allocates nothing, once th
     CHECK(world.contacts->rebuilds == rebuilds + 50);
     CHECK(count == 0);
   }
+}
+
+TEST_CASE(
+    "A hundred thousand steps of a crowd that never rests take no more memory than the first thousands") {
+  Scene scene = crowdedScene();
+  scene.mechanics->physics.growth.reset();
+  scene.mechanics->physics.drag = 0.5;
+  scene.mechanics->physics.shell = ShellParameters{{1.8, 1.8, 1.8}};
+  World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 8, 2, 0.1), {bestIsa(), 1});
+  Bodies& b = *world.bodies;
+  const auto goOn = [&](int steps) {
+    for (int i = 0; i < steps; ++i) {
+      if (i % 500 == 0)  // now one cell is pushed, now another
+        for (int v = 0; v < b.vertexCount(); ++v) {
+          const int slot = static_cast<int>(world.clock.step / 500 % 8);
+          b.write(b.velocity, slot, v, b.read(b.velocity, slot, v) - 1.5 * measureCentre(b, slot));
+        }
+      step(world);
+    }
+  };
+  goOn(10'000);
+  const std::int64_t early = bytesInUse;
+  const auto rebuilds = world.contacts->rebuilds;
+  goOn(100'000);
+  CHECK(world.contacts->rebuilds > rebuilds + 1000);
+  CHECK(bytesInUse <= early + early / 20);  // lists may turn out a little longer than any before
 }
 
 TEST_CASE("Threads allocate nothing of ours either; what TBB takes, it takes from itself") {
