@@ -1,6 +1,8 @@
 // morula check: run scenarios again and hold them against their golden files.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <memory>
 
 #include "base/error.h"
@@ -11,6 +13,7 @@
 #include "cli/shipped.h"
 #include "cli/verbs.h"
 #include "golden/accept.h"
+#include "golden/ci_reports.h"
 
 namespace morula::cli {
 
@@ -20,6 +23,7 @@ struct CheckOptions {
   std::vector<std::string> scenarios;
   ExecutionOptions execution;
   OutputOptions output;
+  std::string reports;
 };
 
 template <class T>
@@ -49,6 +53,31 @@ CheckReport failed(const Scenario& scenario, const Simulation& run) {
   return {goldenName(scenario.file), {result}};
 }
 
+/// Throws FileError.
+void writeFile(const std::filesystem::path& file, const std::string& text,
+               std::ios::openmode mode = std::ios::out) {
+  std::ofstream out(file, std::ios::binary | mode);
+  if (!(out << text).flush()) throw FileError(file.string() + ": cannot be written");
+}
+
+void writeReports(const std::filesystem::path& folder, const std::vector<CheckReport>& reports,
+                  const Json& results) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) throw FileError(folder.string() + ": " + problem.message());
+  writeFile(folder / "junit.xml", junitXml(reports));
+  writeFile(folder / "report.json", Json{{"morula", 1}, {"results", results}}.dump(2) + '\n');
+  writeFile(folder / "summary.md", summaryPage(reports));
+}
+
+/// What a workflow's own page shows, where this runs in one.
+void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
+  const char *inWorkflow = std::getenv("GITHUB_ACTIONS"), *page = std::getenv("GITHUB_STEP_SUMMARY");
+  if (!inWorkflow || std::string(inWorkflow) != "true") return;
+  if (!json) print(annotations(reports));
+  if (page) writeFile(page, summaryPage(reports), std::ios::app);
+}
+
 int act(const CheckOptions& options) {
   const auto how = execution(options.execution);
   std::vector<Scenario> scenarios;
@@ -56,6 +85,7 @@ int act(const CheckOptions& options) {
     scenarios.push_back(loadScenario(file));
 
   Json results = Json::array();
+  std::vector<CheckReport> reports;
   int code = fine;
   for (const auto& scenario : scenarios) {
     Progress progress(scenario.scene.name, options.output.quiet);
@@ -67,6 +97,7 @@ int act(const CheckOptions& options) {
     for (const auto& result : report.results) results.push_back(toJson(report, result));
     if (!options.output.json) print(describe(report));
     else if (!report.passed()) tell(describe(report), options.output.quiet);
+    reports.push_back(report);
   }
   if (options.scenarios.empty()) {
     for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
@@ -75,6 +106,8 @@ int act(const CheckOptions& options) {
     }
   }
   if (options.output.json) printJson({{"results", results}});
+  if (!options.reports.empty()) writeReports(options.reports, reports, results);
+  tellWorkflow(reports, options.output.json);
   return code;
 }
 
@@ -85,6 +118,8 @@ void addCheck(CLI::App& app, Action& action) {
   auto* verb = app.add_subcommand("check", "Run scenarios again and compare them with their golden files");
   verb->add_option("scenario", options->scenarios, "Scenario files; default: all under scenarios/")
       ->type_name("FILE");
+  verb->add_option("--reports", options->reports, "Write junit.xml, report.json and summary.md there")
+      ->type_name("FOLDER");
   add(*verb, options->execution);
   add(*verb, options->output);
   verb->callback([options, &action] { action = [options] { return act(*options); }; });

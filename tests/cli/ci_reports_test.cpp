@@ -1,0 +1,48 @@
+// `morula check` as a step of continuous integration.
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+
+namespace {
+
+const std::string shipped = "scenarios/thesis/elegans-1024.yaml";  // a lineage: done at once
+
+}  // namespace
+
+TEST_CASE("check --reports leaves what other tools read") {
+  const TemporaryFolder folder;
+  const auto run = launch({"check", shipped, "--reports", folder / "new/reports", "--quiet"});
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  CHECK_THAT(readWhole(folder / "new/reports/junit.xml"), ContainsSubstring("failures=\"0\""));
+  const auto report = nlohmann::json::parse(readWhole(folder / "new/reports/report.json"));
+  CHECK(report["morula"] == 1);
+  CHECK(report["results"].size() > 3);
+  CHECK_THAT(readWhole(folder / "new/reports/summary.md"), ContainsSubstring("thesis/elegans-1024 | "));
+}
+
+TEST_CASE("Within a workflow, what differs is annotated and stands on its page") {
+  const TemporaryFolder folder;
+  const std::string scenario = folder / "alone.yaml";
+  writeWhole(scenario, readWhole(MORULA_SOURCE_DIR "/tests/cost/plain.yaml"));
+  writeWhole(folder / "page.md", "before\n");
+  const Environment workflow{{"GITHUB_ACTIONS", "true"}, {"GITHUB_STEP_SUMMARY", folder / "page.md"}};
+  const auto run = launch({"check", scenario}, workflow);
+  CHECK(run.code == 1);
+  CHECK_THAT(run.out, ContainsSubstring("::error title=SETUP%3A "));
+  CHECK_THAT(readWhole(folder / "page.md"), ContainsSubstring("before\n### morula check"));
+  CHECK_THAT(launch({"check", scenario}).out, !ContainsSubstring("::error"));
+
+  // JSON stays JSON.
+  const auto json = launch({"check", scenario, "--json"}, workflow);
+  CHECK(nlohmann::json::parse(json.out)["results"][0]["class"] == "SETUP");
+}
+
+TEST_CASE("Reports that cannot be written are an error of files") {
+  const auto run = launch({"check", shipped, "--reports", "README.md/reports", "--quiet"});
+  CHECK(run.code == 6);
+  CHECK_THAT(run.err, ContainsSubstring("README.md/reports"));
+}
