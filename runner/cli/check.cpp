@@ -53,6 +53,20 @@ CheckReport failed(const Scenario& scenario, const Simulation& run) {
   return {goldenName(scenario.file), {result}};
 }
 
+/// A golden file that somebody has edited or cut off is a check that failed; others go on.
+CheckReport unreadable(const std::string& scenario, const std::string& why) {
+  CheckResult result;
+  result.check = "golden";
+  result.kind = "golden";
+  result.expected = "a golden file as it was accepted";
+  result.actual = "another";
+  result.tolerance = "exact";
+  result.passed = false;
+  result.failureClass = "INPUT_CHANGED";
+  result.message = why;
+  return {scenario, {result}};
+}
+
 /// Throws FileError.
 void writeFile(const std::filesystem::path& file, const std::string& text,
                std::ios::openmode mode = std::ios::out) {
@@ -91,9 +105,14 @@ int act(const CheckOptions& options) {
     Progress progress(scenario.scene.name, options.output.quiet);
     const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
     if (run.signal) return signalled + run.signal;
-    const auto report =
-        run.end.status == RunStatus::done ? check(scenario, run, true) : failed(scenario, run);
-    if (!report.passed()) code = differs;
+    CheckReport report;
+    try {
+      report = run.end.status == RunStatus::done ? check(scenario, run, true) : failed(scenario, run);
+      if (!report.passed() && code == fine) code = differs;
+    } catch (const InputError& e) {
+      report = unreadable(goldenName(scenario.file), e.what());
+      code = input;
+    }
     for (const auto& result : report.results) results.push_back(toJson(report, result));
     if (!options.output.json) print(describe(report));
     else if (!report.passed()) tell(describe(report), options.output.quiet);
@@ -101,8 +120,11 @@ int act(const CheckOptions& options) {
   }
   if (options.scenarios.empty()) {
     for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
-      tellError(file.string() + ": there is no scenario to this golden file");
-      code = differs;
+      const std::string why = file.string() + ": there is no scenario to this golden file";
+      tellError(why);
+      reports.push_back(unreadable(file.string(), why));
+      results.push_back(toJson(reports.back(), reports.back().results[0]));
+      if (code == fine) code = differs;
     }
   }
   if (options.output.json) printJson({{"results", results}});

@@ -41,6 +41,27 @@ TEST_CASE("Within a workflow, what differs is annotated and stands on its page")
   CHECK(nlohmann::json::parse(json.out)["results"][0]["class"] == "SETUP");
 }
 
+TEST_CASE("A golden that somebody has edited is one failed check, and others go on") {
+  const TemporaryFolder folder;
+  const std::string text = "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 2}\n";
+  for (const auto* name : {"a", "b"}) {
+    const std::string scenario = folder / (std::string(name) + ".yaml");
+    writeWhole(scenario, text);
+    REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}})
+                .code == 0);
+  }
+  std::string golden = readWhole(folder / "a.golden");
+  golden.replace(golden.find("count cells 1"), 13, "count cells 2");
+  writeWhole(folder / "a.golden", golden);
+  const auto run = launch({"check", folder / "a.yaml", folder / "b.yaml", "--json"});
+  CHECK(run.code == 3);
+  const auto results = nlohmann::json::parse(run.out)["results"];
+  CHECK(results[0]["class"] == "INPUT_CHANGED");
+  CHECK(results.size() > 2);  // b was checked, too
+  CHECK(results.back()["passed"] == true);
+  CHECK_THAT(run.err, ContainsSubstring("a.golden:"));
+}
+
 TEST_CASE("Reports that cannot be written are an error of files") {
   const auto run = launch({"check", shipped, "--reports", "README.md/reports", "--quiet"});
   CHECK(run.code == 6);
