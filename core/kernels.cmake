@@ -5,10 +5,6 @@
 option(MORULA_PORTABLE "Leave the AVX kernels out: only what every machine of the architecture has" OFF)
 set(MORULA_ISAS scalar narrow)
 set(MORULA_WIDTH_scalar 1)
-set(MORULA_SINGLE_WIDTH_scalar 1)
-set(MORULA_SINGLE_WIDTH_narrow 4)
-set(MORULA_SINGLE_WIDTH_avx2 8)
-set(MORULA_SINGLE_WIDTH_avx512 8)
 set(MORULA_WIDTH_narrow 2)  # SSE2 on x86-64, NEON on aarch64: what every machine has
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT MORULA_PORTABLE)
   target_compile_definitions(morula_flags INTERFACE MORULA_WITH_AVX)
@@ -18,6 +14,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT MORULA_PORTABLE)
   set(MORULA_WIDTH_avx512 8)
   set(MORULA_OPTIONS_avx512 -mavx512f -mavx512vl -mavx512dq -mprefer-vector-width=512)
 endif()
+# The number of floats: a block has eight lanes, so wider registers stay half empty.
+set(MORULA_SINGLE_WIDTH_scalar 1)
+set(MORULA_SINGLE_WIDTH_narrow 4)
+set(MORULA_SINGLE_WIDTH_avx2 8)
+set(MORULA_SINGLE_WIDTH_avx512 8)
 
 # Every *_kernels.cpp of a folder goes into the target once per instruction set, each into a namespace of its own
 # (core/base/isa.h).
@@ -27,27 +28,23 @@ function(morula_kernels target folder)
     return()
   endif()
   foreach(isa ${MORULA_ISAS})
-    morula_kernels_for(${target} ${isa} "${kernels}" MORULA_ISA=${isa} MORULA_WIDTH=${MORULA_WIDTH_${isa}})
+    morula_kernels_for(${target} ${isa} ${isa} "${kernels}" MORULA_WIDTH=${MORULA_WIDTH_${isa}})
   endforeach()
 endfunction()
 
-# The same with floats instead of doubles, into namespaces of their own (avx2_single): the files named. A block has eight
-# lanes, so wider registers stay half empty.
+# The same with floats instead of doubles, into namespaces of their own (avx2_single): the files named.
 function(morula_single_kernels target)
   foreach(isa ${MORULA_ISAS})
-    set(width ${MORULA_SINGLE_WIDTH_${isa}})
-    morula_kernels_for(${target} ${isa} "${ARGN}" MORULA_ISA=${isa}_single MORULA_WIDTH=${width} MORULA_SINGLE)
+    morula_kernels_for(${target} ${isa} ${isa}_single "${ARGN}" MORULA_WIDTH=${MORULA_SINGLE_WIDTH_${isa}} MORULA_SINGLE)
   endforeach()
 endfunction()
 
-function(morula_kernels_for target isa kernels)
-  list(GET ARGN 0 namespace)
-  string(REPLACE "MORULA_ISA=" "" namespace ${namespace})
+function(morula_kernels_for target isa namespace kernels)
   set(objects ${target}_${namespace})
   add_library(${objects} OBJECT ${kernels})
   target_include_directories(${objects} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${morula_SOURCE_DIR}/core)
   target_link_libraries(${objects} PUBLIC morula_flags)
-  target_compile_definitions(${objects} PRIVATE ${ARGN})
+  target_compile_definitions(${objects} PRIVATE MORULA_ISA=${namespace} ${ARGN})
   target_compile_options(${objects} PRIVATE ${MORULA_OPTIONS_${isa}} -fno-math-errno -fno-trapping-math
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # gcc 12 misreads its own vector intrinsics
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)

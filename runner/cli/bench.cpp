@@ -104,8 +104,6 @@ BenchOptions meant(const BenchWords& words) {
   return options;
 }
 
-Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json toJson(const BenchRow& row) {
   return {{"scene", row.scene},
           {"engine", row.engine},

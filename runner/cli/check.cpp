@@ -26,11 +26,6 @@ struct CheckOptions {
   std::string reports;
 };
 
-template <class T>
-Json orNull(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
-
 Json toJson(const CheckReport& report, const CheckResult& r) {
   return {{"scenario", report.scenario}, {"check", r.check},        {"kind", r.kind},
           {"passed", r.passed},          {"class", r.failureClass}, {"first_step", orNull(r.firstStep)},
@@ -40,31 +35,15 @@ Json toJson(const CheckReport& report, const CheckResult& r) {
 
 /// A run that could not end is a check that failed.
 CheckReport failed(const Scenario& scenario, const Simulation& run) {
-  CheckResult result;
-  result.check = "run";
-  result.kind = "golden";
-  result.expected = "done";
-  result.actual = name(run.end.status);
-  result.tolerance = "exact";
-  result.passed = false;
-  result.failureClass = "COMPUTATION";
+  CheckResult result = failedCheck("run", "COMPUTATION", "done", name(run.end.status), run.end.failure);
   result.firstStep = run.end.steps;
-  result.message = run.end.failure;
   return {goldenName(scenario.file), {result}};
 }
 
-/// A golden file that somebody has edited or cut off is a check that failed; others go on.
-CheckReport unreadable(const std::string& scenario, const std::string& why) {
-  CheckResult result;
-  result.check = "golden";
-  result.kind = "golden";
-  result.expected = "a golden file as it was accepted";
-  result.actual = "another";
-  result.tolerance = "exact";
-  result.passed = false;
-  result.failureClass = "INPUT_CHANGED";
-  result.message = why;
-  return {scenario, {result}};
+/// A golden file that somebody has edited or cut off, or that is nobody's; others go on.
+CheckReport unusable(const std::string& scenario, const std::string& why) {
+  return {scenario,
+          {failedCheck("golden", "INPUT_CHANGED", "a golden file as it was accepted", "another", why)}};
 }
 
 /// Throws FileError.
@@ -110,7 +89,7 @@ int act(const CheckOptions& options) {
       report = run.end.status == RunStatus::done ? check(scenario, run, true) : failed(scenario, run);
       if (!report.passed() && code == fine) code = differs;
     } catch (const InputError& e) {
-      report = unreadable(goldenName(scenario.file), e.what());
+      report = unusable(goldenName(scenario.file), e.what());
       code = input;
     }
     for (const auto& result : report.results) results.push_back(toJson(report, result));
@@ -122,7 +101,7 @@ int act(const CheckOptions& options) {
     for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
       const std::string why = file.string() + ": there is no scenario to this golden file";
       tellError(why);
-      reports.push_back(unreadable(file.string(), why));
+      reports.push_back(unusable(file.string(), why));
       results.push_back(toJson(reports.back(), reports.back().results[0]));
       if (code == fine) code = differs;
     }

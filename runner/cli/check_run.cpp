@@ -32,16 +32,8 @@ CheckResult shellHolds(const World& world) {
 }
 
 CheckResult goldenMissing(const std::filesystem::path& file) {
-  CheckResult result;
-  result.check = "golden";
-  result.kind = "golden";
-  result.expected = "a golden file";
-  result.actual = "none";
-  result.tolerance = "exact";
-  result.passed = false;
-  result.failureClass = "SETUP";
-  result.message = file.string() + " is not there; accept one: morula review --accept --why \"…\"";
-  return result;
+  return failedCheck("golden", "SETUP", "a golden file", "none",
+                     file.string() + " is not there; accept one: morula review --accept --why \"…\"");
 }
 
 }  // namespace

@@ -1,11 +1,17 @@
 #pragma once
 // Who hears what: data on stdout, messages on stderr.
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 namespace morula::cli {
 
 using Json = nlohmann::ordered_json;
+
+template <class T>
+Json orNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
 
 /// Data for people or programs, on stdout.
 void print(const std::string& text);

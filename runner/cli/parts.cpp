@@ -41,11 +41,6 @@ double secondsPerPicture(const Scenario& scenario, const World& world) {
   return few + std::max(more - few, 0.0) / 3 * 35;
 }
 
-template <class T>
-Json orNull(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
-
 Json toJson(const PartCost& c) {
   return {{"part", c.part.name},
           {"engaged", true},

@@ -24,6 +24,22 @@ struct CheckResult {
   friend bool operator==(const CheckResult&, const CheckResult&) = default;
 };
 
+/// A check that failed as a whole, for it could not even compare.
+inline CheckResult failedCheck(const std::string& check, const std::string& failureClass,
+                               const std::string& expected, const std::string& actual,
+                               const std::string& message) {
+  CheckResult result;
+  result.check = check;
+  result.kind = "golden";
+  result.expected = expected;
+  result.actual = actual;
+  result.tolerance = "exact";
+  result.passed = false;
+  result.failureClass = failureClass;
+  result.message = message;
+  return result;
+}
+
 struct CheckReport {
   std::string scenario;  // "thesis/unique-four"
   std::vector<CheckResult> results;

@@ -30,16 +30,18 @@ std::string plural(double count, const std::string& word) {
   return fmt::format("{:.0f} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-/// Left-aligned; counts characters, not bytes: "µ" is one.
+/// Characters, not bytes: "µ" is one.
+std::size_t lengthOf(const std::string& text) {
+  return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
 std::string padded(const std::string& text, std::size_t width) {
-  const auto length =
-      std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  const std::size_t length = lengthOf(text);
   return text + std::string(length < width ? width - length : 1, ' ');
 }
 
 std::string right(const std::string& text, std::size_t width) {
-  const auto length =
-      std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  const std::size_t length = lengthOf(text);
   return std::string(length < width ? width - length : 0, ' ') + text;
 }
 

@@ -47,8 +47,11 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
   }
   const MechanicsScene& m = *scenario.scene.mechanics;
   const PhysicsParameters& p = m.physics;
-  parts.push_back({"bodies", true, fmt::format("{} vertices each", m.mesh.vertices.size()),
-                   why.of({"physics.mesh", "physics"})});
+  parts.push_back(
+      {"bodies", true,
+       fmt::format("{} vertices each{}{}", m.mesh.vertices.size(), p.coarsen ? ", fewer when small" : "",
+                   p.precision == Precision::binary32 ? ", in single precision" : ""),
+       why.of({"physics.mesh", "physics"})});
   parts.push_back({"springs", true, "", why.of({"physics.membrane.stiffness"})});
   parts.push_back(p.membrane.damping > 0 ? Part{"damping", true, "", why.of({"physics.membrane.damping"})}
                                          : absent("damping", "physics.membrane.damping > 0"));

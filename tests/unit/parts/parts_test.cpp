@@ -101,6 +101,12 @@ TEST_CASE("Each part names the line that asks for it, or says that it is a defau
   CHECK(byName(read(sceneOf(8)), {.search = ContactSearch::aabbTree})["search"].why == "--search");
 }
 
+TEST_CASE("Bodies tell their meshes and their precision") {
+  const std::string text = genes + "physics:\n  mesh: {icosphere: 3, coarsen: 0.3}\n  precision: single\n";
+  CHECK(byName(read(text))["bodies"].what == "642 vertices each, fewer when small, in single precision");
+  CHECK(byName(read(sceneOf(0)))["bodies"].what == "12 vertices each");
+}
+
 TEST_CASE("States are hashed on the way only where somebody looks at them") {
   const Scenario plain = read(sceneOf(0)), checked = read(sceneOf(0) + "check: {}\n");
   CHECK_FALSE(wantsHashes(plain, false));
