@@ -43,6 +43,9 @@ class BiologicalUnit {
   virtual StateId daughterState(StateId mother, bool b) = 0;
   /// The substances of a state, sorted by name, separated by single spaces.
   virtual std::string describe(StateId state) const = 0;
+  /// The state with this description: how a stored cell gets its state back. Throws InputError if there can be
+  /// none; in a biology without one of its own, always.
+  virtual StateId stateOf(const std::string& description);
 };
 
 }  // namespace morula

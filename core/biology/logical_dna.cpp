@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <sstream>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
@@ -46,6 +47,7 @@ class LogicalDna final : public BiologicalUnit {
   double wantsToConnect(const CellView& cell) const override { return states_[cell.state].connecting; }
   StateId daughterState(StateId mother, bool b) override;
   std::string describe(StateId state) const override;
+  StateId stateOf(const std::string& description) override;
 
  private:
   StateId intern(Substances substances);
@@ -166,6 +168,19 @@ std::string LogicalDna::describe(StateId state) const {
   std::string text;
   for (SubstanceId s : states_[state].substances) text += (text.empty() ? "" : " ") + names_[s];
   return text;
+}
+
+StateId LogicalDna::stateOf(const std::string& description) {
+  Substances substances;
+  std::istringstream words(description);
+  for (std::string word; words >> word;) {
+    const auto at = std::ranges::lower_bound(names_, word);
+    if (at == names_.end() || *at != word) throw InputError("the DNA knows no substance '" + word + "'");
+    substances.push_back(static_cast<SubstanceId>(at - names_.begin()));
+  }
+  if (!std::ranges::is_sorted(substances, std::ranges::less_equal()))
+    throw InputError("a state names its substances once each, sorted; '" + description + "' does not");
+  return intern(std::move(substances));
 }
 
 }  // namespace

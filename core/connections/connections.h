@@ -1,5 +1,6 @@
 #pragma once
 // The list of cell–cell connections, and what makes and ends them [Nilsson 2008, §4.4.3].
+#include <array>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,13 @@
 
 namespace morula {
 
+/// Why a connection ended; "": it holds.
+constexpr std::array<const char*, 5> releaseCauses = {"", "divided", "died", "distance", "gene"};
+
 struct ConnectionRecord {
   CellPath a, b;                   // a < b
   double made = 0, released = -1;  // [time]; released < 0: it still holds
-  const char* cause = "";          // why it ended: "", "divided", "died", "distance", "gene"
+  const char* cause = "";          // one of releaseCauses
 };
 
 struct Connections {

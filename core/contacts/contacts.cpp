@@ -19,14 +19,21 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
 }
 
 void setInfluenceRadii(Contacts& c, const Bodies& bodies) {
+  std::vector<double> radii;
+  for (int slot : bodies.slots)
+    radii.push_back(c.parameters.radius * bodies.meshOf(slot).meanRestLength * bodies.restScale[slot]);
+  setInfluenceRadii(c, bodies, radii);
+}
+
+void setInfluenceRadii(Contacts& c, const Bodies& bodies, std::span<const double> radii) {
   c.radius.assign(bodies.restScale.size(), 0);
   c.inverseRadiusSquared.assign(bodies.restScale.size(), 0);
   double smallest = INFINITY;
-  for (int slot : bodies.slots) {
-    const double radius = c.parameters.radius * bodies.meshOf(slot).meanRestLength * bodies.restScale[slot];
-    c.radius[slot] = radius;
-    c.inverseRadiusSquared[slot] = 1 / (radius * radius);
-    smallest = std::min(smallest, radius);
+  for (int cell = 0; cell < bodies.count; ++cell) {
+    const int slot = bodies.slots[cell];
+    c.radius[slot] = radii[cell];
+    c.inverseRadiusSquared[slot] = 1 / (radii[cell] * radii[cell]);
+    smallest = std::min(smallest, radii[cell]);
   }
   c.list.skin = bodies.count > 0 ? c.skinShare * smallest : 0;
   c.listIsValid = false;

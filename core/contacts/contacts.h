@@ -2,6 +2,7 @@
 // Cells that touch: who may (neighbour_list.h), what a vertex shows (snapshot.h), what acts (the laws'
 // kernels).
 #include <cstdint>
+#include <span>
 
 #include "base/aligned.h"
 #include "base/cell_path.h"
@@ -40,6 +41,8 @@ void resetContacts(Contacts& contacts, const Bodies& bodies);
 
 /// To be called when cells have grown: influence radii follow the rest lengths, and the list is void.
 void setInfluenceRadii(Contacts& contacts, const Bodies& bodies);
+/// The same with given radii, [cell].
+void setInfluenceRadii(Contacts& contacts, const Bodies& bodies, std::span<const double> radii);
 
 /// Takes one block's snapshot, from the scratch that `advance` has just filled.
 void takeSnapshot(Contacts& contacts, const Bodies& bodies, const BlockView& block, int index);

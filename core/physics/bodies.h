@@ -89,7 +89,7 @@ struct Bodies {
     const std::size_t i = at(slot, v);
     return {a[i], a[i + blockLanes], a[i + 2 * blockLanes]};
   }
-  void write(Reals& a, int slot, int v, const Vector& u) {
+  void write(Reals& a, int slot, int v, const Vector& u) const {
     const std::size_t i = at(slot, v);
     a[i] = u.x, a[i + blockLanes] = u.y, a[i + 2 * blockLanes] = u.z;
   }

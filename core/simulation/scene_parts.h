@@ -1,0 +1,21 @@
+#pragma once
+// Which scene is this? One hash for each part of it, so that two scenes can be told apart by name.
+#include <string>
+#include <vector>
+
+#include "base/hash.h"
+
+namespace morula {
+
+struct Scene;
+
+struct ScenePart {
+  std::string name;  // as a scenario calls it: dna, physics, …
+  std::string hash;  // of an absent part: ""
+};
+
+/// All that decides how a state goes on, in one order. Neither the scene's name nor when it stops: a state
+/// may be gone on with for longer than was planned.
+std::vector<ScenePart> hashSceneParts(const Scene& scene);
+
+}  // namespace morula

@@ -1,0 +1,134 @@
+// Saved and restored at any step, in another world, on other machines: the rest of the run is the same, bit
+// for bit, down to the counters.
+#include "simulation/checkpoint.h"
+
+#include <map>
+#include <set>
+
+#include "base/random.h"
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+std::vector<Scene> allScenes() {
+  std::vector<Scene> scenes{scenes::life(),   scenes::packed(),     scenes::ellipsoid(),
+                            scenes::thesis(), scenes::coarsening(), scenes::lineageOnly(scenes::eventful, 6)};
+  Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
+  ring.name = "life of a torus in single precision";
+  ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
+  ring.mechanics->physics.precision = Precision::binary32;
+  scenes.push_back(ring);
+  return scenes;
+}
+
+/// Twenty steps of a run, at random but always the same, and each of the last steps of a short one.
+std::set<std::uint64_t> chosenSteps(std::uint64_t last) {
+  std::set<std::uint64_t> steps;
+  for (std::uint32_t i = 0; i < 20; ++i)
+    steps.insert(static_cast<std::uint64_t>(randomUnit({42, {}, 0, Purpose::test}, i) * double(last)));
+  return steps;
+}
+
+/// Every way in which a world may be executed, in turn.
+Execution executionNumber(std::size_t i) {
+  const std::vector<Isa> isas = availableIsas();
+  return {isas[i % isas.size()], static_cast<int>(1 + i % 3)};
+}
+
+bool sameContacts(const World& a, const World& b) {
+  const auto p = measureContacts(a), q = measureContacts(b);
+  return p.size() == q.size() && std::equal(p.begin(), p.end(), q.begin(), [](const auto& x, const auto& y) {
+           return x.a == y.a && x.b == y.b && x.area == y.area;
+         });
+}
+
+World lived(const Scene& scene, double time) {
+  World world = makeWorld(scene, {bestIsa(), 1});
+  while (world.clock.time < time) step(world);
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("From a checkpoint at any step, the run goes on as if it had never stopped") {
+  for (const Scene& scene : allScenes()) {
+    const std::uint64_t last = ranToEnd(scene, {bestIsa(), 1}).clock.step;
+    std::map<std::uint64_t, std::string> checkpoints;
+    World world = makeWorld(scene, {bestIsa(), 1});
+    const std::set<std::uint64_t> steps = chosenSteps(last);
+    std::size_t number = 0;
+    for (; !finished(world); step(world)) {
+      if (!steps.contains(world.clock.step)) continue;
+      const std::string saved = checkpoints[world.clock.step] = saveState(world);
+      World restored = makeWorld(scene, executionNumber(number++));
+      restoreState(restored, saved);
+      CAPTURE(scene.name, world.clock.step);
+      CHECK(stateHash(restored) == stateHash(world));
+      CHECK((saveState(restored) == saved));
+      CHECK(sameContacts(restored, world));
+    }
+    CHECK(checkpoints.size() == steps.size());
+    const Hash hash = stateHash(world);
+    const std::string end = saveState(world);
+    for (const auto& [step, saved] : checkpoints) {
+      World restored = makeWorld(scene, executionNumber(number++));
+      restoreState(restored, saved);
+      runToEnd(restored);
+      CAPTURE(scene.name, step, last);
+      CHECK(stateHash(restored) == hash);
+      CHECK((saveState(restored) == end));  // the history of time steps, and what was counted, too
+    }
+  }
+}
+
+TEST_CASE("Right after a cell cycle with growth, what touches is still what the last step saw") {
+  World world = makeWorld(scenes::life(), {bestIsa(), 1});
+  int stale = 0;
+  while (!finished(world)) {
+    step(world);
+    if (world.contacts->listIsValid) continue;
+    ++stale;
+    World restored = makeWorld(scenes::life(), {Isa::scalar, 1});
+    restoreState(restored, saveState(world));
+    CHECK(sameContacts(restored, world));
+    CHECK((saveState(restored) == saveState(world)));
+  }
+  CHECK(stale > 0);
+}
+
+TEST_CASE("A checkpoint of an organism whose cells have all died") {
+  const Scene scene = [] {
+    Scene s = scenes::life();
+    s.dna = parseDna("START: a0\ng1(die|a0)\n", "test.dna");
+    return s;
+  }();
+  const World world = ranToEnd(scene);
+  REQUIRE(world.cells.path.empty());
+  World restored = makeWorld(scene, {Isa::scalar, 1});
+  restoreState(restored, saveState(world));
+  CHECK(finished(restored));
+  CHECK((saveState(restored) == saveState(world)));
+}
+
+TEST_CASE("A state may be gone on with for longer than was planned") {
+  const Scene scene = scenes::life();
+  Scene longer = scene;
+  longer.stop.cycles = 7;
+  World restored = makeWorld(longer, {bestIsa(), 1});
+  restoreState(restored, saveState(ranToEnd(scene)));
+  runToEnd(restored);
+  CHECK(stateHash(restored) == stateHash(ranToEnd(longer)));
+}
+
+TEST_CASE("A state that was restored once can be restored over another one") {
+  const Scene scene = scenes::coarsening();
+  const std::string early = saveState(lived(scene, 0.5)), late = saveState(lived(scene, 3));
+  World world = makeWorld(scene, {bestIsa(), 1});
+  for (const std::string& saved : {late, early, late}) {
+    restoreState(world, saved);
+    CHECK((saveState(world) == saved));
+  }
+}
