@@ -1,28 +1,27 @@
 #!/usr/bin/env bash
-# Builds the simulator by itself as one more compiler would and compares the hashes of its runs.
+# Builds the simulator by itself as one more compiler would, or for another machine, and compares the hashes of its runs.
 #
-#   builds.sh gcc-O0|gcc-O2|gcc-O3-portable|clang-O2 BUILD_DIRECTORY
+#   builds.sh BUILD DIRECTORY WRITE_SCENE     BUILD: see build_as.sh
 #
-# Exit codes: 0 the same, 1 others, 77 this compiler is not here.
+# Exit codes: 0 the same, 1 others, 77 this compiler, or what its programs run on, is not here.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
-name=$1 build=$2
-case $name in
-  gcc-*) compiler=g++ ;;
-  clang-*) compiler=clang++ ;;
-  *) echo "builds.sh: there is no build $name" >&2; exit 2 ;;
-esac
-if ! command -v $compiler >/dev/null; then
-  echo "$compiler is not installed: skipped"
-  exit 77
+name=$1 build=$2 write_scene=$3
+emulator=
+if [ "${name%%-*}" = aarch64 ]; then
+  emulator=qemu-aarch64
+  if ! command -v $emulator >/dev/null; then
+    echo "$emulator is not installed: skipped"
+    exit 77
+  fi
 fi
-flags=-O${name#*-O} flags=${flags%%-portable}
-portable=OFF
-case $name in *-portable) portable=ON ;; esac
-cmake -S "$here" -B "$build" -G Ninja -DCMAKE_CXX_COMPILER=$compiler -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" \
-  -DMORULA_PORTABLE=$portable >"$build.log" 2>&1 && cmake --build "$build" --target hash_program >>"$build.log" 2>&1 || {
-  tail -n 40 "$build.log"
-  exit 1
-}
-"$here/compare.sh" "$name" "$build/hash_program"
-"$here/compare.sh" "$name, one cell at a time" "$build/hash_program" --isa scalar
+for target in hash_program run_scene; do "$here/build_as.sh" "$name" "$build" $target; done
+scene=$build/unique-four.scene
+"$write_scene" "$here/../../scenarios/thesis/unique-four.yaml" >"$scene"
+isas=$($emulator "$build/hash_program" --isas)
+different=0
+for isa in scalar ${isas##*[[:space:]]}; do # one cell at a time, and the widest
+  "$here/compare.sh" "$name, $isa" $emulator "$build/hash_program" --isa "$isa" || different=1
+  "$here/compare_golden.sh" "$name, $isa" thesis/unique-four "$scene" $emulator "$build/run_scene" --isa "$isa" || different=1
+done
+exit $different

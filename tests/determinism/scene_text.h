@@ -1,0 +1,169 @@
+#pragma once
+// A scene as plain words, for programs that know no YAML: numbers are written as the bits that they are.
+// Writing and reading share one list of fields, and a field that is missing in it does not compile.
+#include <bit>
+#include <istream>
+#include <map>
+#include <ostream>
+#include <tuple>
+#include <type_traits>
+
+#include "base/error.h"
+#include "simulation/scene.h"
+
+namespace morula::scene_text {
+
+inline auto fields(Vector& a) {
+  auto& [x, y, z] = a;
+  return std::tie(x, y, z);
+}
+inline auto fields(Face& a) {
+  auto& [i, j, k] = a;
+  return std::tie(i, j, k);
+}
+inline auto fields(Mesh& a) {
+  auto& [vertices, faces] = a;
+  return std::tie(vertices, faces);
+}
+inline auto fields(Gene& a) {
+  auto& [name, product, inputs] = a;
+  return std::tie(name, product, inputs);
+}
+inline auto fields(Dna& a) {
+  auto& [substances, start, genes, source] = a;
+  return std::tie(substances, start, genes, source);
+}
+inline auto fields(CycleParameters& a) {
+  auto& [length, perSubstance] = a;
+  return std::tie(length, perSubstance);
+}
+inline auto fields(StopParameters& a) {
+  auto& [cycles, time, cells] = a;
+  return std::tie(cycles, time, cells);
+}
+inline auto fields(CellParameters& a) {
+  auto& [radius, mass] = a;
+  return std::tie(radius, mass);
+}
+inline auto fields(MembraneParameters& a) {
+  auto& [stiffness, damping, production] = a;
+  return std::tie(stiffness, damping, production);
+}
+inline auto fields(PressureParameters& a) {
+  auto& [constant, outside] = a;
+  return std::tie(constant, outside);
+}
+inline auto fields(GrowthParameters& a) {
+  auto& [rate] = a;
+  return std::tie(rate);
+}
+inline auto fields(ShellParameters& a) {
+  auto& [semiAxes] = a;
+  return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
+}
+inline auto fields(PhysicsParameters& a) {
+  auto& [coarsen, timeStep, integrator, precision, cell, membrane, pressure, drag, growth, shell] = a;
+  return std::tie(coarsen, timeStep, integrator, precision, cell, membrane, pressure, drag, growth, shell);
+}
+inline auto fields(ContactParameters& a) {
+  auto& [law, stiffness, damping, friction, slipSpeed, radius] = a;
+  return std::tie(law, stiffness, damping, friction, slipSpeed, radius);
+}
+inline auto fields(DivisionParameters& a) {
+  auto& [plane, axis] = a;
+  return std::tie(plane, axis);
+}
+inline auto fields(ConnectionParameters& a) {
+  auto& [make, onDivision, strength, releaseDistance] = a;
+  return std::tie(make, onDivision, strength, releaseDistance);
+}
+inline auto fields(MechanicsScene& a) {
+  auto& [physics, mesh, coarser, contact, division, connections] = a;
+  return std::tie(physics, mesh, coarser, contact, division, connections);
+}
+inline auto fields(Scene& a) {
+  auto& [name, seed, dna, cycle, stop, mechanics] = a;
+  return std::tie(name, seed, dna, cycle, stop, mechanics);
+}
+
+struct Writer {
+  std::ostream& out;
+  void number(std::uint64_t& n) { out << std::to_string(n) << '\n'; }
+  void text(std::string& s) { out << std::to_string(s.size()) << ' ' << s << '\n'; }
+};
+
+struct Reader {
+  std::istream& in;
+  void number(std::uint64_t& n) {
+    if (!(in >> n)) throw InputError("this is no scene, or it has been cut off");
+  }
+  void text(std::string& s) {
+    std::uint64_t size;
+    number(size);
+    in.get();
+    s.clear();
+    for (char c; s.size() < size && in.get(c);) s += c;
+    if (s.size() < size) throw InputError("this is no scene, or it has been cut off");
+  }
+};
+
+template <class Words, class T>
+requires(std::is_integral_v<T> || std::is_enum_v<T>) void add(Words& w, T& a) {
+  auto n = static_cast<std::uint64_t>(a);
+  w.number(n);
+  a = static_cast<T>(n);
+}
+template <class Words>
+void add(Words& w, double& a) {
+  auto n = std::bit_cast<std::uint64_t>(a);
+  w.number(n);
+  a = std::bit_cast<double>(n);
+}
+template <class Words>
+void add(Words& w, std::string& a) {
+  w.text(a);
+}
+template <class Words, class T>
+void add(Words& w, std::optional<T>& a) {
+  bool given = a.has_value();
+  add(w, given);
+  if (given && !a) a.emplace();
+  if (given) add(w, *a);
+}
+template <class Words, class T>
+void add(Words& w, std::vector<T>& a) {
+  auto size = a.size();
+  add(w, size);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i == a.size()) a.emplace_back();
+    add(w, a[i]);
+  }
+}
+template <class Words>
+void add(Words& w, std::map<std::string, double>& a) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : a) names.push_back(name);
+  add(w, names);
+  for (std::string& name : names) add(w, a[name]);
+}
+
+template <class Words, class T>
+requires requires(T& a) { fields(a); }
+void add(Words& w, T& a) {
+  std::apply([&](auto&... field) { (add(w, field), ...); }, fields(a));
+}
+
+inline void write(std::ostream& out, Scene scene) {
+  Writer words{out};
+  add(words, scene);
+}
+
+/// Throws InputError.
+inline Scene read(std::istream& in) {
+  Scene scene;
+  Reader words{in};
+  add(words, scene);
+  return scene;
+}
+
+}  // namespace morula::scene_text
