@@ -132,11 +132,18 @@ check "it says so" "morula: installing with apt-get: g++ " "$(head -n 1 "$scratc
 
 MORULA_TEST_ID=1000 start test -R unit
 check "test: everything is built; sudo if not root; the test packages too" \
-  "sudo;apt-get install --no-install-recommends clang valgrind;build all;" "$called"
+  "sudo;apt-get install --no-install-recommends clang valgrind g++-aarch64-linux-gnu qemu-user locales;build all;" "$called"
 check "test: ctest gets the arguments" \
   "ctest --test-dir $tree/build/release --no-tests=error --output-on-failure --parallel 2 -R unit" "$out"
 check "test: ctest's exit code passes through" 8 "$code"
 start && check "test: the program is built with everything" "" "$called"
+
+mkdir -p "$tree/tests/determinism"
+printf '#!/bin/sh\necho "matrix $*"\nexit 1\n' >"$tree/tests/determinism/matrix.sh" && chmod +x "$tree/tests/determinism/matrix.sh"
+start test --matrix "gcc -O0" clang
+check "test --matrix: everything is built" "build all;" "$called"
+check "test --matrix: it gets the build and the arguments" "matrix $tree/build/release gcc -O0 clang" "$out"
+check "test --matrix: its exit code passes through" 1 "$code"
 
 : >"$installed" && later touch "$tree/core/base/a.h" && rm "$scratch/bin/sudo"
 if [ ! -e /usr/bin/sudo ]; then

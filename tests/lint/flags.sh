@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Every source of the core is compiled by the rules of arithmetic: no contraction, none of the options that change results.
+#
+#   flags.sh COMPILE_COMMANDS_JSON FOLDER     the sources under FOLDER
+#
+# Exit codes: 0 so it is, 1 not so.
+set -euo pipefail
+awk -v folder="$2/" '
+function wrong(what) { print file ": " what; ++errors }
+/^ *"command": / { command = $0; sub(/^ *"command": "/, "", command); sub(/",$/, "", command) }
+/^ *"file": / {
+  file = $0; sub(/^ *"file": "/, "", file); sub(/",?$/, "", file)
+  if (index(file, folder) != 1) next
+  ++sources
+  contraction = "not said"
+  n = split(command, word, " ")
+  for (i = 1; i <= n; ++i) {
+    if (word[i] ~ /^-ffp-contract=/) contraction = word[i]
+    else if (word[i] ~ /^(-Ofast|-ffast-math|-funsafe-math-optimizations|-fassociative-math|-freciprocal-math)$/ ||
+             word[i] ~ /^(-ffinite-math-only|-fno-signed-zeros|-fsingle-precision-constant|-frounding-math|-ffp-model=.*)$/ ||
+             word[i] ~ /^(-mrecip.*|-mfma4?|-mfpmath=387|-m32|-mcpu=.*)$/ ||
+             word[i] ~ /^-march=/ && word[i] !~ /^-march=x86-64(-v2)?$/)  # -v3 and most names imply -mfma
+      wrong("compiled with " word[i])
+  }
+  if (contraction != "-ffp-contract=off") wrong("compiled without -ffp-contract=off: " contraction)
+}
+END {
+  if (!sources) { print "no source under " folder " is compiled"; exit 1 }
+  if (errors) exit 1
+  print sources " compilations by the rules"
+}' "$1"

@@ -1,0 +1,139 @@
+#!/usr/bin/env bash
+# Each lint finds what is planted for it, and lets pass what only looks like it.
+#
+#   planted.sh words|flags|layers
+#   planted.sh symbols NM COMPILER
+set -euo pipefail
+here=$(dirname "$(readlink -f "$0")")
+lint=$1
+shift
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+tried=0
+plant=
+
+finds() { # WHAT COMMAND...: it must fail, and say what
+  local name=$1 said
+  shift
+  tried=$((tried + 1))
+  if said=$("$@" 2>&1); then
+    echo "NOT FOUND: $name $plant"
+  elif ! grep -qF -e "$name" <<<"$said"; then
+    printf 'NOT SAID: %s %s\n%s\n' "$name" "$plant" "$said"
+  else return 0; fi
+  failures=$((failures + 1))
+}
+passes() { # WHAT COMMAND...
+  local name=$1 said
+  shift
+  tried=$((tried + 1))
+  if said=$("$@" 2>&1); then return 0; fi
+  printf 'WRONGLY FOUND: %s\n%s\n' "$name" "$said"
+  failures=$((failures + 1))
+}
+
+case $lint in
+  words)
+    mkdir "$work/core"
+    file=$work/core/a.cpp
+    while IFS= read -r line; do
+      printf 'int harmless;\n%s\n' "$line" >"$file"
+      plant=$line
+      finds "a.cpp:2:" "$here/words.sh" "$work/core"
+    done <"$here/planted_words.txt"
+    while IFS=$'\t' read -r word _; do
+      case $word in '#'* | '') continue ;; esac
+      if ! grep -qE -e "$word" "$here/planted_words.txt"; then
+        echo "NOTHING IS PLANTED for $word"
+        failures=$((failures + 1))
+      fi
+    done <"$here/banned_words.txt"
+    printf '%s\n' '// std::shuffle, rand()' '/* sin(x)' 'pow(a, b) */ int runtime(int), sometime(int);' \
+      'const char* text = "time(0) // exp(1)"; double a = x.time * logNumber(2);' >"$file"
+    passes "words in comments, texts and other words" "$here/words.sh" "$work/core"
+    finds "there is no source" "$here/words.sh" "$here/allowed_symbols.txt"
+    ;;
+
+  flags)
+    commands() { # FLAGS
+      printf '[\n{\n  "directory": "/b",\n  "command": "c++ -I/r/core %s -o a.o -c /r/core/base/a.cpp",\n  "file": "/r/core/base/a.cpp"\n},\n' "$1"
+      printf '{\n  "directory": "/b",\n  "command": "c++ -Ofast -c /r/runner/b.cpp",\n  "file": "/r/runner/b.cpp"\n}\n]\n'
+    }
+    commands "-O3 -mavx2 -ffp-contract=off -fno-fast-math" >"$work/good.json"
+    passes "good options, and bad ones elsewhere" "$here/flags.sh" "$work/good.json" /r/core
+    finds "no source" "$here/flags.sh" "$work/good.json" /elsewhere
+    for bad in -Ofast -ffast-math -funsafe-math-optimizations -fassociative-math -freciprocal-math -ffinite-math-only \
+      -fno-signed-zeros -mfma -mfma4 -march=native -march=haswell -march=x86-64-v3 -mrecip -mfpmath=387 -ffp-model=fast; do
+      commands "-O2 -ffp-contract=off $bad" >"$work/bad.json"
+      finds "/r/core/base/a.cpp: compiled with $bad" "$here/flags.sh" "$work/bad.json" /r/core
+    done
+    for bad in "" -ffp-contract=fast -ffp-contract=on "-ffp-contract=off -ffp-contract=fast"; do
+      commands "-O2 $bad" >"$work/bad.json"
+      finds "/r/core/base/a.cpp: compiled without" "$here/flags.sh" "$work/bad.json" /r/core
+    done
+    ;;
+
+  layers)
+    core=$work/core
+    mkdir -p "$core"/{base,mesh,biology,simulation}
+    printf '```\nbase ← mesh ← simulation\nbase ← biology ←────── simulation\n```\n' >"$core/README.md"
+    sources() { # FILE LINE: everything else is as it should be
+      echo '#include <vector>' >"$core/base/a.h"
+      printf '#include "mesh/b.h"\n#include "base/a.h"\n#include <Eigen/Dense>\n' >"$core/mesh/b.cpp"
+      echo '#include "base/a.h"' >"$core/biology/c.h"
+      printf '#include "biology/c.h"\n  #include "mesh/b.h"\n' >"$core/simulation/d.h"
+      if [ $# -gt 0 ]; then echo "$2" >>"$core/$1"; fi
+    }
+    sources && passes "downward" "$here/layers.sh" "$core"
+    sources base/a.h '#include "mesh/b.h"' && finds "base/a.h:2: base includes" "$here/layers.sh" "$core"
+    sources mesh/b.cpp '#  include "biology/c.h"' && finds "mesh/b.cpp:4: mesh includes" "$here/layers.sh" "$core"
+    sources biology/c.h '#include "store/e.h"' && finds "biology/c.h:2: biology includes" "$here/layers.sh" "$core"
+    sources biology/c.h '#include "c2.h"' && finds "does not say of which room" "$here/layers.sh" "$core"
+    sources simulation/d.h '#include <Eigen/Core>' && finds "<Eigen/Core>: mesh includes Eigen already" "$here/layers.sh" "$core"
+    sources && mkdir "$core/attic" && touch "$core/attic/f.h" && finds "attic: a room" "$here/layers.sh" "$core"
+    echo "no map" >"$core/README.md" && finds "has no map" "$here/layers.sh" "$core"
+    ;;
+
+  symbols)
+    nm=$1 compiler=$2
+    object() { # SOURCE: compiled as debuggers like it, so that nothing is inlined away
+      printf '%s\n' "$1" >"$work/a.cpp" && $compiler -std=c++20 -O0 -fno-builtin -c "$work/a.cpp" -o "$work/a.o"
+    }
+    object '#include <cmath>
+      double f(double x) { return std::sqrt(x); }' && passes "the square root" "$here/symbols.sh" "$nm" "$work/a.o"
+    for call in sin cos exp log pow tanh atan2 acos fma cbrt hypot; do
+      case $call in pow | atan2 | hypot) arguments='x, x' ;; fma) arguments='x, x, x' ;; *) arguments=x ;; esac
+      object "#include <cmath>
+        double f(double x) { return std::$call($arguments); }"
+      finds "NOT ALLOWED: $call" "$here/symbols.sh" "$nm" "$work/a.o"
+    done
+    object '#include <cmath>
+      float f(float x) { return std::fma(x, x, x); }' && finds "NOT ALLOWED: fmaf" "$here/symbols.sh" "$nm" "$work/a.o"
+    object '#include <chrono>
+      long f() { return std::chrono::steady_clock::now().time_since_epoch().count(); }'
+    finds "NOT ALLOWED: std::chrono" "$here/symbols.sh" "$nm" "$work/a.o"
+    object '#include <random>
+      unsigned f() { return std::random_device()(); }' && finds "random_device" "$here/symbols.sh" "$nm" "$work/a.o"
+    object '#include <random>
+      double f(unsigned s) { std::mt19937 e(s); return std::normal_distribution<>()(e); }'
+    finds "normal_distribution" "$here/symbols.sh" "$nm" "$work/a.o"
+    object '#include <algorithm>
+      struct G { using result_type = unsigned; static constexpr unsigned min() { return 0; } static constexpr unsigned max() { return 9; }
+        unsigned operator()() { return 3; } };
+      void f(int* a, int n) { std::shuffle(a, a + n, G()); }' && finds "shuffle" "$here/symbols.sh" "$nm" "$work/a.o"
+    object '#include <unordered_map>
+      int f() { std::unordered_map<int, int> m; m[1] = 2; return m.begin()->second; }'
+    finds "unordered_map" "$here/symbols.sh" "$nm" "$work/a.o"
+    object '#include <ctime>
+      long f() { return std::time(nullptr) + std::clock(); }' && finds "NOT ALLOWED: clock" "$here/symbols.sh" "$nm" "$work/a.o"
+    object '' && finds "there is no symbol" "$here/symbols.sh" "$nm" "$work/a.o"
+    ;;
+
+  *)
+    sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+    exit 2
+    ;;
+esac
+echo "$tried plants, $failures misjudged"
+[ $failures = 0 ]
