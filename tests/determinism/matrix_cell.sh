@@ -13,7 +13,7 @@ command=()
 alone= # the simulator, without the program
 for word; do
   case $word in
-    morula) command+=("$folder/morula" check "scenarios/$scene.yaml" --json --quiet) ;;
+    morula) command+=("$folder/morula" check "scenarios/$scene.yaml" --json) ;;
     run_scene) command+=("$folder/run_scene") alone=yes ;;
     *) command+=("$word") ;;
   esac
@@ -22,7 +22,7 @@ if [ $alone ]; then exec "$here/compare_golden.sh" "$folder" "$scene" "$text" "$
 
 cd "$here/../.."
 report=$("${command[@]}") || {
-  echo "$report"
+  echo "exit code $?"
   exit 1
 }
 # Numbers may have tolerances. The bits have none, and must have been looked at.
