@@ -4,7 +4,6 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <sstream>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
@@ -172,8 +171,9 @@ std::string LogicalDna::describe(StateId state) const {
 
 StateId LogicalDna::stateOf(const std::string& description) {
   Substances substances;
-  std::istringstream words(description);
-  for (std::string word; words >> word;) {
+  for (std::string_view rest = description; !rest.empty();) {
+    const std::string word(rest.substr(0, rest.find(' ')));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
     const auto at = std::ranges::lower_bound(names_, word);
     if (at == names_.end() || *at != word) throw InputError("the DNA knows no substance '" + word + "'");
     substances.push_back(static_cast<SubstanceId>(at - names_.begin()));
