@@ -3,6 +3,7 @@
 #
 #   planted.sh words|flags|layers
 #   planted.sh symbols NM COMPILER
+#   planted.sh instructions OBJDUMP COMPILER
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 lint=$1
@@ -130,8 +131,24 @@ case $lint in
     object '' && finds "there is no symbol" "$here/symbols.sh" "$nm" "$work/a.o"
     ;;
 
+  instructions)
+    objdump=$1 compiler=$2
+    case $($compiler -dumpmachine) in
+      x86_64*) fused='vfmadd213pd %xmm0, %xmm1, %xmm2;vfnmsub231ss %xmm0, %xmm1, %xmm2;vfmaddsub132pd %xmm0, %xmm1, %xmm2;vfmadd213pd %zmm0, %zmm1, %zmm2'
+        approximate='rsqrtps %xmm0, %xmm1;vrcp14pd %zmm0, %zmm1' good='mulpd %xmm0, %xmm1;vaddpd %zmm0, %zmm1, %zmm2;sqrtsd %xmm0, %xmm1' ;;
+      aarch64*) fused='fmadd d0, d1, d2, d3;fnmsub s0, s1, s2, s3;fmla v0.2d, v1.2d, v2.2d;fmls v0.4s, v1.4s, v2.4s'
+        approximate='frsqrte d0, d1;frecpe d0, d1' good='fmul d0, d1, d2;fadd v0.2d, v1.2d, v2.2d;fsqrt d0, d1' ;;
+      *) echo "no plants for $($compiler -dumpmachine)" && exit 77 ;;
+    esac
+    object() { echo "void f() { asm volatile(\"$1\"); }" >"$work/a.cpp" && $compiler -c "$work/a.cpp" -o "$work/a.o"; }
+    while IFS= read -r line; do
+      object "$line" && finds "${line%% *}" "$here/instructions.sh" "$objdump" "$work/a.o"
+    done < <(tr ';' '\n' <<<"$fused;$approximate")
+    object "${good//;/\\n}" && passes "$good" "$here/instructions.sh" "$objdump" "$work/a.o"
+    ;;
+
   *)
-    sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
     exit 2
     ;;
 esac
