@@ -11,7 +11,7 @@ for isa in scalar narrow avx2 avx512; do configuration "instruction set $isa" or
 configuration "2 threads" ordinary all morula --threads 2
 for threads in 3 7 16; do configuration "$threads threads" ordinary shorter morula --threads $threads; done
 configuration "addresses not random" ordinary shorter setarch -R morula
-configuration "C library, no AVX2, FMA" ordinary shorter env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F morula
+configuration "C library without FMA" ordinary shorter env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F morula
 configuration "a German locale" ordinary shorter env "LOCPATH=$work/locales" LC_ALL=de_DE.UTF-8 morula
 configuration "a heap full of rubbish" ordinary shorter env MALLOC_PERTURB_=165 morula
 configuration "YAML keys in reverse" ordinary shorter env -C "$work/reversed" morula
