@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/cell_path.h"
-#include "base/hash.h"
 #include "base/vec3.h"
 #include "biology/state.h"
 #include "connections/connections.h"
@@ -56,8 +55,5 @@ double measureMeanOverlap(const World& world, int columns = 256);
 Mesh cellMesh(const World& world, const CellPath& path);
 /// Its vertices alone.
 std::vector<Point> cellVertices(const World& world, const CellPath& path);
-
-/// The whole state: cells by lineage path, connections, lineage, clock. The same on every machine.
-Hash stateHash(const World& world);
 
 }  // namespace morula

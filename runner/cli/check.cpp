@@ -10,6 +10,7 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
+#include "cli/pending.h"
 #include "cli/shipped.h"
 #include "cli/verbs.h"
 #include "golden/accept.h"
@@ -40,10 +41,10 @@ CheckReport failed(const Scenario& scenario, const Simulation& run) {
   return {goldenName(scenario.file), {result}};
 }
 
-/// A golden file that somebody has edited or cut off, or that is nobody's; others go on.
-CheckReport unusable(const std::string& scenario, const std::string& why) {
-  return {scenario,
-          {failedCheck("golden", "INPUT_CHANGED", "a golden file as it was accepted", "another", why)}};
+bool hasUnusableGolden(const CheckReport& report) {
+  return std::any_of(report.results.begin(), report.results.end(), [](const CheckResult& r) {
+    return r.check == "golden" && r.failureClass == "INPUT_CHANGED";
+  });
 }
 
 /// Throws FileError.
@@ -84,14 +85,11 @@ int act(const CheckOptions& options) {
     Progress progress(scenario.scene.name, options.output.quiet);
     const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
     if (run.signal) return signalled + run.signal;
-    CheckReport report;
-    try {
-      report = run.end.status == RunStatus::done ? check(scenario, run, true) : failed(scenario, run);
-      if (!report.passed() && code == fine) code = differs;
-    } catch (const InputError& e) {
-      report = unusable(goldenName(scenario.file), e.what());
-      code = input;
-    }
+    const bool done = run.end.status == RunStatus::done;
+    const CheckReport report = done ? check(scenario, run, true) : failed(scenario, run);
+    if (hasUnusableGolden(report)) code = input;
+    else if (!report.passed() && code == fine) code = differs;
+    if (!report.passed() && done) putPending(scenario, run, observe(scenario, run), options.output.quiet);
     for (const auto& result : report.results) results.push_back(toJson(report, result));
     if (!options.output.json) print(describe(report));
     else if (!report.passed()) tell(describe(report), options.output.quiet);
@@ -101,7 +99,7 @@ int act(const CheckOptions& options) {
     for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
       const std::string why = file.string() + ": there is no scenario to this golden file";
       tellError(why);
-      reports.push_back(unusable(file.string(), why));
+      reports.push_back(unusableGolden(file.string(), why));
       results.push_back(toJson(reports.back(), reports.back().results[0]));
       if (code == fine) code = differs;
     }

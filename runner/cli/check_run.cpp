@@ -1,7 +1,9 @@
 #include "cli/check_run.h"
 
+#include "cli/pictures.h"
 #include "golden/accept.h"
 #include "golden/observe.h"
+#include "render/renderer_name.h"
 #include "scenario/numbers.h"
 #include "simulation/measures.h"
 
@@ -31,6 +33,14 @@ CheckResult shellHolds(const World& world) {
   return result;
 }
 
+Hash hashOf(const Image& image) {
+  Hasher hasher;
+  hasher.add(image.width).add(image.height);
+  std::string bytes;
+  for (const Colour& c : image.pixels) bytes += {char(c.r), char(c.g), char(c.b)};
+  return hasher.add(bytes).digest();
+}
+
 CheckResult goldenMissing(const std::filesystem::path& file) {
   return failedCheck("golden", "SETUP", "a golden file", "none",
                      file.string() + " is not there; accept one: morula review --accept --why \"…\"");
@@ -39,9 +49,12 @@ CheckResult goldenMissing(const std::filesystem::path& file) {
 }  // namespace
 
 GoldenData observe(const Scenario& scenario, const Simulation& run) {
-  GoldenContext context{goldenName(scenario.file), scenario.meaning.text(), {}, {}};
+  GoldenContext context{goldenName(scenario.file), scenario.meaning.text(), {}, {}, {}};
   for (const auto& sample : run.results.samples) context.samples.push_back(sample.world);
-  for (const auto& step : run.results.stepHashes) context.stepHashes.push_back({step.step, step.hash});
+  context.chain = run.results.chain;
+  if (run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
+    context.images.push_back(
+        {"organism", rendererName(), hashOf(drawOrganism(pictureOf(run.world, scenario)))});
   return observeGolden(run.world, context);
 }
 
@@ -50,7 +63,8 @@ std::filesystem::path goldenFile(const Scenario& scenario) { return goldenPath(s
 CheckReport check(const Scenario& scenario, const Simulation& run, bool needsGolden) {
   CheckReport report{goldenName(scenario.file), {}};
   const auto file = goldenFile(scenario);
-  if (std::filesystem::exists(file)) report = compareGolden(readGoldenFile(file), observe(scenario, run));
+  if (std::filesystem::exists(file))
+    report = compareGoldenText(readGoldenText(file), file.string(), observe(scenario, run));
   else if (needsGolden) report.results.push_back(goldenMissing(file));
   const auto& mechanics = scenario.scene.mechanics;
   if (mechanics && mechanics->physics.shell) report.results.push_back(shellHolds(run.world));

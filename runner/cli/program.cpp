@@ -76,6 +76,7 @@ Action parse(int argc, char** argv) {
   addRun(app, action);
   addParts(app, action);
   addCheck(app, action);
+  addExplain(app, action);
   addReview(app, action);
   addValidate(app, action);
   addSchema(app, action);
@@ -83,6 +84,7 @@ Action parse(int argc, char** argv) {
   addRender(app, action);
   addLineage(app, action);
   addBench(app, action);
+  addTrail(app, action);
   addBulletWorker(app, action);
   for (auto* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->allow_extras();
 

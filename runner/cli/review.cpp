@@ -1,16 +1,19 @@
-// morula review: what golden files would change, and with a reason the change itself.
+// morula review: what goldens would change, and with a reason the change itself.
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <memory>
 
 #include "base/error.h"
+#include "cli/accept_run.h"
 #include "cli/check_run.h"
 #include "cli/console.h"
 #include "cli/exit_codes.h"
+#include "cli/git_text.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
+#include "cli/pending.h"
 #include "cli/verbs.h"
 #include "golden/accept.h"
+#include "golden/succession.h"
 
 namespace morula::cli {
 
@@ -20,49 +23,115 @@ struct ReviewOptions {
   std::vector<std::string> scenarios;
   ExecutionOptions execution;
   OutputOptions output;
-  bool accept = false;
+  bool accept = false, reject = false;
   std::string why, by;
 };
 
-/// Bits are checked exactly; the values beside them tell how large a difference is.
-std::vector<ToleranceRule> usualRules(const Scenario& scenario) {
-  if (!scenario.scene.mechanics) return {};  // a lineage has no values
-  return {
-      readRule("tolerance * rel 1e-9 scale 1 why \"what the bits tell exactly, in numbers people can weigh\"",
-               "usual rules")};
+/// What is to be looked at: the named scenarios, or those whose results wait.
+std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
+  if (!options.scenarios.empty()) return options.scenarios;
+  std::vector<std::string> files;
+  for (const auto& name : allPending()) files.push_back("scenarios/" + name + ".yaml");
+  return files;
+}
+
+/// The result that waits, if it is of the scenario as it is now; else that of a run made for the purpose,
+/// which then waits if it differs. Nothing if the run was interrupted.
+std::optional<GoldenData> resultToReview(const Scenario& scenario, const ReviewOptions& options,
+                                         int& signal) {
+  if (auto pending = findPending(scenario); pending && pending->data.scenarioHash == scenario.meaning.text())
+    return std::move(pending->data);
+  Progress progress(scenario.scene.name, options.output.quiet);
+  const auto run = simulate(makeScenarioWorld(scenario, execution(options.execution)),
+                            recordingOf(scenario, true), progress);
+  signal = run.signal;
+  if (signal) return std::nullopt;
+  if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
+  auto observed = observe(scenario, run);
+  const auto file = goldenFile(scenario);
+  if (!std::filesystem::exists(file) || !compareGolden(readGoldenFile(file), observed).passed())
+    putPending(scenario, run, observed, options.output.quiet);
+  return observed;
+}
+
+/// Tolerances are people's to edit; what they loosened since the last commit must be seen.
+std::string describeLoosened(const Golden& golden, const std::filesystem::path& file) {
+  const auto committed = committedText(file);
+  if (!committed) return {};
+  try {
+    std::string text;
+    for (const auto& line :
+         loosenedTolerances(readGolden(*committed, "the committed " + file.string()), golden))
+      text += "  LOOSER  " + line + '\n';
+    return text;
+  } catch (const InputError&) {
+    return "  the committed golden is of another version: look at its tolerances yourself\n";
+  }
+}
+
+/// 0 if nothing would change.
+int show(const Scenario& scenario, const GoldenData& observed, const OutputOptions& output, Json& results) {
+  const auto file = goldenFile(scenario);
+  Json json{{"scenario", goldenName(scenario.file)}, {"golden", file.string()}};
+  std::string text;
+  int code = fine;
+  if (!std::filesystem::exists(file)) {
+    code = differs;
+    text = goldenName(scenario.file) + ": there is no golden yet; " + std::to_string(observed.items.size()) +
+           " items\n";
+  } else {
+    const Golden golden = readGoldenFile(file);
+    const CheckReport report = compareGolden(golden, observed);
+    const std::string changes = describeSuccession(golden, observed), looser = describeLoosened(golden, file);
+    if (!report.passed() || !looser.empty()) code = differs;
+    text = describe(report) + changes + looser;
+    json["changes"] = changes, json["loosened"] = looser;
+  }
+  if (code == differs && std::filesystem::exists(pendingPicture(scenario)))
+    text += "  picture  " + pendingPicture(scenario).string() + '\n';
+  json["passed"] = code == fine;
+  results.push_back(json);
+  if (!output.json) print(text);
+  return code;
 }
 
 int act(const ReviewOptions& options) {
-  const auto how = execution(options.execution);
-  if (options.accept && options.why.empty())
+  if (options.accept && options.reject) throw UsageError("morula review: --accept or --reject, not both");
+  if ((options.accept || options.reject) && options.why.empty())
     throw UsageError(
         "morula review --accept needs a reason: --why \"what changed and why the new result is right\"");
   if (options.accept && options.by.empty())
     throw UsageError("morula review --accept needs a name: --by NAME");
   std::vector<Scenario> scenarios;
-  for (const auto& file : options.scenarios) scenarios.push_back(loadScenario(file));
+  for (const auto& file : scenarioFiles(options)) scenarios.push_back(loadScenario(file));
+  if (scenarios.empty()) tell("no result waits for a review", options.output.quiet);
 
-  int code = fine;
-  Json accepted = Json::array();
+  int code = fine, signal = 0;
+  Json results = Json::array();
   for (const auto& scenario : scenarios) {
-    Progress progress(scenario.scene.name, options.output.quiet);
-    const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
-    if (run.signal) return signalled + run.signal;
-    if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
-    const auto report = check(scenario, run, true);
-    if (!options.output.json) print(describe(report));
-    if (!options.accept) {
-      if (!report.passed()) code = differs;
+    if (options.reject) {
+      removePending(scenario);
+      results.push_back({{"scenario", goldenName(scenario.file)}, {"rejected", options.why}});
+      if (!options.output.json) print("rejected: " + goldenName(scenario.file) + ": " + options.why + "\n");
       continue;
     }
-    const auto file = goldenFile(scenario);
-    const auto rules = std::filesystem::exists(file) ? readGoldenFile(file).rules : usualRules(scenario);
-    makeFolder(file.parent_path());
-    acceptGolden(file, observe(scenario, run), rules, {options.by, options.why});
-    accepted.push_back(file.string());
-    if (!options.output.json) print("accepted: " + file.string() + "\n");
+    if (!options.accept) {
+      const auto observed = resultToReview(scenario, options, signal);
+      if (signal) return signalled + signal;
+      code = std::max<int>(code, show(scenario, *observed, options.output, results));
+      continue;
+    }
+    const auto accepted =
+        acceptRun(scenario, execution(options.execution), {options.by, options.why}, options.output.quiet);
+    if (accepted.signal) return signalled + accepted.signal;
+    if (!options.output.json) print(accepted.text);
+    results.push_back({{"scenario", goldenName(scenario.file)},
+                       {"accepted", accepted.done},
+                       {"file", goldenFile(scenario).string()}});
+    if (!accepted.done) code = differs;
+    else removePending(scenario);
   }
-  if (options.output.json) printJson({{"accepted", accepted}});
+  if (options.output.json) printJson({{"results", results}});
   return code;
 }
 
@@ -71,11 +140,14 @@ int act(const ReviewOptions& options) {
 void addReview(CLI::App& app, Action& action) {
   auto options = std::make_shared<ReviewOptions>();
   if (const char* user = std::getenv("USER")) options->by = user;
-  auto* verb =
-      app.add_subcommand("review", "Show what golden files would change, or accept the change with a reason");
-  verb->add_option("scenario", options->scenarios, "Scenario files")->required()->type_name("FILE");
-  verb->add_flag("--accept", options->accept, "Write the golden files");
-  verb->add_option("--why", options->why, "What changed and why the new result is right")->type_name("TEXT");
+  auto* verb = app.add_subcommand(
+      "review", "Show what golden files would change, and accept or reject it with a reason");
+  verb->add_option("scenario", options->scenarios, "Scenario files; default: those whose results wait")
+      ->type_name("FILE");
+  verb->add_flag("--accept", options->accept, "Run twice more and write the golden files");
+  verb->add_flag("--reject", options->reject, "Throw the waiting results away");
+  verb->add_option("--why", options->why, "What changed and why the new result is right, or is not")
+      ->type_name("TEXT");
   verb->add_option("--by", options->by, "Who accepts; default: the user's name")->type_name("NAME");
   add(*verb, options->execution);
   add(*verb, options->output);

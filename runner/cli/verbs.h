@@ -15,6 +15,7 @@ using Action = std::function<int()>;
 void addRun(CLI::App& app, Action& action);
 void addParts(CLI::App& app, Action& action);
 void addCheck(CLI::App& app, Action& action);
+void addExplain(CLI::App& app, Action& action);
 void addReview(CLI::App& app, Action& action);
 void addValidate(CLI::App& app, Action& action);
 void addSchema(CLI::App& app, Action& action);
@@ -22,6 +23,7 @@ void addInit(CLI::App& app, Action& action);
 void addRender(CLI::App& app, Action& action);
 void addLineage(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
+void addTrail(CLI::App& app, Action& action);
 void addBulletWorker(CLI::App& app, Action& action);
 
 /// The command line as typed, for the record of a run.

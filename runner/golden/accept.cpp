@@ -48,21 +48,24 @@ fs::path below(const fs::path& path, const char* folder) {
 
 }  // namespace
 
-void acceptGolden(const fs::path& file, const GoldenData& observed, std::vector<ToleranceRule> rules,
-                  const Acceptance& acceptance) {
+void refuseWithinCi(const fs::path& file) {
   if (const char* ci = std::getenv("CI"); ci && *ci)
     throw InputError(file.string() +
                      ": goldens are accepted by people; with CI set in the environment none is written");
+}
+
+void acceptGolden(const fs::path& file, Golden golden, const Acceptance& acceptance) {
+  refuseWithinCi(file);
   if (!isOneLine(acceptance.why))
     throw InputError(file.string() +
                      ": a golden is accepted with a reason; say in one line what changed and why the "
                      "new result is right: --why \"…\"");
   if (!isOneLine(acceptance.by))
     throw InputError(file.string() + ": who accepts the golden? a name is expected");
-  Golden golden{observed, acceptance.by, acceptance.why, std::move(rules), file.string()};
+  golden.acceptedBy = acceptance.by, golden.why = acceptance.why, golden.file = file.string();
   const std::string text = writeGolden(golden);
   // What is written must be readable and must hold for the very run it was taken from.
-  const CheckReport report = compareGolden(readGolden(text, file.string()), observed);
+  const CheckReport report = compareGolden(readGolden(text, file.string()), golden.data);
   if (!report.passed()) throw InputError("the golden cannot be accepted as it is:\n" + describe(report));
   std::error_code ignored;  // a folder that cannot be made shows when the file is written
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);

@@ -13,12 +13,13 @@ struct Acceptance {
   std::string why;  // required: what changed and why the new result is right
 };
 
-/// Writes the observed data as the scenario's golden, with the tolerance rules `rules` (usually those of the
-/// golden it replaces), atomically; makes the folder if need be. Throws InputError without a reason, with a
-/// rule that matches nothing, and when the environment variable CI is set and not empty: goldens are accepted
-/// by people. Throws std::filesystem::filesystem_error if the file cannot be written (exit 6).
-void acceptGolden(const std::filesystem::path& file, const GoldenData& observed,
-                  std::vector<ToleranceRule> rules, const Acceptance& acceptance);
+/// Writes the golden, atomically, with the acceptance's name and reason; makes the folder if need be. Throws
+/// InputError without a reason, with a rule that matches nothing, and when the environment variable CI is set
+/// and not empty: goldens are accepted by people. Throws std::filesystem::filesystem_error if the file cannot
+/// be written (exit 6).
+void acceptGolden(const std::filesystem::path& file, Golden golden, const Acceptance& acceptance);
+/// Throws InputError where goldens must not be written; asked before the runs that an acceptance takes.
+void refuseWithinCi(const std::filesystem::path& file);
 
 /// "thesis/unique-four" for …/scenarios/thesis/unique-four.yaml: the path below the nearest folder
 /// `scenarios`, or the file's stem elsewhere.

@@ -1,8 +1,11 @@
 // Holds a run against its golden, check by check.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
+#include "base/error.h"
+#include "golden/chain_cells.h"
 #include "golden/difference.h"
 #include "golden/number_text.h"
 
@@ -24,6 +27,8 @@ std::string checkOf(const GoldenItem& item) {
   if (item.kind == "cell" || item.kind == "generation") return "lineage";
   if (item.kind == "time_step") return "time_steps";
   if (item.kind == "step_hash") return "step_hashes";
+  if (item.kind == "image") return "images";
+  if (item.kind == "cost") return "costs";
   if (item.kind == "value") return "values";
   return item.kind;  // bits
 }
@@ -76,6 +81,31 @@ CheckResult compareExactly(const std::string& file, const std::string& check, co
   return r;
 }
 
+/// Pictures of another renderer may differ in rounding, so they say nothing.
+CheckResult compareImages(const std::string& file, Pairs pairs) {
+  const std::size_t all = pairs.size();
+  std::erase_if(pairs, [](const Pair& p) {
+    return p.golden && p.observed && p.golden->fields[0] != p.observed->fields[0];
+  });
+  CheckResult r = compareExactly(file, "images", pairs);
+  if (r.passed && pairs.size() < all) r.actual = "another renderer: not compared";
+  return r;
+}
+
+/// The chain of hashes, and which cells' hashes differ where it first does.
+CheckResult compareChain(const Golden& golden, const Pairs& pairs) {
+  CheckResult r = compareExactly(golden.file, "step_hashes", pairs);
+  for (const Pair& p : pairs) {
+    if (!p.golden || !p.observed || p.golden->fields == p.observed->fields) continue;
+    const auto cells = cellsThatDiffer(golden.data, *p.golden, *p.observed);
+    if (cells.empty()) break;
+    r.cell = cells.front();
+    r.message += "\ncells that differ at step " + p.golden->key + ": " + inWords(cells);
+    break;
+  }
+  return r;
+}
+
 CheckResult compareScenario(const Golden& golden, const GoldenData& observed) {
   std::vector<Difference> differences;
   const auto compare = [&](const char* field, const std::string& expected, const std::string& actual,
@@ -108,14 +138,19 @@ struct RuleCheck {
   std::size_t values = 0;
   double share = 0;                   // the largest
   const GoldenItem* worst = nullptr;  // whose it is
+  bool chaos = true;                  // all that differs may have grown from a difference in the last place
 
-  void add(const std::string& file, const Pair& pair) {
+  void add(const Golden& golden, const Pair& pair) {
+    const std::string& file = golden.file;
     const Tolerance tolerance = rule ? rule->tolerance : Tolerance{};
     const std::optional<double> e = readReal(pair.golden->fields[1]), a = readReal(pair.observed->fields[1]);
     const double used = tolerance.share(*e, *a);
     ++values;
     if (!worst || used > share) share = used, worst = pair.golden;
     if (used <= 1) return;
+    const std::uint64_t step = stepOf(*pair.golden).value_or(0);
+    const double grown = grownBy(golden, step) * std::max(std::abs(*e), 1.0);
+    chaos = chaos && grown > 0 && std::abs(*a - *e) <= grown;
     Difference d = *findDifference(file, pair.golden, pair.observed);
     d.field = pair.golden->key.substr(pair.golden->key.rfind('/') + 1);
     d.step = stepOf(*pair.golden);
@@ -128,6 +163,7 @@ struct RuleCheck {
 
   CheckResult result() && {
     CheckResult r = resultOf(rule ? "values " + rule->pattern : "values", std::move(differences), values);
+    if (!r.passed && chaos) r.failureClass = "CHAOS";
     if (!rule) return r;
     r.tolerance = rule->tolerance.text();
     if (rule->untilStep) r.tolerance += " until_step " + std::to_string(*rule->untilStep);
@@ -141,12 +177,34 @@ struct RuleCheck {
   }
 };
 
+/// A tolerance beyond the chaos horizon would be used up by a difference in the last place: it tests nothing.
+void noteHorizon(const Golden& golden, const ToleranceRule& rule, const GoldenItem& value,
+                 std::map<int, Difference>& blind) {
+  const std::uint64_t step = stepOf(value).value_or(0);
+  const auto horizon = horizonOf(golden, rule.tolerance.size());
+  if (rule.tolerance.kind == Tolerance::Kind::exact || !horizon || step < *horizon) return;
+  const std::string place = golden.file + ':' + std::to_string(rule.line);
+  blind.try_emplace(
+      rule.line,
+      Difference{place,
+                 step,
+                 {},
+                 "tolerance",
+                 rule.pattern,
+                 "",
+                 place + ": the rule '" + rule.pattern + "' allows " + rule.tolerance.text() + " at step " +
+                     std::to_string(step) + ", but from step " + std::to_string(*horizon) +
+                     " on one unit in the last place has grown to that: the chaos horizon; add until_step " +
+                     std::to_string(*horizon - std::min<std::uint64_t>(*horizon, 1)) + " before why"});
+}
+
 void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckResult>& results) {
   const std::vector<ToleranceRule>& rules = golden.rules;
   std::vector<RuleCheck> checks(rules.size() + 1);  // the last one: no rule
   for (std::size_t i = 0; i < rules.size(); ++i) checks[i].rule = &rules[i];
   std::vector<bool> matched(rules.size(), false);
   std::vector<Difference> unpaired;
+  std::map<int, Difference> blind;  // by line: rules that allow something beyond the horizon
 
   for (const Pair& pair : pairs) {
     if (!pair.golden || !pair.observed || pair.golden->fields[0] != pair.observed->fields[0]) {
@@ -157,8 +215,8 @@ void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckRe
     std::size_t holds = rules.size();
     for (std::size_t i = 0; i < rules.size(); ++i)
       if (rules[i].matches(pair.golden->key, step)) matched[i] = true, holds = i;  // the last match wins
-    if (pair.observed && pair.golden->fields[0] == pair.observed->fields[0])
-      checks[holds].add(golden.file, pair);
+    if (pair.observed && pair.golden->fields[0] == pair.observed->fields[0]) checks[holds].add(golden, pair);
+    if (holds < rules.size()) noteHorizon(golden, rules[holds], *pair.golden, blind);
   }
 
   std::vector<Difference> idle;
@@ -174,6 +232,7 @@ void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckRe
                       place + ": the tolerance rule '" + rules[i].pattern +
                           "' matches no value; remove it or mend its pattern"});
   }
+  for (auto& [line, difference] : blind) idle.push_back(std::move(difference));
   if (!rules.empty()) results.push_back(resultOf("tolerances", std::move(idle), rules.size()));
   results.push_back(resultOf("completeness", std::move(unpaired), pairs.size()));
   for (RuleCheck& check : checks)
@@ -189,6 +248,10 @@ const CheckResult* find(const std::vector<CheckResult>& results, const std::stri
 /// Why a check failed. An earlier cause explains what follows from it: a changed scenario, then the state
 /// before the first step, then the lineage, and only what is left is a change of the computation.
 void classify(std::vector<CheckResult>& results) {
+  const bool costsAlone = std::all_of(results.begin(), results.end(),
+                                      [](const CheckResult& r) { return r.passed || r.check == "costs"; });
+  const bool imagesAlone = std::all_of(results.begin(), results.end(),
+                                       [](const CheckResult& r) { return r.passed || r.check == "images"; });
   const auto failed = [&](const char* check) {
     const CheckResult* r = find(results, check);
     return r && !r->passed ? r : nullptr;
@@ -202,19 +265,39 @@ void classify(std::vector<CheckResult>& results) {
     if (r.passed) continue;
     const bool aboutTheFile =
         r.check == "tolerances" || (r.check == "completeness" && cause == "COMPUTATION");
-    r.failureClass = aboutTheFile ? "INPUT_CHANGED" : cause;
+    const bool chaos = cause == "COMPUTATION" && r.failureClass == "CHAOS";
+    r.failureClass = aboutTheFile  ? "INPUT_CHANGED"
+                     : costsAlone  ? "COST"
+                     : imagesAlone ? "IMAGE"
+                     : chaos       ? "CHAOS"
+                                   : cause;
   }
 }
 
 }  // namespace
 
+CheckReport unusableGolden(const std::string& scenario, const std::string& why) {
+  return {scenario,
+          {failedCheck("golden", "INPUT_CHANGED", "a golden file as it was accepted", "another", why)}};
+}
+
+CheckReport compareGoldenText(const std::string& text, const std::string& file, const GoldenData& observed) {
+  try {
+    return compareGolden(readGolden(text, file), observed);
+  } catch (const InputError& e) { return unusableGolden(observed.scenario, e.what()); }
+}
+
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed) {
   CheckReport report{golden.data.scenario, {}};
   std::map<std::string, Pairs> checks = pairUp(golden, observed);
   report.results.push_back(compareScenario(golden, observed));
-  for (const char* check : {"counts", "lineage", "time_steps", "bits", "step_hashes"})
+  for (const char* check : {"counts", "lineage", "time_steps", "bits"})
     if (const auto found = checks.find(check); found != checks.end())
       report.results.push_back(compareExactly(golden.file, check, found->second));
+  if (checks.contains("step_hashes")) report.results.push_back(compareChain(golden, checks["step_hashes"]));
+  if (checks.contains("images")) report.results.push_back(compareImages(golden.file, checks["images"]));
+  if (checks.contains("costs"))
+    report.results.push_back(compareExactly(golden.file, "costs", checks["costs"]));
   if (checks.contains("values") || !golden.rules.empty())
     compareValues(golden, checks["values"], report.results);
   classify(report.results);

@@ -69,6 +69,7 @@ void addCounts(Builder& to, const GoldenFacts& facts) {
   to.count("divisions", divided);
   to.count("deaths", died);
   to.count("steps", facts.steps);
+  if (facts.chain.size() > 1) to.count("hash_every", facts.chain[1].step - facts.chain[0].step);
 }
 
 void addLineage(Builder& to, std::vector<const LineageEntry*> entries, StateTexts& stateText) {
@@ -107,6 +108,24 @@ void addGenerations(Builder& to, std::vector<const LineageEntry*> entries, State
   }
 }
 
+/// Four digits of each living cell's hash: they say which cells differ where the link does.
+std::string cellDigits(const std::vector<CellHash>& cells) {
+  std::string text;
+  if (cells.size() > goldenCellLimit) return text;
+  for (const CellHash& c : cells) text += c.hash.text().substr(28);
+  return text;
+}
+
+void addChain(Builder& to, const std::vector<ChainLink>& chain) {
+  std::size_t stride = 1;
+  while (chain.size() / stride > goldenChainLimit) stride *= 2;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    if (i % stride == 0 || i + 1 == chain.size())  // the last one vouches for all
+      to.items.push_back({"step_hash",
+                          std::to_string(chain[i].step),
+                          {chain[i].hash.text(), cellDigits(chain[i].state.cells)}});
+}
+
 }  // namespace
 
 GoldenData makeGoldenData(const GoldenFacts& facts) {
@@ -122,8 +141,10 @@ GoldenData makeGoldenData(const GoldenFacts& facts) {
   for (const GoldenTimeStep& t : facts.timeSteps)
     to.items.push_back({"time_step", std::to_string(t.step), {writeReal(t.time), writeReal(t.timeStep)}});
   to.items.push_back({"bits", "solver", {facts.stateHash.text()}});
-  for (const GoldenStepHash& h : facts.stepHashes)
-    to.items.push_back({"step_hash", std::to_string(h.step), {h.hash.text()}});
+  addChain(to, facts.chain);
+  for (const GoldenImage& image : facts.images)
+    to.items.push_back({"image", image.name, {image.renderer, image.hash.text()}});
+  for (const auto& [name, count] : facts.costs) to.items.push_back({"cost", name, {std::to_string(count)}});
 
   if (facts.mechanics) {
     for (const WorldMeasures& sample : facts.samples)

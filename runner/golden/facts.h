@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/hash.h"
 #include "biology/lineage.h"
 #include "golden/golden.h"
+#include "simulation/hash.h"
 #include "simulation/measures.h"
 
 namespace morula {
@@ -17,9 +17,10 @@ struct GoldenTimeStep {
   double time = 0, timeStep = 0;  // [time]
 };
 
-struct GoldenStepHash {
-  std::uint64_t step = 0;
-  Hash hash;
+struct GoldenImage {
+  std::string name;      // "organism"
+  std::string renderer;  // only pictures of one renderer are alike to the bit; one word
+  Hash hash;             // of the pixels
 };
 
 struct GoldenFacts {
@@ -31,7 +32,9 @@ struct GoldenFacts {
   std::function<std::string(StateId)> describe;  // a state's substances
   std::vector<GoldenTimeStep> timeSteps;
   Hash stateHash;
-  std::vector<GoldenStepHash> stepHashes;
+  std::vector<std::pair<std::string, std::uint64_t>> costs;  // counters that say what the run cost
+  std::vector<GoldenImage> images;
+  std::vector<ChainLink> chain;
   bool mechanics = false;  // false: a lineage-only scene, without values
   WorldMeasures end;
   std::vector<CellMeasures> cells;     // at the end
@@ -42,6 +45,8 @@ struct GoldenFacts {
 inline constexpr std::size_t goldenLineageLimit = 4096;
 /// Beyond this many living cells only the organism's values are recorded, not each cell's.
 inline constexpr std::size_t goldenCellLimit = 256;
+/// Of the chain of hashes every first, second, fourth … link is recorded, so that not more remain.
+inline constexpr std::size_t goldenChainLimit = 64;
 
 GoldenData makeGoldenData(const GoldenFacts& facts);
 

@@ -1,6 +1,7 @@
 // The text of a golden file, written and read.
 #include "golden/golden.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -16,7 +17,7 @@ namespace {
 constexpr std::string_view firstLine = "morula golden 1";
 
 /// Over everything that a run must reproduce. Reasons and tolerances are people's to edit, the rest is not.
-std::string digestOf(const GoldenData& data) {
+std::string digestOf(const GoldenData& data, const std::vector<GoldenGrowth>& growth) {
   Hasher hasher;
   hasher.field("scenario")
       .add(data.scenario)
@@ -24,6 +25,7 @@ std::string digestOf(const GoldenData& data) {
       .add(data.scenarioHash)
       .field("seed")
       .add(data.seed);
+  for (const GoldenGrowth& g : growth) hasher.add(g.size).add(g.step);
   for (const GoldenItem& item : data.items) hasher.add(write(item));
   return hasher.digest().text();
 }
@@ -81,22 +83,44 @@ std::string header(Lines& lines, std::string_view keyword) {
   return std::string(line.substr(keyword.size() + 1));
 }
 
-void checkEnd(const Lines& lines, std::string_view line, const GoldenData& data) {
-  const std::size_t items = data.items.size();
+void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
+  const std::size_t items = golden.data.items.size();
   const std::size_t space = line.find(' ', 4);
   const std::optional<std::uint64_t> count = readNatural(line.substr(4, space - 4));
   if (!count || space == std::string_view::npos) lines.fail("`end ITEMS DIGEST` is expected");
   if (*count != items)
     lines.fail("the file has " + std::to_string(items) + " items, but " + std::to_string(*count) +
                " were accepted; restore it from git");
-  if (line.substr(space + 1) != digestOf(data))
+  if (line.substr(space + 1) != digestOf(golden.data, golden.growth))
     lines.fail(
         "the items above are not those that were accepted: somebody has edited them; restore the file from "
         "git, "
         "or accept the present result with `morula review --accept --why \"…\"`");
 }
 
+GoldenGrowth readGrowth(const Lines& lines, std::string_view line) {
+  line.remove_prefix(std::string_view("growth ").size());
+  const std::size_t space = std::min(line.find(' '), line.size());
+  const auto size = readReal(line.substr(0, space));
+  const auto step = readNatural(line.substr(std::min(space + 1, line.size())));
+  if (!size || !(*size > 0) || !step) lines.fail("`growth SIZE STEP` is expected");
+  return {*size, *step};
+}
+
 }  // namespace
+
+std::optional<std::uint64_t> horizonOf(const Golden& golden, double size) {
+  for (const GoldenGrowth& g : golden.growth)
+    if (g.size >= size) return g.step;
+  return std::nullopt;
+}
+
+double grownBy(const Golden& golden, std::uint64_t step) {
+  double grown = 0;
+  for (const GoldenGrowth& g : golden.growth)
+    if (g.step <= step) grown = 10 * g.size;  // the next size is not reached yet
+  return grown;
+}
 
 std::string writeGolden(const Golden& golden) {
   const GoldenData& data = golden.data;
@@ -105,13 +129,17 @@ std::string writeGolden(const Golden& golden) {
           data.scenarioHash + "\naccepted_by " + golden.acceptedBy + "\nwhy " + golden.why + '\n';
   if (!golden.rules.empty()) text += '\n';
   for (const ToleranceRule& rule : golden.rules) text += rule.text() + '\n';
+  if (!golden.growth.empty())
+    text += "\n# growth size step: one unit in the last place, moved at the start, grows to so many radii\n";
+  for (const GoldenGrowth& g : golden.growth)
+    text += "growth " + writeReal(g.size) + ' ' + std::to_string(g.step) + '\n';
   std::string_view kind;
   for (const GoldenItem& item : data.items) {
     if (item.kind != kind) text += '\n' + heading(*findForm(item.kind));
     kind = item.kind;
     text += write(item) + '\n';
   }
-  return text + "\nend " + std::to_string(data.items.size()) + ' ' + digestOf(data) + '\n';
+  return text + "\nend " + std::to_string(data.items.size()) + ' ' + digestOf(data, golden.growth) + '\n';
 }
 
 Golden readGolden(const std::string& text, const std::string& file) {
@@ -135,13 +163,17 @@ Golden readGolden(const std::string& text, const std::string& file) {
   std::map<std::string, int> seen;  // "kind key" → its line
   while (lines.next(line)) {
     if (line.starts_with("end ")) {
-      checkEnd(lines, line, data);
+      checkEnd(lines, line, golden);
       if (lines.next(line)) lines.fail("'" + std::string(line) + "' follows the end of the file; remove it");
       return golden;
     }
     if (line.starts_with("tolerance ")) {
       golden.rules.push_back(readRule(line, lines.place()));
       golden.rules.back().line = lines.number();
+      continue;
+    }
+    if (line.starts_with("growth ")) {
+      golden.growth.push_back(readGrowth(lines, line));
       continue;
     }
     GoldenItem item = readItem(line, lines.place());
@@ -155,14 +187,18 @@ Golden readGolden(const std::string& text, const std::string& file) {
   lines.fail("the file ends without its last line `end …`: it is truncated; restore it from git");
 }
 
-Golden readGoldenFile(const std::filesystem::path& file) {
+std::string readGoldenText(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file))
     throw InputError(file.string() +
                      ": there is no golden file; look at the result and, if it is right, accept it with "
                      "`morula review --accept --why \"…\"`");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw FileError(file.string() + ": cannot be read; are its permissions right?");
-  return readGolden({std::istreambuf_iterator<char>(stream), {}}, file.string());
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Golden readGoldenFile(const std::filesystem::path& file) {
+  return readGolden(readGoldenText(file), file.string());
 }
 
 }  // namespace morula

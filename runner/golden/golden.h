@@ -3,6 +3,7 @@
 // The format is described in golden/README.md.
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,27 @@ struct GoldenData {
   std::vector<GoldenItem> items;
 };
 
+/// How fast runs of this scenario part: by which step one unit in the last place of one coordinate, moved at
+/// the start, has grown to `size`, in radii of the egg.
+struct GoldenGrowth {
+  double size = 0;  // powers of ten
+  std::uint64_t step = 0;
+};
+
 struct Golden {
   GoldenData data;
   std::string acceptedBy;  // who
   std::string why;         // the reason for the last acceptance
   std::vector<ToleranceRule> rules;
-  std::string file;  // where it was read from
+  std::string file = {};                  // where it was read from
+  std::vector<GoldenGrowth> growth = {};  // by size; empty: not measured
 };
+
+/// The chaos horizon: up to which step a tolerance of this size says something. Beyond it a difference in the
+/// last place alone uses the tolerance up. None: it holds for the whole run.
+std::optional<std::uint64_t> horizonOf(const Golden& golden, double size);
+/// How far one unit in the last place has grown by this step, at most. 0 if it was not measured.
+double grownBy(const Golden& golden, std::uint64_t step);
 
 /// The file's text. The same golden gives the same bytes.
 std::string writeGolden(const Golden& golden);
@@ -37,9 +52,16 @@ std::string writeGolden(const Golden& golden);
 Golden readGolden(const std::string& text, const std::string& file);
 /// The same from a file; InputError also if there is none, FileError if it cannot be read.
 Golden readGoldenFile(const std::filesystem::path& file);
+/// A golden file's bytes, with the same errors.
+std::string readGoldenText(const std::filesystem::path& file);
 
 /// Holds what was observed against the golden. One result per check: scenario, completeness, tolerances,
 /// counts, lineage, time_steps, bits, step_hashes, and values by tolerance rule.
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed);
+/// The same with a golden's text as it lies in a file. One that cannot be used (edited, cut off, with merge
+/// markers) is one failed check "golden" of class INPUT_CHANGED.
+CheckReport compareGoldenText(const std::string& text, const std::string& file, const GoldenData& observed);
+/// A golden that is nobody's, or unusable for the reason given.
+CheckReport unusableGolden(const std::string& scenario, const std::string& why);
 
 }  // namespace morula

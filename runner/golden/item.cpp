@@ -71,7 +71,9 @@ const std::vector<ItemForm>& itemForms() {
       {"generation", "number", {{"cells", natural}, {"hash", hash}}},
       {"time_step", "step", {{"time", real}, {"time_step", real}}},
       {"bits", "domain", {{"hash", hash}}},
-      {"step_hash", "step", {{"hash", hash}}},
+      {"step_hash", "step", {{"hash", hash}, {"cells", text}}},
+      {"image", "name", {{"renderer", word}, {"hash", hash}}},
+      {"cost", "name", {{"count", natural}}},
       {"value", "name", {{"step", natural}, {"value", real}}},
   };
   return forms;

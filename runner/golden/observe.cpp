@@ -1,5 +1,6 @@
 #include "golden/observe.h"
 
+#include "simulation/hash.h"
 #include "simulation/world.h"
 
 namespace morula {
@@ -14,7 +15,11 @@ GoldenData observeGolden(const World& world, const GoldenContext& context) {
   facts.describe = [&](StateId state) { return world.biology->describe(state); };
   for (const TimeStepChange& t : world.timeSteps) facts.timeSteps.push_back({t.step, t.time, t.timeStep});
   facts.stateHash = stateHash(world);
-  facts.stepHashes = context.stepHashes;
+  facts.chain = context.chain;
+  facts.images = context.images;
+  if (world.contacts)
+    facts.costs = {{"pair_evaluations", world.contacts->pairEvaluations},
+                   {"list_builds", world.contacts->rebuilds}};
   facts.mechanics = world.bodies.has_value();
   if (facts.mechanics) {
     facts.end = measureWorld(world);

@@ -10,10 +10,11 @@ namespace morula {
 struct World;
 
 struct GoldenContext {
-  std::string scenario;                    // "thesis/unique-four", from goldenName
-  std::string scenarioHash;                // semantic
-  std::vector<WorldMeasures> samples;      // taken on the way, may be empty
-  std::vector<GoldenStepHash> stepHashes;  // may be empty
+  std::string scenario;                // "thesis/unique-four", from goldenName
+  std::string scenarioHash;            // semantic
+  std::vector<WorldMeasures> samples;  // taken on the way, may be empty
+  std::vector<ChainLink> chain;        // may be empty
+  std::vector<GoldenImage> images;     // may be empty
 };
 
 /// Reads off a finished world what its golden records.

@@ -46,6 +46,10 @@ std::string Tolerance::text() const {
   throw BugError("a tolerance that is not one");
 }
 
+double Tolerance::size() const {
+  return kind == Kind::ulp ? amount * std::numeric_limits<double>::epsilon() : amount;
+}
+
 double Tolerance::share(double expected, double actual) const {
   constexpr double nothingAllowed = std::numeric_limits<double>::infinity();
   if (std::isnan(expected) || std::isnan(actual)) return nothingAllowed;

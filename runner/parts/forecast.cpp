@@ -164,7 +164,7 @@ void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const F
 
   addMemory(costs, memory);
   costs["samples"].bytes = recordBytes(sums, world);
-  costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(StepHash);
+  costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(ChainLink);
   warnOfTimeSteps(f, rehearsal);
   if (scenario.scene.mechanics->physics.growth)
     f.remarks.push_back("what growth does to the time step is not foreseen beyond the rehearsal");

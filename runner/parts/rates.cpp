@@ -7,6 +7,7 @@
 #include "bench/packed_world.h"
 #include "bench/statistics.h"
 #include "bench/work.h"
+#include "simulation/hash.h"
 #include "simulation/measures.h"
 
 namespace morula {

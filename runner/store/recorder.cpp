@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "simulation/hash.h"
 #include "simulation/world.h"
 
 namespace morula {
@@ -10,11 +11,15 @@ namespace morula {
 void Recorder::observe(const World& world) {
   sampled_ = false;
   const Clock& clock = world.clock;
-  if (options_.hashEvery && clock.step % *options_.hashEvery == 0)
-    results_.stepHashes.push_back({clock.step, stateHash(world)});
+  if (options_.hashEvery && clock.step % *options_.hashEvery == 0) hash(world);
   if (!options_.every || clock.time < static_cast<double>(next_) * *options_.every) return;
   sample(world);
   while (static_cast<double>(next_) * *options_.every <= clock.time) ++next_;
+}
+
+void Recorder::hash(const World& world) {
+  auto& chain = results_.chain;
+  chain.push_back(nextLink(chain.empty() ? std::nullopt : std::optional(chain.back().hash), world));
 }
 
 void Recorder::sample(const World& world) {
@@ -26,6 +31,7 @@ RunResults Recorder::take(const World& world, bool failed) {
   const bool measuredAlready =
       !results_.samples.empty() && results_.samples.back().world.step == world.clock.step;
   if (options_.every && !failed && !measuredAlready) sample(world);
+  if (options_.hashEvery && !failed && results_.chain.back().step != world.clock.step) hash(world);
 
   RunResults results = std::exchange(results_, {});
   results.lineage = world.lineage.entries;

@@ -10,7 +10,8 @@ struct World;
 
 struct RecordOptions {
   std::optional<double> every;  // [time] sample at 0, every, 2·every, … and at the end; absent: no samples
-  std::optional<std::uint64_t> hashEvery;  // [steps] state hash at step 0, hashEvery, …; absent: none
+  std::optional<std::uint64_t> hashEvery;  // [steps] a link of the chain of hashes at step 0, hashEvery, …
+                                           // and at the end; absent: none
 };
 
 class Recorder {
@@ -25,7 +26,7 @@ class Recorder {
   bool sampled() const { return sampled_; }
   /// The samples so far.
   const std::vector<Sample>& samples() const { return results_.samples; }
-  const std::vector<StepHash>& stepHashes() const { return results_.stepHashes; }
+  const std::vector<ChainLink>& chain() const { return results_.chain; }
 
   /// The run has ended: everything recorded, with a last sample, the lineage,
   /// connections and changes of the time step. After a NumericalError pass `failed`:
@@ -34,6 +35,7 @@ class Recorder {
 
  private:
   void sample(const World& world);
+  void hash(const World& world);
 
   RecordOptions options_;
   std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/hash.h"
 #include "biology/lineage.h"
 #include "golden/check_result.h"
+#include "simulation/hash.h"
 #include "simulation/measures.h"
 #include "store/build_info.h"
 #include "store/machine_info.h"
@@ -68,12 +68,6 @@ struct TimeStepRecord {
   friend bool operator==(const TimeStepRecord&, const TimeStepRecord&) = default;
 };
 
-struct StepHash {
-  std::uint64_t step = 0;
-  Hash hash;
-  friend bool operator==(const StepHash&, const StepHash&) = default;
-};
-
 /// What a run leaves behind. Every part may be empty: what was not asked for is not stored.
 struct RunResults {
   std::vector<LineageEntry> lineage;          // in any order; read back in order of birth
@@ -82,7 +76,7 @@ struct RunResults {
   std::vector<Sample> samples;                // by time
   std::vector<ConnectionRecord> connections;  // in the order in which they were made
   std::vector<TimeStepRecord> timeSteps;
-  std::vector<StepHash> stepHashes;  // by step
+  std::vector<ChainLink> chain;  // by step
   std::vector<CheckResult> checks;
 };
 

@@ -73,6 +73,17 @@ void insertSamples(Database& db, const std::string& id, const RunResults& result
   }
 }
 
+void insertChain(Database& db, const std::string& id, const std::vector<ChainLink>& chain) {
+  Statement link(db, "INSERT INTO step_hash VALUES (?, ?, ?, ?, ?, ?, ?)");
+  Statement cell(db, "INSERT INTO cell_hash VALUES (?, ?, ?, ?)");
+  for (const ChainLink& l : chain) {
+    const StateHashes& s = l.state;
+    link.run(id, l.step, l.hash.text(), s.whole.text(), s.clock.text(), s.connections.text(),
+             s.lineage.text());
+    for (const CellHash& c : s.cells) cell.run(id, l.step, c.path.text(), c.hash.text());
+  }
+}
+
 }  // namespace
 
 void insertRun(Database& db, const std::string& id, const RunRecord& r, const std::string& started,
@@ -108,8 +119,7 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
   Statement timeStep(db, "INSERT INTO time_step VALUES (?, ?, ?, ?)");
   for (const TimeStepRecord& t : results.timeSteps) timeStep.run(id, t.step, t.time, t.timeStep);
 
-  Statement stepHash(db, "INSERT INTO step_hash VALUES (?, ?, ?)");
-  for (const StepHash& h : results.stepHashes) stepHash.run(id, h.step, h.hash.text());
+  insertChain(db, id, results.chain);
 
   insertChecks(db, id, results.checks);
 }

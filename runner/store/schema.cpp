@@ -156,7 +156,31 @@ CREATE TABLE check_result (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array migrations{&version1};
+// Version 1 to 2: hashes of each part and each cell. A version 1 hash was of the state alone and of another
+// make, so none is kept.
+const char* const version2 = R"sql(
+DROP TABLE step_hash;
+CREATE TABLE step_hash (
+  run_id      TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  step        INTEGER NOT NULL,
+  hash        TEXT NOT NULL,        -- a chain: over the row before, the step and the state
+  state       TEXT NOT NULL,        -- over all parts
+  clock       TEXT NOT NULL,
+  connections TEXT NOT NULL,        -- zeros where nothing connects
+  lineage     TEXT NOT NULL,
+  PRIMARY KEY (run_id, step)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE cell_hash (            -- of each living cell at each step of step_hash: biology and body
+  run_id TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  step   INTEGER NOT NULL,
+  path   TEXT NOT NULL,
+  hash   TEXT NOT NULL,
+  PRIMARY KEY (run_id, step, path)
+) STRICT, WITHOUT ROWID;
+)sql";
+
+constexpr std::array migrations{&version1, &version2};
 
 /// Throws unless the file is empty or Morula's and not newer
 /// than this program. Returns its version, 0 when empty.

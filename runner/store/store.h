@@ -67,6 +67,7 @@ class Store {
   /// Only the lineage, state texts and names.
   RunResults lineage(const std::string& id);
   std::vector<CheckResult> checks(const std::string& id);
+  std::vector<ChainLink> chain(const std::string& id);
   std::vector<Document> documents(const std::string& id);
 
   const std::filesystem::path& file() const { return db_.file(); }

@@ -192,12 +192,25 @@ RunResults Store::results(const std::string& id) {
   for (timeStep.start(id); timeStep.next();)
     results.timeSteps.push_back({timeStep.real(0), timeStep.natural(1), timeStep.real(2)});
 
-  Statement stepHash(db_, "SELECT step, hash FROM step_hash WHERE run_id = ? ORDER BY step");
-  for (stepHash.start(id); stepHash.next();)
-    results.stepHashes.push_back({stepHash.natural(0), hashFrom(stepHash.text(1))});
-
+  results.chain = chain(id);
   results.checks = checks(id);
   return results;
+}
+
+std::vector<ChainLink> Store::chain(const std::string& id) {
+  Statement link(
+      db_,
+      "SELECT step, hash, state, clock, connections, lineage FROM step_hash WHERE run_id = ? ORDER "
+      "BY step");
+  Statement cell(db_, "SELECT path, hash FROM cell_hash WHERE run_id = ? AND step = ? ORDER BY path");
+  std::vector<ChainLink> chain;
+  for (link.start(id); link.next();) {
+    const auto hash = [&](int column) { return hashFrom(link.text(column)); };
+    chain.push_back({link.natural(0), hash(1), {hash(2), hash(3), {}, hash(4), hash(5)}});
+    for (cell.start(id, link.natural(0)); cell.next();)
+      chain.back().state.cells.push_back({CellPath::parse(cell.text(0)), hashFrom(cell.text(1))});
+  }
+  return chain;
 }
 
 std::vector<CheckResult> Store::checks(const std::string& id) {

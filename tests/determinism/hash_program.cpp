@@ -8,7 +8,7 @@
 #include <locale>
 
 #include "scenes.h"
-#include "simulation/measures.h"
+#include "simulation/hash.h"
 
 using namespace morula;
 

@@ -6,7 +6,7 @@
 #include "bench/peak_kernels.h"
 #include "bench/statistics.h"
 #include "catch.h"
-#include "simulation/measures.h"
+#include "simulation/hash.h"
 #include "worst.h"
 
 using namespace morula;

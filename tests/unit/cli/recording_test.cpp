@@ -38,14 +38,14 @@ TEST_CASE("A run keeps its lineage and what its scenario asks for, and nothing e
     const RunResults plain = stored(text);
     CHECK(plain.lineage.size() >= 3);
     CHECK(plain.samples.empty());
-    CHECK(plain.stepHashes.empty());
+    CHECK(plain.chain.empty());
     CHECK(plain.connections.empty());
     const RunResults sampled = stored(text + "record: {every: 0.5}\n");
     CHECK(sampled.samples.size() == (withBodies ? 4 : 5));
-    CHECK(sampled.stepHashes.empty());
+    CHECK(sampled.chain.empty());
     const RunResults checked = stored(text + "check: {}\n");
     CHECK(checked.samples.empty());
-    CHECK(checked.stepHashes.size() > 3);
+    CHECK(checked.chain.size() > 3);
   }
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("Where there is a golden file the states are hashed for it, unless it 
     settings.database = folder / "run.db";
     settings.check = check, settings.changed = changed, settings.draw = false, settings.quiet = true;
     const auto outcome = runScenario(scenario, settings);
-    return Store::openForReading(settings.database).results(outcome.id).stepHashes.size();
+    return Store::openForReading(settings.database).results(outcome.id).chain.size();
   };
   CHECK(hashes(true, false) == 13);
   CHECK(hashes(false, false) == 0);

@@ -39,7 +39,7 @@ TEST_CASE("an accepted golden passes, and says who and why") {
   const Ci ci(nullptr);
   TemporaryFolder folder;
   const auto file = folder / "golden/thesis/example.golden";
-  acceptGolden(file, exampleData(), {rule("final/* rel 1e-12 why \"w\"")}, {"A. Tester", "first result"});
+  acceptGolden(file, exampleGolden({rule("final/* rel 1e-12 why \"w\"")}), {"A. Tester", "first result"});
   const Golden golden = readGoldenFile(file);
   CHECK(golden.acceptedBy == "A. Tester");
   CHECK(golden.why == "first result");
@@ -48,7 +48,7 @@ TEST_CASE("an accepted golden passes, and says who and why") {
   CHECK(filesIn(file.parent_path()) == 1);  // no draft is left
 
   // A second acceptance takes its place.
-  acceptGolden(file, exampleData(), {}, {"A. Tester", "second result"});
+  acceptGolden(file, exampleGolden(), {"A. Tester", "second result"});
   CHECK(readGoldenFile(file).why == "second result");
   CHECK(filesIn(file.parent_path()) == 1);
 }
@@ -59,7 +59,8 @@ TEST_CASE("what is refused leaves the golden as it was") {
   writeText(file, "the old one");
   const auto refuses = [&](const GoldenData& data, std::vector<ToleranceRule> rules,
                            const Acceptance& acceptance, const char* because) {
-    CHECK_THROWS_WITH(acceptGolden(file, data, std::move(rules), acceptance), ContainsSubstring(because));
+    CHECK_THROWS_WITH(acceptGolden(file, {data, "", "", std::move(rules)}, acceptance),
+                      ContainsSubstring(because));
     CHECK(readText(file) == "the old one");
     CHECK(filesIn(folder.path()) == 1);
   };
@@ -80,7 +81,7 @@ TEST_CASE("what is refused leaves the golden as it was") {
 TEST_CASE("an empty CI is no CI") {
   const Ci ci("");
   TemporaryFolder folder;
-  acceptGolden(folder / "x.golden", exampleData(), {}, {"A. Tester", "why"});
+  acceptGolden(folder / "x.golden", exampleGolden(), {"A. Tester", "why"});
   CHECK(std::filesystem::exists(folder / "x.golden"));
 }
 
@@ -88,7 +89,7 @@ TEST_CASE("a golden that cannot be written or read") {
   const Ci ci(nullptr);
   TemporaryFolder folder;
   writeText(folder / "file", "");
-  CHECK_THROWS_AS(acceptGolden(folder / "file/x.golden", exampleData(), {}, {"A. Tester", "why"}), FileError);
+  CHECK_THROWS_AS(acceptGolden(folder / "file/x.golden", exampleGolden(), {"A. Tester", "why"}), FileError);
   CHECK_THROWS_WITH(readGoldenFile(folder / "none.golden"), ContainsSubstring("there is no golden file"));
   CHECK_THROWS_AS(readGoldenFile(folder / "none.golden"), InputError);
 }

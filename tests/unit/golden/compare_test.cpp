@@ -50,7 +50,7 @@ TEST_CASE("the same run passes every check") {
     CHECK(r.expected == r.actual);
   }
   CHECK(find(report, "bits").actual == Hash{0xabc, 0xdef}.text());
-  CHECK_THAT(describe(report), ContainsSubstring("thesis/example: all 8 checks pass\n"));
+  CHECK_THAT(describe(report), ContainsSubstring("thesis/example: all 10 checks pass\n"));
 }
 
 struct Fault {
@@ -218,14 +218,14 @@ TEST_CASE("each injected fault is found and named") {
        {},
        ""},
       {"the chain parts on the way",
-       [](auto& f) { f.stepHashes[1].hash.low = 9, f.stepHashes[2].hash.low = 9; },
+       [](auto& f) { f.chain[1].hash.low = 9, f.chain[2].hash.low = 9; },
        {"step_hashes"},
        "COMPUTATION",
        256,
        {},
        "hash"},
       {"the chain parts before the first step",
-       [](auto& f) { f.stepHashes[0].hash.low = 9; },
+       [](auto& f) { f.chain[0].hash.low = 9; },
        {"step_hashes"},
        "SETUP",
        0,
@@ -290,14 +290,14 @@ TEST_CASE("the text names the line, the cell, both numbers, their bits and their
     f.lineage[0].endedStep = 300;
   });
   CHECK(find(report, "values").message ==
-        "example.golden:47: final/A/pressure at step 1024: expected 0.40625 (0x3fda000000000000), actual "
+        "example.golden:54: final/A/pressure at step 1024: expected 0.40625 (0x3fda000000000000), actual "
         "0.40625000000000006 (0x3fda000000000001), 1 ulp apart, difference 5.551115123125783e-17; tolerance "
         "exact");
   CHECK(find(report, "lineage").message ==
-        "example.golden:16: the egg: ended_step: expected '256', actual '300'");
+        "example.golden:17: the egg: ended_step: expected '256', actual '300'");
   const std::string text = describe(report);
-  CHECK_THAT(text, ContainsSubstring("2 of 8 checks differ"));
-  CHECK_THAT(text, ContainsSubstring("  FAIL  lineage: LINEAGE\n        example.golden:16"));
+  CHECK_THAT(text, ContainsSubstring("2 of 10 checks differ"));
+  CHECK_THAT(text, ContainsSubstring("  FAIL  lineage: LINEAGE\n        example.golden:17"));
 }
 
 TEST_CASE("of many differences nine are shown") {
@@ -369,6 +369,63 @@ TEST_CASE("a rule that matches nothing is a failure, with its line") {
   CHECK(find(report, "tolerances").failureClass == "INPUT_CHANGED");
   CHECK_THAT(find(report, "tolerances").message,
              ContainsSubstring("example.golden:8: the tolerance rule 'final/*/volumes' matches no value"));
+}
+
+TEST_CASE("where the chain parts, the cells that differ are named") {
+  const Golden golden = reread(exampleGolden());
+  const CheckReport report = compareWith(
+      golden, [](GoldenFacts& f) { f.chain[2].hash.low = 9, f.chain[2].state.cells[1].hash.low = 9; });
+  const CheckResult& r = find(report, "step_hashes");
+  CHECK(r.firstStep == 512u);
+  CHECK(r.cell == "B");
+  CHECK_THAT(r.message, ContainsSubstring("cells that differ at step 512: B"));
+}
+
+TEST_CASE("costs and pictures have classes of their own, unless something else explains them") {
+  const Golden golden = reread(exampleGolden());
+  const auto dearer = [](GoldenFacts& f) { f.costs[0].second = 6; };
+  const auto redrawn = [](GoldenFacts& f) { f.images[0].hash.low = 9; };
+  CHECK(find(compareWith(golden, dearer), "costs").failureClass == "COST");
+  CHECK(find(compareWith(golden, redrawn), "images").failureClass == "IMAGE");
+  const CheckReport both = compareWith(golden, [&](GoldenFacts& f) { redrawn(f), f.stateHash.low = 9; });
+  CHECK(find(both, "images").failureClass == "COMPUTATION");
+}
+
+TEST_CASE("a picture of another renderer says nothing") {
+  const CheckReport report = compareWith(reread(exampleGolden()), [](GoldenFacts& f) {
+    f.images[0] = {"organism", "painter-2", {9, 9}};
+  });
+  CHECK(report.passed());
+  CHECK(find(report, "images").actual == "another renderer: not compared");
+}
+
+TEST_CASE("a difference no larger than one unit in the last place grows to is chaos") {
+  Golden golden = exampleGolden();
+  golden.growth = {{1e-9, 700}, {1e-8, 900}};
+  golden = reread(golden);
+  const auto classOf = [&](double volume) {
+    return find(compareWith(golden, [&](GoldenFacts& f) { f.cells[0].volume = volume; }), "values")
+        .failureClass;
+  };
+  CHECK(classOf(2 + 1e-8) == "CHAOS");        // at step 1024, where 1e-8 is reached
+  CHECK(classOf(2 + 1e-5) == "COMPUTATION");  // more than that
+  const auto early = [&](GoldenFacts& f) { f.samples[0].volume = up(2); };  // at step 128, before all growth
+  CHECK(find(compareWith(golden, early), "values").failureClass == "COMPUTATION");
+}
+
+TEST_CASE("a tolerance beyond the chaos horizon is refused") {
+  Golden golden = exampleGolden({rule("final/* rel 1e-9 why \"w\"")});
+  golden.growth = {{1e-9, 700}};
+  const CheckReport report = compareGolden(reread(golden), exampleData());
+  CHECK(failedChecks(report) == Checks{"tolerances"});
+  CHECK_THAT(find(report, "tolerances").message,
+             ContainsSubstring(
+                 "from step 700 on one unit in the last place has grown to that: the chaos horizon; add "
+                 "until_step 699"));
+  golden.rules = {rule("final/* rel 1e-8 why \"w\"")};  // wider than chaos is
+  CHECK(compareGolden(reread(golden), exampleData()).passed());
+  golden.rules = {rule("* rel 1e-9 until_step 699 why \"w\"")};
+  CHECK(compareGolden(reread(golden), exampleData()).passed());
 }
 
 TEST_CASE("a lineage-only golden has no values, and rules have nothing to match") {

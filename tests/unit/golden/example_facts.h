@@ -40,7 +40,12 @@ inline GoldenFacts exampleFacts() {
   f.describe = [](StateId s) { return std::vector<std::string>{"START a0", "a4", ""}.at(s); };
   f.timeSteps = {{0, 0, 0.00390625}, {256, 1, 0.001953125}};
   f.stateHash = {0xabc, 0xdef};
-  f.stepHashes = {{0, {1, 1}}, {256, {2, 2}}, {512, {3, 3}}};
+  const CellPath egg, a = egg.daughter(false), b = egg.daughter(true);
+  f.chain = {{0, {1, 1}, {{}, {}, {{egg, {0, 0x1001}}}, {}, {}}},
+             {256, {2, 2}, {{}, {}, {{egg, {0, 0x1002}}}, {}, {}}},
+             {512, {3, 3}, {{}, {}, {{a, {0, 0x1003}}, {b, {0, 0x1004}}}, {}, {}}}};
+  f.images = {{"organism", "painter-1", {4, 4}}};
+  f.costs = {{"list_builds", 5}};
   f.mechanics = true;
   f.end = {.time = 4,
            .step = 1024,

@@ -67,6 +67,7 @@ count cells_ever 3
 count divisions 1
 count deaths 1
 count steps 1024
+count hash_every 256
 
 # cell path born born_step ended ended_step fate state
 cell egg 0 0 1 256 divided START a0
@@ -80,10 +81,16 @@ time_step 256 1 0.001953125
 # bits domain hash
 bits solver 0000000000000abc0000000000000def
 
-# step_hash step hash
-step_hash 0 00000000000000010000000000000001
-step_hash 256 00000000000000020000000000000002
-step_hash 512 00000000000000030000000000000003
+# step_hash step hash cells
+step_hash 0 00000000000000010000000000000001 1001
+step_hash 256 00000000000000020000000000000002 1002
+step_hash 512 00000000000000030000000000000003 10031004
+
+# image name renderer hash
+image organism painter-1 00000000000000040000000000000004
+
+# cost name count
+cost list_builds 5
 
 # value name step value
 value 0.5/organism/cells 128 1
@@ -107,7 +114,7 @@ value final/A/z 1024 -0.25
 value final/A/sphericity 1024 0.97
 value final/A/neighbours 1024 1
 
-end 34 )";
+end 37 )";
   const std::string text = writeGolden(exampleGolden({rule("final/* rel 1e-12 why \"test\"")}));
   CHECK(text.substr(0, expected.size()) == expected);
   CHECK(text.size() == expected.size() + 33);
@@ -177,6 +184,35 @@ TEST_CASE("merge markers") {
     complains("count cells 1", marker, "merge marker");
 }
 
+TEST_CASE("how fast runs part is kept, and cannot be edited") {
+  Golden golden = exampleGolden();
+  golden.growth = {{1e-15, 3}, {1e-9, 700}};
+  const std::string text = writeGolden(golden);
+  CHECK_THAT(text, ContainsSubstring("\ngrowth 1e-15 3\ngrowth 1e-09 700\n"));
+  CHECK(writeGolden(readGolden(text, "x.golden")) == text);
+  const auto with = [&](const char* line) {
+    std::string edited = text;
+    return edited.replace(edited.find("growth 1e-09 700"), 16, line);
+  };
+  CHECK_THROWS_WITH(readGolden(with("growth 1e-09 900"), "x"), ContainsSubstring("somebody has edited them"));
+  for (const char* line :
+       {"growth", "growth 1e-9", "growth 0 7", "growth x 7", "growth 1e-9 -7", "growth 1e-9 7 8"})
+    CHECK_THROWS_WITH(readGolden(with(line), "x"), ContainsSubstring("x:10: "));
+}
+
+TEST_CASE("a long chain is thinned, and its last link stays") {
+  GoldenFacts facts = exampleFacts();
+  facts.chain.clear();
+  for (std::uint64_t i = 0; i <= 200; ++i) facts.chain.push_back({64 * i, {i, i}, {}});
+  const GoldenData data = makeGoldenData(facts);
+  std::vector<std::string> steps;
+  for (const GoldenItem& item : data.items)
+    if (item.kind == "step_hash") steps.push_back(item.key);
+  CHECK(steps.size() == 51);  // every fourth of 201
+  CHECK(steps[1] == "256");
+  CHECK(steps.back() == "12800");
+}
+
 TEST_CASE("line ends of another system") { complains("count cells 1", "count cells 1\r", "carriage return"); }
 
 TEST_CASE("lines that cannot be understood are named") {
@@ -201,8 +237,8 @@ TEST_CASE("lines that cannot be understood are named") {
   complains("bits", "bits solver 123", "'123'; a hash of 32 hexadecimal digits");
   complains("time_step 0", "time_step x 0 1", "step: 'x'; a whole number");
   complains("end", "end many", "`end ITEMS DIGEST` is expected");
-  complains("end", "end 33 00000000000000000000000000000000", "has 34 items, but 33 were accepted");
-  complains("end", "end 34 00000000000000000000000000000000", "somebody has edited them");
+  complains("end", "end 36 00000000000000000000000000000000", "has 37 items, but 36 were accepted");
+  complains("end", "end 37 00000000000000000000000000000000", "somebody has edited them");
   complains(writeGolden(exampleGolden()) + "count x 1\n", lastLine() + 1,
             "'count x 1' follows the end of the file");
 }

@@ -8,6 +8,7 @@
 #include "parts/outlook.h"
 #include "parts/rates.h"
 #include "scenes.h"
+#include "simulation/hash.h"
 #include "simulation/measures.h"
 
 using namespace morula;

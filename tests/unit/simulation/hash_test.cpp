@@ -89,6 +89,46 @@ TEST_CASE("A change of any field changes the hash, and no two changes give the s
   }
 }
 
+TEST_CASE("A change shows in the part where it was made, and in no other") {
+  const World reference = lived();
+  const StateHashes before = hashState(reference);
+  const auto cellsThatChange = [&](const std::function<void(World&)>& make, bool clock, bool connections,
+                                   bool lineage) {
+    World world = lived();
+    make(world);
+    const StateHashes after = hashState(world);
+    CHECK((after.clock != before.clock) == clock);
+    CHECK((after.connections != before.connections) == connections);
+    CHECK((after.lineage != before.lineage) == lineage);
+    CHECK(after.whole != before.whole);
+    CHECK(hashWhole(after) == after.whole);
+    std::vector<std::size_t> cells;
+    for (std::size_t i = 0; i < after.cells.size(); ++i)
+      if (!(after.cells[i] == before.cells[i])) cells.push_back(i);
+    return cells;
+  };
+  using Cells = std::vector<std::size_t>;
+  CHECK(cellsThatChange([](World& w) { nudge(w.clock.time); }, true, false, false) == Cells{});
+  CHECK(cellsThatChange([](World& w) { nudge(w.bodies->velocity[w.bodies->at(1, 7)]); }, false, false,
+                        false) == Cells{1});
+  CHECK(cellsThatChange([](World& w) { w.cells.state[0] = w.cells.state[1]; }, false, false, false) ==
+        Cells{0});
+  CHECK(cellsThatChange([](World& w) { w.connections->history[0].cause = "x"; }, false, true, false) ==
+        Cells{});
+  CHECK(cellsThatChange([](World& w) { nudge(w.lineage.entries[2].born); }, false, false, true) == Cells{});
+}
+
+TEST_CASE("A link vouches for its state, its step and all links before") {
+  const World world = lived();
+  const ChainLink first = nextLink({}, world), second = nextLink(first.hash, world);
+  CHECK(first.step == world.clock.step);
+  CHECK(first.state == hashState(world));
+  CHECK(first.hash != second.hash);
+  CHECK(second.hash == hashLink(first.hash, world.clock.step, stateHash(world)));
+  CHECK(hashLink(first.hash, 7, stateHash(world)) != second.hash);
+  CHECK(hashLink(first.hash, world.clock.step, first.hash) != second.hash);
+}
+
 TEST_CASE("The hash changes with every step") {
   World world = makeWorld(scenes::life(), {Isa::scalar, 1});
   std::set<std::string> hashes{stateHash(world).text()};

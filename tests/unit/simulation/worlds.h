@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scenes.h"
+#include "simulation/hash.h"
 #include "simulation/measures.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"

@@ -65,7 +65,14 @@ inline RunResults exampleResults() {
   r.connections = {{CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, 0.1 + 0.2, "died"},
                    {CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, -1, ""}};
   r.timeSteps = {{0, 0, 0.00048828125}, {1.0 / 3, 683, 0.000244140625}};
-  r.stepHashes = {{0, {1, 2}}, {512, {0xffffffffffffffffu, 0}}};
+  r.chain = {{0, {1, 2}, {{3, 4}, {5, 6}, {{CellPath(), {7, 8}}}, {}, {9, 10}}},
+             {512,
+              {0xffffffffffffffffu, 0},
+              {{11, 12},
+               {13, 14},
+               {{CellPath::parse("A"), {15, 16}}, {CellPath::parse("B"), {17, 18}}},
+               {19, 20},
+               {21, 22}}}};
   CheckResult check;
   check.check = "values final/*/volume";
   check.kind = "golden";

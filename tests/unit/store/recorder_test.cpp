@@ -3,6 +3,7 @@
 
 #include "biology/full_tree.h"
 #include "catch.h"
+#include "simulation/hash.h"
 #include "simulation/world.h"
 #include "store/store.h"
 #include "temporary_folder.h"
@@ -48,7 +49,7 @@ TEST_CASE("nothing is measured that was not asked for") {
   Run run(fourCells(true), {});
   const RunResults results = run.recorder.take(run.world);
   CHECK(results.samples.empty());
-  CHECK(results.stepHashes.empty());
+  CHECK(results.chain.empty());
   CHECK(results.lineage.size() == 7);
   CHECK(results.timeSteps.size() == run.world.timeSteps.size());
   CHECK_FALSE(results.connections.empty());
@@ -101,9 +102,12 @@ TEST_CASE("after a long step the next sample is due at the next multiple") {
 TEST_CASE("state hashes at the steps that were asked for") {
   Run run(fourCells(true), {.every = {}, .hashEvery = 10});
   const RunResults results = run.recorder.take(run.world);
-  CHECK(results.stepHashes.size() == run.world.clock.step / 10 + 1);
-  CHECK(results.stepHashes[0].hash == stateHash(makeWorld(fourCells(true))));
-  CHECK(results.stepHashes[3].step == 30);
+  REQUIRE(run.world.clock.step % 10 != 0);
+  CHECK(results.chain.size() == run.world.clock.step / 10 + 2);
+  CHECK(results.chain.back().step == run.world.clock.step);
+  CHECK(results.chain.back().state.whole == stateHash(run.world));
+  CHECK(results.chain[0].state.whole == stateHash(makeWorld(fourCells(true))));
+  CHECK(results.chain[3].step == 30);
 }
 
 TEST_CASE("a broken state is not measured, but what came before it is kept") {
@@ -132,7 +136,7 @@ TEST_CASE("a recorded run can be stored") {
   CHECK(back.lineage.size() == 7);
   CHECK(back.samples.size() == results.samples.size());
   CHECK(back.connections.size() == results.connections.size());
-  CHECK(back.stepHashes == results.stepHashes);
+  CHECK(back.chain == results.chain);
   CHECK(back.timeSteps == results.timeSteps);
   for (const LineageEntry& e : back.lineage) CHECK_FALSE(back.stateTexts.at(e.state).empty());
 }

@@ -1,0 +1,50 @@
+#pragma once
+// The whole state as one number, and as one number for each of its parts.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/cell_path.h"
+#include "base/hash.h"
+
+namespace morula {
+
+struct World;
+
+struct CellHash {
+  CellPath path;
+  Hash hash;
+  friend bool operator==(const CellHash&, const CellHash&) = default;
+};
+
+/// Equal bits give equal hashes, on every machine; which part differs tells where two runs part.
+struct StateHashes {
+  Hash whole;  // over all parts
+  Hash clock;
+  std::vector<CellHash> cells;  // the living ones by lineage path, each with its biology and its body
+  Hash connections;             // all that ever were; zero where nothing connects
+  Hash lineage;
+  friend bool operator==(const StateHashes&, const StateHashes&) = default;
+};
+
+/// The hash over all parts, from the parts.
+Hash hashWhole(const StateHashes& parts);
+/// CHECKs that the state holds nothing that is not a number: that is a failed run, not a hash.
+StateHashes hashState(const World& world);
+inline Hash stateHash(const World& world) { return hashState(world).whole; }
+
+/// One link of a chain of hashes over the states of a run: it vouches for its own state and, through the link
+/// before, for the past, so a thinned chain still notices whatever the whole one did.
+struct ChainLink {
+  std::uint64_t step = 0;
+  Hash hash;  // over the link before, the step and the state
+  StateHashes state;
+  friend bool operator==(const ChainLink&, const ChainLink&) = default;
+};
+
+/// What a link's hash must be; `before` is empty for the first.
+Hash hashLink(const std::optional<Hash>& before, std::uint64_t step, const Hash& state);
+/// The next link. Throws as hashState does.
+ChainLink nextLink(const std::optional<Hash>& before, const World& world);
+
+}  // namespace morula

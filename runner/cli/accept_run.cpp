@@ -1,0 +1,103 @@
+#include "cli/accept_run.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "cli/check_run.h"
+#include "cli/console.h"
+#include "cli/signals.h"
+#include "explain/explain.h"
+#include "explain/growth.h"
+#include "golden/succession.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct Interrupted {
+  int signal;
+};
+
+/// Bits are checked exactly; the values beside them tell how large a difference is.
+std::vector<ToleranceRule> usualRules(const Scenario& scenario) {
+  if (!scenario.scene.mechanics) return {};  // a lineage has no values
+  return {
+      readRule("tolerance * rel 1e-9 scale 1 why \"what the bits tell exactly, in numbers people can weigh\"",
+               "usual rules")};
+}
+
+/// The same again, by another way. With bodies its twin runs beside it.
+TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
+  const SignalWatch signals;
+  Progress progress(scenario.scene.name + " again", quiet);
+  const auto watch = [&](const World& world) {
+    if (const int signal = SignalWatch::caught()) throw Interrupted{signal};
+    progress.show(world);
+  };
+  if (scenario.scene.mechanics)
+    return runTwins(makeScenarioWorld(scenario, how), makeScenarioWorld(scenario, how), watch);
+  World world = makeScenarioWorld(scenario, how);
+  while (!finished(world)) {
+    watch(world);
+    step(world);
+  }
+  return {{}, stateHash(world)};
+}
+
+std::string whereTheyPart(const Scenario& scenario, const Execution& how, const Execution& other) {
+  const auto own = [&](const Execution& e) {
+    return OwnRun(
+        std::string(name(e.isa)) + ", threads " + std::to_string(e.threads),
+        [&scenario, e] { return makeScenarioWorld(scenario, e); }, [](World& w) { step(w); });
+  };
+  OwnRun first = own(how), second = own(other);
+  return "nothing accepted. " + explainTwice(first, second).text;
+}
+
+}  // namespace
+
+Execution otherExecution(const Execution& how) {
+  Execution other = how;
+  other.threads = how.threads == 1 ? 2 : 1;
+  const auto isas = availableIsas();
+  const auto place = std::find(isas.begin(), isas.end(), how.isa);
+  if (isas.size() > 1) other.isa = place == isas.begin() ? isas[1] : *(place - 1);
+  return other;
+}
+
+AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance,
+                      bool quiet) {
+  const auto file = goldenFile(scenario);
+  refuseWithinCi(file);
+  Progress progress(scenario.scene.name, quiet);
+  const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
+  if (run.signal) return {false, run.signal, {}};
+  if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
+  const Execution other = otherExecution(how);
+  TwinRun again;
+  try {
+    again = runAgain(scenario, other, quiet);
+  } catch (const Interrupted& by) { return {false, by.signal, {}}; }
+  if (again.end != *run.end.stateHash) return {false, 0, whereTheyPart(scenario, how, other)};
+
+  Golden golden{observe(scenario, run), {}, {}, usualRules(scenario), {}, again.growth};
+  AcceptedRun accepted{true, 0, {}};
+  if (std::filesystem::exists(file)) {
+    try {
+      const Golden old = readGoldenFile(file);
+      golden.rules = old.rules;
+      golden.data = keepValuesWithinTolerance(std::move(golden.data), old);
+      accepted.text = describeSuccession(old, golden.data);
+    } catch (const InputError& e) {  // damaged, or of an older version: there is nothing to keep of it
+      accepted.text = std::string(e.what()) + "\nnothing is kept of the old golden\n";
+    }
+  }
+  std::vector<std::string> notes;
+  golden.rules = limitToHorizon(golden, notes);
+  for (const auto& note : notes) accepted.text += "tolerance " + note + '\n';
+  acceptGolden(file, std::move(golden), acceptance);
+  accepted.text += "accepted: " + file.string() + '\n';
+  return accepted;
+}
+
+}  // namespace morula::cli

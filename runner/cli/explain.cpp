@@ -1,0 +1,209 @@
+// morula explain: where and why a result differs.
+#include "explain/explain.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "base/error.h"
+#include "cli/accept_run.h"
+#include "cli/check_run.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/git_text.h"
+#include "cli/options.h"
+#include "cli/signals.h"
+#include "cli/verbs.h"
+#include "explain/program_run.h"
+#include "explain/stored_run.h"
+#include "explain/text_difference.h"
+#include "golden/accept.h"
+#include "store/store.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct ExplainOptions {
+  std::string scenario;
+  std::string with, database, run;
+  ExecutionOptions execution;
+  OutputOptions output;
+};
+
+struct Interrupted {
+  int signal;
+};
+
+/// What was found, in the order in which one finding explains the next.
+struct Findings {
+  std::string failureClass;  // "" if nothing differs
+  Explanation where;
+  std::string text;  // for people
+  std::vector<CheckResult> checks;
+};
+
+OwnRun ownRun(const Scenario& scenario, const Execution& how) {
+  return {"this program, " + std::string(name(how.isa)) + ", threads " + std::to_string(how.threads),
+          [&scenario, how] { return makeScenarioWorld(scenario, how); }, [](World& w) { step(w); },
+          [](const World&) {
+            if (const int signal = SignalWatch::caught()) throw Interrupted{signal};
+          }};
+}
+
+/// Two runs of this program that compute in different ways.
+void lookForNondeterminism(const Scenario& scenario, const Execution& how, Findings& f) {
+  OwnRun first = ownRun(scenario, how), second = ownRun(scenario, otherExecution(how));
+  f.where = explainTwice(first, second);
+  f.failureClass = f.where.failureClass;
+  f.text += (f.failureClass.empty() ? "two runs of this program: " : "") + f.where.text;
+}
+
+/// A scenario that has changed explains everything else.
+void lookAtInput(const Scenario& scenario, const std::string& reference, const std::string& whose,
+                 Findings& f) {
+  const std::string difference = differingLines(reference, scenario.resolved);
+  if (difference.empty()) return;
+  f.failureClass = "INPUT_CHANGED";
+  f.where.failureClass = f.failureClass;
+  f.text += "INPUT_CHANGED: the scenario is not " + whose +
+            " (-: theirs, +: here, all defaults filled in)\n" + difference;
+}
+
+std::string resolvedOf(const std::vector<Document>& documents) {
+  for (const auto& d : documents)
+    if (d.role == "resolved") return d.content;
+  return {};
+}
+
+void compareWithStored(const Scenario& scenario, const ExplainOptions& options, const Execution& how,
+                       Findings& f) {
+  auto store = Store::openForReading(options.database);
+  const StoredRun stored = store.find(options.run);
+  lookAtInput(scenario, resolvedOf(store.documents(stored.id)), "that of run " + stored.id, f);
+  if (!f.failureClass.empty()) return;
+  const auto chain = store.chain(stored.id);
+  if (chain.empty())
+    throw InputError(options.database + ": run " + stored.id +
+                     " has no hashes; store one with hashes (a scenario with a golden, or with `check: {}`)");
+  std::uint64_t step = 0;
+  if (const auto broken = findBrokenLink(chain, step); !broken.empty()) {
+    f.failureClass = f.where.failureClass = "INPUT_CHANGED";
+    f.where.step = step;
+    f.text += "INPUT_CHANGED: run " + stored.id + " in " + options.database + ": " + broken + "\n";
+    return;
+  }
+  StoredTrail expected("run " + stored.id + " in " + options.database, chain, stored.steps, stored.failure);
+  OwnRun actual = ownRun(scenario, how);
+  f.where = explain(expected, actual, chain.size() > 1 ? chain[1].step - chain[0].step : 1);
+  f.failureClass = f.where.failureClass;
+  f.text += f.where.text;
+}
+
+void compareWithProgram(const Scenario& scenario, const ExplainOptions& options, const Execution& how,
+                        Findings& f) {
+  ProgramRun expected(options.with, scenario.file, [&] { return makeScenarioWorld(scenario, how); });
+  OwnRun actual = ownRun(scenario, how);
+  f.where = explain(expected, actual);
+  f.failureClass = f.where.failureClass;
+  f.text += f.where.text;
+}
+
+void compareWithGolden(const Scenario& scenario, const Execution& how, bool quiet, Findings& f) {
+  Progress progress(scenario.scene.name, quiet);
+  const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
+  if (run.signal) throw Interrupted{run.signal};
+  if (run.end.status != RunStatus::done) {
+    f.failureClass = "COMPUTATION";
+    f.where.step = run.end.steps;
+    f.text += "COMPUTATION: the run failed at step " + std::to_string(run.end.steps) + ": " +
+              run.end.failure + "\n";
+    return;
+  }
+  const CheckReport report = check(scenario, run, true);
+  f.checks = report.results;
+  f.text += describe(report);
+  const CheckResult* first = nullptr;  // the one that begins earliest, of the class that explains the others
+  for (const auto& r : report.results)
+    if (!r.passed && (!first || (first->failureClass == "CHAOS" && r.failureClass != "CHAOS") ||
+                      (r.firstStep && first->firstStep && *r.firstStep < *first->firstStep)))
+      first = &r;
+  if (!first) return;
+  f.failureClass = first->failureClass;
+  f.where.step = first->firstStep;
+  f.where.cell = first->cell;
+  if (f.failureClass == "INPUT_CHANGED") {
+    if (const auto committed = committedText(scenario.file))
+      lookAtInput(
+          scenario,
+          readScenario(*committed, scenario.file, std::filesystem::path(scenario.file).parent_path(), {})
+              .resolved,
+          "the committed one", f);
+  } else {
+    f.text +=
+        "A golden holds hashes, not states: for the first step, vertex and both values name what it was "
+        "accepted "
+        "with: --with PROGRAM, or --db FILE\n";
+  }
+}
+
+Json toJson(const Scenario& scenario, const Findings& f) {
+  const auto& d = f.where.difference;
+  Json checks = Json::array();
+  for (const auto& r : f.checks)
+    checks.push_back({{"check", r.check},
+                      {"passed", r.passed},
+                      {"class", r.failureClass},
+                      {"first_step", orNull(r.firstStep)}});
+  return {{"scenario", goldenName(scenario.file)},
+          {"class", f.failureClass},
+          {"first_step", orNull(f.where.step)},
+          {"last_equal_step", orNull(f.where.lastEqual)},
+          {"cell", orNull(f.where.cell)},
+          {"cells", f.where.cells},
+          {"field", d ? Json(d->field) : Json()},
+          {"vertex", d ? orNull(d->vertex) : Json()},
+          {"component", d ? Json(d->component) : Json()},
+          {"expected", d ? Json(d->expected) : Json()},
+          {"actual", d ? Json(d->actual) : Json()},
+          {"text", f.text},
+          {"checks", checks}};
+}
+
+int act(const ExplainOptions& options) {
+  if (!options.with.empty() && !options.database.empty())
+    throw UsageError("morula explain: --with or --db, not both");
+  if (!options.run.empty() && options.database.empty())
+    throw UsageError("morula explain: --run chooses a run of --db FILE");
+  const auto how = execution(options.execution);
+  const Scenario scenario = loadScenario(options.scenario);
+  Findings f;
+  const SignalWatch signals;
+  try {
+    lookForNondeterminism(scenario, how, f);
+    if (f.failureClass.empty() && !options.database.empty()) compareWithStored(scenario, options, how, f);
+    else if (f.failureClass.empty() && !options.with.empty()) compareWithProgram(scenario, options, how, f);
+    else if (f.failureClass.empty()) compareWithGolden(scenario, how, options.output.quiet, f);
+  } catch (const Interrupted& by) { return signalled + by.signal; }
+  if (options.output.json) printJson(toJson(scenario, f));
+  else print(f.text);
+  return f.failureClass.empty() ? fine : differs;
+}
+
+}  // namespace
+
+void addExplain(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ExplainOptions>();
+  auto* verb = app.add_subcommand(
+      "explain", "Say where and why a result differs: first step, cell, vertex, both values");
+  verb->add_option("scenario", options->scenario, "Scenario file")->required()->type_name("FILE");
+  verb->add_option("--with", options->with,
+                   "Compare with what this Morula program gives, perhaps an older build")
+      ->type_name("PROGRAM");
+  verb->add_option("--db", options->database, "Compare with a stored run")->type_name("FILE");
+  verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
+  add(*verb, options->execution);
+  add(*verb, options->output);
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,62 @@
+// morula trail: where a run goes, in hashes; one Morula asks another so (explain --with).
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <memory>
+
+#include "base/error.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/simulate.h"
+#include "cli/verbs.h"
+#include "explain/trail_text.h"
+#include "simulation/checkpoint.h"
+
+namespace morula::cli {
+
+namespace {
+
+constexpr std::uint64_t toTheEnd = std::numeric_limits<std::uint64_t>::max() / 2;
+
+struct TrailOptions {
+  std::string scenario;
+  std::string from = "0", to = std::to_string(toTheEnd), every = "64", state;
+  ExecutionOptions execution;
+};
+
+int act(const TrailOptions& options) {
+  const Scenario scenario = loadScenario(options.scenario);
+  const auto how = execution(options.execution);
+  OwnRun run(
+      "", [&] { return makeScenarioWorld(scenario, how); }, [](World& w) { step(w); });
+  if (!options.state.empty()) {
+    const auto step = naturalOption("--state", options.state, 0, toTheEnd);
+    const Trail there = run.trail(step, step, 1);
+    if (!there.failure.empty()) throw InputError("no state at step " + options.state + ": " + there.failure);
+    print(saveState(*run.stateAt(step)));
+    return fine;
+  }
+  print(writeTrail(run.trail(naturalOption("--from", options.from, 0, toTheEnd),
+                             naturalOption("--to", options.to, 0, toTheEnd),
+                             naturalOption("--every", options.every, 1, toTheEnd))));
+  return fine;
+}
+
+}  // namespace
+
+void addTrail(CLI::App& app, Action& action) {
+  auto options = std::make_shared<TrailOptions>();
+  auto* verb =
+      app.add_subcommand("trail", "Print hashes of a run's states, or one state, for another Morula");
+  verb->add_option("scenario", options->scenario, "Scenario file")->required()->type_name("FILE");
+  verb->add_option("--from", options->from, "The first step")->type_name("STEP");
+  verb->add_option("--to", options->to, "The last step")->type_name("STEP");
+  verb->add_option("--every", options->every, "Every so many steps")->type_name("N");
+  verb->add_option("--state", options->state, "Instead, the whole state after this step, as bytes")
+      ->type_name("STEP");
+  add(*verb, options->execution);
+  verb->group("");  // not for people
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,31 @@
+#pragma once
+// Where two runs of one scene part, and of which kind the first difference is.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "explain/state_difference.h"
+#include "explain/witness.h"
+
+namespace morula {
+
+struct Explanation {
+  std::string failureClass;  // "": the same bits; SETUP, LINEAGE, COMPUTATION; a caller may know better
+  std::optional<std::uint64_t> step;  // the first step that differs; the last of the window if not narrowed
+  std::optional<std::uint64_t> lastEqual;     // the last step known to be the same
+  std::optional<std::string> cell;            // the first that differs
+  std::vector<std::string> cells;             // all whose hashes differ at `step`
+  std::optional<StateDifference> difference;  // absent where a witness has only hashes
+  std::string text;                           // for people, several lines
+};
+
+/// Follows both runs every `every` steps to where they first differ, then step by step through that window,
+/// then compares the states. A difference that heals between two states looked at leaves no trace: with
+/// `every` 1 none is missed.
+Explanation explain(Witness& expected, Witness& actual, std::uint64_t every = 64);
+/// Two runs of one program: whatever differs is NONDETERMINISM, a bug or broken hardware, and to be told
+/// first.
+Explanation explainTwice(Witness& first, Witness& second, std::uint64_t every = 64);
+
+}  // namespace morula

@@ -1,0 +1,44 @@
+#include "explain/program_run.h"
+
+#include "base/error.h"
+#include "explain/child.h"
+#include "explain/trail_text.h"
+#include "simulation/checkpoint.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+ProgramRun::ProgramRun(std::string program, std::string scenario, std::function<World()> make)
+    : program_(std::move(program)), scenario_(std::move(scenario)), make_(std::move(make)) {}
+
+std::string ProgramRun::answer(const std::vector<std::string>& arguments) const {
+  std::vector<std::string> command{program_, "trail", scenario_};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  const auto said = ask(command, false);
+  if (!said) throw InputError(program_ + ": cannot be started; give a Morula program");
+  if (said->exitCode != 0)
+    throw InputError(program_ + ": ended with exit code " + std::to_string(said->exitCode) +
+                     "; is it a Morula that knows `trail` and this scenario?");
+  return said->output;
+}
+
+Trail ProgramRun::trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
+  const std::string text =
+      answer({"--from", std::to_string(from), "--to", std::to_string(to), "--every", std::to_string(every)});
+  try {
+    return readTrail(text);
+  } catch (const InputError& e) { throw InputError(program_ + ": " + e.what()); }
+}
+
+std::unique_ptr<World> ProgramRun::stateAt(std::uint64_t step) {
+  try {
+    auto world = std::make_unique<World>(make_());
+    restoreState(*world, answer({"--state", std::to_string(step)}));
+    return world;
+  } catch (const InputError& e) {  // failed there, or of another version or scene
+    noState = e.what();
+    return nullptr;
+  }
+}
+
+}  // namespace morula

@@ -1,0 +1,410 @@
+// The harness on trial: faults are put into runs, stored results and goldens, and each must be named with its
+// class, step and cell. Of runs, an oracle that walks both side by side says at which step they part.
+#include <functional>
+#include <limits>
+
+#include "catch.h"
+#include "explain/explain.h"
+#include "unit/simulation/worlds.h"
+
+using namespace morula;
+
+namespace {
+
+/// The step at which faults strike: four cells live, and others are still to be born. No multiple of any
+/// stride.
+constexpr std::uint64_t when = 149;
+
+struct RunFault {
+  const char* what;
+  Scene scene;
+  std::function<void(World&)> before, after;  // what happens before or after step number `when`
+  const char* failureClass;
+  std::uint64_t step;
+  std::optional<std::string> cell;
+  const char* field;
+};
+
+void nudge(double& x) { x = std::nextafter(x, 1e300); }
+void nudge(Reals::Reference x) { x = std::nextafter(double(x), 1e300); }
+
+Body bodyOf(const World& w, int cell) { return takeBody(*w.bodies, w.bodies->slots[cell]); }
+
+/// Cells that are alive at `when`, so that faults have somebody to strike.
+Scene lively() {
+  Scene s = scenes::life();
+  s.cycle.length = 0.375;
+  return s;
+}
+
+const CellChange noChange = CellChange::none;
+
+void change(World& w, std::size_t cell, CellChange what) {
+  std::vector<CellChange> changes(w.cells.path.size(), noChange);
+  changes[cell] = what;
+  changePopulation(w, changes);
+}
+
+/// The largest number along x that a cell has in an array: a change of it does not get lost in rounding.
+Reals::Reference largest(const Bodies& b, Reals& array, int cell) {
+  const int slot = b.slots[cell];
+  std::size_t at = b.at(slot, 0);
+  for (int v = 0; v < b.vertexCount(slot); ++v)
+    if (std::abs(array[b.at(slot, v)]) > std::abs(array[at])) at = b.at(slot, v);
+  return array[at];
+}
+
+/// All of a cell's contacts are left out of the list.
+void dropContacts(World& w, int cell) {
+  w.contacts->list.skin = 1e9;  // this step makes no new list
+  NeighbourList& list = w.contacts->list;
+  const auto far = static_cast<std::int32_t>(list.reference.size() / 3);
+  const int slot = w.bodies->slots[cell], lane = slot % blockLanes;
+  for (std::int64_t s = list.firstSlice[slot / blockLanes]; s < list.firstSlice[slot / blockLanes + 1]; ++s)
+    for (int l = 0; l < blockLanes; ++l)
+      for (int k = 0; list.slices[s].vertex[l] % blockLanes == lane && k < list.slices[s].length; ++k)
+        list.indices[(list.slices[s].start + k) * blockLanes + l] = far;
+}
+
+OwnRun run(const Scene& scene, const char* name, const RunFault* fault, Execution how = {Isa::scalar, 1}) {
+  const auto advance = [fault](World& w) {
+    const bool now = fault && w.clock.step + 1 == when;
+    if (now && fault->before) fault->before(w);
+    step(w);
+    if (now && fault->after) fault->after(w);
+  };
+  return {name,
+          [scene, how, fault] {
+            World w = makeWorld(scene, how);
+            if (fault && fault->step == 0) fault->after(w);
+            return w;
+          },
+          advance};
+}
+
+/// Walks both runs side by side, one step at a time.
+std::uint64_t firstStepThatDiffers(const Scene& scene, const RunFault& fault) {
+  OwnRun clean = run(scene, "", nullptr), faulty = run(scene, "", &fault);
+  for (std::uint64_t s = 0;; ++s) {
+    const Trail e = clean.trail(s, s, 1), a = faulty.trail(s, s, 1);
+    if (!a.failure.empty() || e.links.empty() || a.links.empty()) return s;
+    if (e.links.back().state.whole != a.links.back().state.whole) return s;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Faults in a run: class, step, cell and field of each are named") {
+  const Scene life = lively();
+  Scene crowd = scenes::packed();
+  crowd.cycle.length = life.cycle.length;
+  World there = makeWorld(life, {Isa::scalar, 1});
+  while (there.clock.step < when) step(there);
+  REQUIRE(there.cells.path.size() >= 3);
+  const auto cell = [&](std::size_t i) { return there.cells.path[i].text(); };
+  const std::string last = there.cells.path.back().text();
+  std::uint64_t division = 0;  // at which daughters appear, after the fault's step
+  for (World w = makeWorld(life, {Isa::scalar, 1}); division == 0; step(w))
+    for (const LineageEntry& e : w.lineage.entries)
+      if (e.bornStep > when && division == 0) division = e.bornStep;
+
+  const std::vector<RunFault> faults{
+      {"a position, one ulp",
+       life,
+       {},
+       [](World& w) { nudge(w.bodies->position[w.bodies->at(w.bodies->slots[1], 5)]); },
+       "COMPUTATION",
+       when,
+       cell(1),
+       "position"},
+      {"the last coordinate of the last cell",
+       life,
+       {},
+       [](World& w) {
+         Bodies& b = *w.bodies;
+         const int slot = b.slots.back();
+         nudge(b.position[b.at(slot, b.vertexCount(slot) - 1) + 2 * blockLanes]);
+       },
+       "COMPUTATION",
+       when,
+       last,
+       "position"},
+      {"a velocity, one ulp",
+       life,
+       {},
+       [](World& w) { nudge(largest(*w.bodies, w.bodies->velocity, 0)); },
+       "COMPUTATION",
+       when,
+       cell(0),
+       "velocity"},
+      {"an acceleration, one ulp",
+       life,
+       {},
+       [](World& w) { nudge(largest(*w.bodies, w.bodies->acceleration, 2)); },
+       "COMPUTATION",
+       when,
+       cell(2),
+       "acceleration"},
+      {"a velocity that is no number",
+       life,
+       {},
+       [](World& w) { w.bodies->velocity[w.bodies->at(w.bodies->slots[1], 3)] = std::nan(""); },
+       "COMPUTATION",
+       when,
+       cell(1),
+       "velocity"},
+      {"an infinite position",
+       life,
+       {},
+       [](World& w) { w.bodies->position[w.bodies->at(w.bodies->slots[1], 3)] = INFINITY; },
+       "COMPUTATION",
+       when,
+       cell(1),
+       "position"},
+      {"a mass",
+       life,
+       {},
+       [](World& w) { nudge(w.bodies->vertexMass[w.bodies->slots[1]]); },
+       "COMPUTATION",
+       when,
+       cell(1),
+       "vertex mass"},
+      {"a rest length",
+       life,
+       {},
+       [](World& w) { nudge(w.bodies->restScale[w.bodies->slots[2]]); },
+       "COMPUTATION",
+       when,
+       cell(2),
+       "rest scale"},
+      {"the gas",
+       life,
+       {},
+       [](World& w) { nudge(w.bodies->pressureConstant[w.bodies->slots[0]]); },
+       "COMPUTATION",
+       when,
+       cell(0),
+       "pressure constant"},
+      {"two bodies change places",
+       life,
+       {},
+       [](World& w) {
+         std::vector<Body> bodies;
+         for (int i = 0; i < w.bodies->count; ++i) bodies.push_back(bodyOf(w, i));
+         std::swap(bodies[1], bodies[2]);
+         setBodies(*w.bodies, bodies);
+       },
+       "COMPUTATION",
+       when,
+       {},
+       ""},
+      {"the contacts of one cell are dropped", crowd, [](World& w) { dropContacts(w, 1); },
+       [](World& w) { setInfluenceRadii(*w.contacts, *w.bodies); }, "COMPUTATION", when, "AB",
+       "acceleration"},
+      {"a spring constant",
+       life,
+       [](World& w) { w.bodies->kernelParameters.stiffness *= 1 + 1e-15; },
+       {},
+       "COMPUTATION",
+       when,
+       cell(0),
+       "acceleration"},
+      {"the time step, one ulp",
+       life,
+       {},
+       [](World& w) { nudge(w.clock.timeStep); },
+       "COMPUTATION",
+       when,
+       {},
+       "clock.time step"},
+      {"a connection that never was",
+       life,
+       {},
+       [](World& w) { w.connections->history.pop_back(); },
+       "COMPUTATION",
+       when,
+       {},
+       "connections ever"},
+      {"a connection made at another time",
+       life,
+       {},
+       [](World& w) { nudge(w.connections->history[0].made); },
+       "COMPUTATION",
+       when,
+       {},
+       "connection made"},
+      {"swapped daughters",
+       life,
+       {},
+       [](World& w) { std::swap(w.cells.state[0], w.cells.state[1]); },
+       "LINEAGE",
+       when,
+       cell(0),
+       "substances"},
+      {"a cell dies",
+       life,
+       {},
+       [](World& w) { change(w, 1, CellChange::dies); },
+       "LINEAGE",
+       when,
+       cell(1),
+       "life"},
+      {"a cell divides",
+       life,
+       {},
+       [](World& w) { change(w, 0, CellChange::divides); },
+       "LINEAGE",
+       when,
+       cell(0),
+       "life"},
+      {"a cell grows that should not",
+       life,
+       {},
+       [](World& w) { w.cells.growth[2] = 1; },
+       "LINEAGE",
+       when,
+       cell(2),
+       "growth"},
+      {"a cell cycle counted late",
+       life,
+       {},
+       [](World& w) { w.cells.lastCycle[1] += 0.01; },
+       "LINEAGE",
+       when,
+       cell(1),
+       "last cell cycle"},
+      {"a birth recorded elsewhere",
+       life,
+       {},
+       [](World& w) { ++w.lineage.entries[2].bornStep; },
+       "LINEAGE",
+       when,
+       {},
+       "born at step"},
+      {"all cell cycles one step late",
+       life,
+       [](World& w) { w.clock.nextCycle += 1.5 * w.clock.timeStep; },
+       {},
+       "LINEAGE",
+       division,
+       {},
+       "life"},
+      {"the egg, one ulp",
+       life,
+       {},
+       [](World& w) { nudge(w.bodies->position[w.bodies->at(0, 11) + blockLanes]); },
+       "SETUP",
+       0,
+       "",
+       "position"},
+      {"a zero with another sign",
+       life,
+       {},
+       [](World& w) {
+         w.bodies->velocity[w.bodies->at(0, 2)] = -double(w.bodies->velocity[w.bodies->at(0, 2)]);
+       },
+       "SETUP",
+       0,
+       "",
+       "velocity"},
+      {"an egg of another substance",
+       life,
+       {},
+       [](World& w) { w.cells.state[0] = w.biology->daughterState(w.cells.state[0], true); },
+       "SETUP",
+       0,
+       "",
+       "substances"},
+  };
+  REQUIRE(faults.size() >= 25);
+  int named = 0;
+  for (const RunFault& fault : faults) {
+    CAPTURE(fault.what);
+    const std::uint64_t parting = firstStepThatDiffers(fault.scene, fault);
+    OwnRun expected = run(fault.scene, "expected", nullptr), actual = run(fault.scene, "actual", &fault);
+    const Explanation x = explain(expected, actual, 64);
+    CAPTURE(x.text);
+    CHECK(x.failureClass == fault.failureClass);
+    REQUIRE(x.step);
+    CHECK(*x.step == parting);
+    CHECK(*x.step == fault.step);
+    if (fault.cell) CHECK(x.cell == fault.cell);
+    REQUIRE(x.difference);
+    CHECK(x.difference->field.starts_with(fault.field));
+    CHECK(x.difference->expected != x.difference->actual);
+    if (*x.step > 0) CHECK(x.lastEqual == *x.step - 1);
+    named +=
+        x.failureClass == fault.failureClass && x.step == fault.step && (!fault.cell || x.cell == fault.cell);
+  }
+  CHECK(named == static_cast<int>(faults.size()));
+}
+
+TEST_CASE("Two equal runs have nothing to explain, however they are computed") {
+  const Scene scene = lively();
+  OwnRun first = run(scene, "first", nullptr), second = run(scene, "second", nullptr, {bestIsa(), 3});
+  const Explanation x = explain(first, second, 64);
+  CHECK(x.failureClass.empty());
+  CHECK_FALSE(x.step);
+  CHECK_THAT(x.text, ContainsSubstring("the same bits"));
+}
+
+TEST_CASE("Two runs of one program that differ are nondeterminism, wherever it begins") {
+  const Scene scene = lively();
+  const RunFault fault{"", scene, {}, [](World& w) { nudge(w.bodies->velocity[w.bodies->at(0, 7)]); },
+                       "", when,  {}, ""};
+  OwnRun first = run(scene, "first", nullptr), second = run(scene, "second", &fault);
+  const Explanation x = explainTwice(first, second);
+  CHECK(x.failureClass == "NONDETERMINISM");
+  CHECK(x.step == when);
+  CHECK(x.difference->vertex == 7);
+  CHECK(x.difference->component == "x");
+  CHECK_THAT(x.text, ContainsSubstring("1 ulp apart"));
+}
+
+TEST_CASE("A difference that heals between two states looked at is seen step by step only") {
+  const Scene scene = lively();
+  const auto healing = [&] {
+    return OwnRun(
+        "healing",
+        [scene] {
+          return makeWorld(scene, {Isa::scalar, 1});
+        },
+        [before = Reals()](World& w) mutable {
+          if (w.clock.step == when) w.bodies->velocity = before;
+          step(w);
+          if (w.clock.step == when) before = w.bodies->velocity, w.bodies->velocity[0] += 1;
+        });
+  };
+  OwnRun clean = run(scene, "clean", nullptr), coarse = healing(), fine = healing();
+  CHECK(explain(clean, coarse, 64).failureClass.empty());
+  CHECK(explain(clean, fine, 1).step == when);
+}
+
+TEST_CASE("A difference in the last steps, beyond the last stride, is found") {
+  Scene scene = lively();
+  scene.stop.time = 2.03;
+  World w = ranToEnd(scene);
+  const std::uint64_t end = w.clock.step;
+  REQUIRE(end % 64 != 0);
+  OwnRun first = run(scene, "first", nullptr);
+  OwnRun second(
+      "second",
+      [scene] {
+        return makeWorld(scene, {Isa::scalar, 1});
+      },
+      [end](World& world) {
+        step(world);
+        if (world.clock.step == end) nudge(world.bodies->position[0]);
+      });
+  CHECK(explain(first, second).step == end);
+}
+
+TEST_CASE("A run that ends too early is told") {
+  Scene scene = lively(), shorter = scene;
+  shorter.stop.time = 1;
+  OwnRun first = run(scene, "first", nullptr), second = run(shorter, "second", nullptr);
+  const Explanation x = explain(first, second);
+  CHECK(x.failureClass == "COMPUTATION");
+  CHECK(*x.lastEqual == ranToEnd(shorter).clock.step);
+  CHECK(*x.step == *x.lastEqual + 1);
+}

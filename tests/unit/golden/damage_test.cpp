@@ -1,0 +1,33 @@
+// Goldens damaged in any way are found out, and are one failed check.
+#include "catch.h"
+#include "example_facts.h"
+
+using namespace morula;
+
+TEST_CASE("Damaged goldens are one failed check, with the line") {
+  const std::string text = writeGolden(exampleGolden());
+  const GoldenData data = exampleData();
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string t = text;
+    return t.replace(t.find(from), from.size(), to);
+  };
+  const std::vector<std::pair<std::string, const char*>> faults{
+      {replaced("volume 1024 2", "volume 1024 3"), "somebody has edited them"},
+      {replaced("why first result\n", "why first result\n<<<<<<< ours\n"), "a merge marker"},
+      {text.substr(0, text.size() / 2), ": "},
+      {text.substr(0, text.rfind("end ")), "truncated"},
+      {"", "empty"},
+      {replaced("count cells 1\n", "count cells 1\ncount cells 1\n"), "stands twice"},
+      {replaced("count cells 1\n", ""), "items"},
+  };
+  for (const auto& [damaged, why] : faults) {
+    CAPTURE(why);
+    const CheckReport report = compareGoldenText(damaged, "x.golden", data);
+    REQUIRE(report.results.size() == 1);
+    CHECK_FALSE(report.passed());
+    CHECK(report.results[0].failureClass == "INPUT_CHANGED");
+    CHECK(report.results[0].check == "golden");
+    CHECK_THAT(report.results[0].message, ContainsSubstring("x.golden:") && ContainsSubstring(why));
+  }
+  CHECK(compareGoldenText(text, "x.golden", data).passed());
+}
