@@ -10,7 +10,8 @@ root=$(dirname "$(readlink -f "$0")")/../..
 name=$1 scenario=$2 scene=$3
 shift 3
 golden=$root/golden/$scenario.golden
-if ! expected=$(grep -E '^(bits|step_hash) ' "$golden") || ! grep -q '^bits solver ' <<<"$expected"; then
+# A link of the chain also has short hashes of cells, which tell where bits differ, not whether.
+if ! expected=$(grep -E '^(bits|step_hash) ' "$golden" | cut -d ' ' -f 1-3) || ! grep -q '^bits solver ' <<<"$expected"; then
   echo "golden/$scenario.golden has no hashes to compare with"
   exit 1
 fi

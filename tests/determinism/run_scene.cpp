@@ -1,15 +1,15 @@
-// Runs a scene and prints the hashes of its golden, as they come out here: its lines `bits` and `step_hash`.
-// For machines where there is the simulator, but not the program.
+// Runs a scene and prints the hashes of its golden, as they come out here: its lines `bits` and `step_hash`,
+// these without the short hashes of cells. For machines where there is the simulator, but not the program.
 //
 //   run_scene [--isa NAME] SCENE GOLDEN     SCENE: written by write_scene
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <map>
+#include <set>
 #include <sstream>
 
 #include "scene_text.h"
-#include "simulation/measures.h"
+#include "simulation/hash.h"
 #include "simulation/world.h"
 
 using namespace morula;
@@ -23,32 +23,33 @@ std::ifstream open(const char* file) {
   return in;
 }
 
-/// The steps at which the golden has a hash.
-std::map<std::uint64_t, std::string> stepsOf(std::istream& golden) {
-  std::map<std::uint64_t, std::string> steps;
+/// The steps at which the golden's chain has a link.
+std::set<std::uint64_t> stepsOf(std::istream& golden) {
+  std::set<std::uint64_t> steps;
   for (std::string line; std::getline(golden, line);) {
     std::istringstream words(line);
     std::string kind;
     std::uint64_t step;
-    if (words >> kind >> step && kind == "step_hash") steps[step];
+    if (words >> kind >> step && kind == "step_hash") steps.insert(step);
   }
   return steps;
 }
 
-void run(const Scene& scene, std::map<std::uint64_t, std::string> hashes, const Execution& execution) {
+void run(const Scene& scene, const std::set<std::uint64_t>& steps, const Execution& execution) {
   World world = makeWorld(scene, execution);
+  std::string chain;
+  std::optional<Hash> last;
   const auto look = [&] {
-    const auto wanted = hashes.find(world.clock.step);
-    if (wanted != hashes.end()) wanted->second = stateHash(world).text();
+    if (!steps.contains(world.clock.step)) return;
+    last = nextLink(last, world).hash;
+    chain += "step_hash " + std::to_string(world.clock.step) + ' ' + last->text() + '\n';
   };
   look();
   while (!finished(world)) {
     step(world);
     look();
   }
-  std::cout << "bits solver " << stateHash(world).text() << '\n';
-  for (const auto& [step, hash] : hashes)
-    std::cout << "step_hash " << std::to_string(step) << ' ' << hash << '\n';
+  std::cout << "bits solver " << stateHash(world).text() << '\n' << chain;
 }
 
 }  // namespace
