@@ -23,33 +23,43 @@ std::ifstream open(const char* file) {
   return in;
 }
 
-/// The steps at which the golden's chain has a link.
-std::set<std::uint64_t> stepsOf(std::istream& golden) {
-  std::set<std::uint64_t> steps;
+/// What a golden says of its chain: a link at step 0, every, 2·every, … and at the end, of which some are
+/// written down.
+struct Chain {
+  std::uint64_t every = 0;
+  std::set<std::uint64_t> written;
+};
+
+/// Throws InputError.
+Chain readChain(std::istream& golden) {
+  Chain chain;
   for (std::string line; std::getline(golden, line);) {
     std::istringstream words(line);
-    std::string kind;
-    std::uint64_t step;
-    if (words >> kind >> step && kind == "step_hash") steps.insert(step);
+    std::string kind, name;
+    if (words >> kind >> name && kind == "step_hash") chain.written.insert(std::stoull(name));
+    else if (kind == "count" && name == "hash_every") words >> chain.every;
   }
-  return steps;
+  if (chain.every == 0) throw InputError("the golden does not say how often it has a hash: count hash_every");
+  return chain;
 }
 
-void run(const Scene& scene, const std::set<std::uint64_t>& steps, const Execution& execution) {
+void run(const Scene& scene, const Chain& chain, const Execution& execution) {
   World world = makeWorld(scene, execution);
-  std::string chain;
+  std::string links;
   std::optional<Hash> last;
   const auto look = [&] {
-    if (!steps.contains(world.clock.step)) return;
+    const std::uint64_t step = world.clock.step;
+    if (step % chain.every != 0 && !finished(world)) return;
     last = nextLink(last, world).hash;
-    chain += "step_hash " + std::to_string(world.clock.step) + ' ' + last->text() + '\n';
+    if (chain.written.contains(step))
+      links += "step_hash " + std::to_string(step) + ' ' + last->text() + '\n';
   };
   look();
   while (!finished(world)) {
     step(world);
     look();
   }
-  std::cout << "bits solver " << stateHash(world).text() << '\n' << chain;
+  std::cout << "bits solver " << stateHash(world).text() << '\n' << links;
 }
 
 }  // namespace
@@ -62,7 +72,7 @@ int main(int argc, char** argv) try {
     return 2;
   }
   std::ifstream scene = open(argv[argc - 2]), golden = open(argv[argc - 1]);
-  run(scene_text::read(scene), stepsOf(golden), execution);
+  run(scene_text::read(scene), readChain(golden), execution);
 } catch (const std::exception& error) {
   std::cerr << "run_scene: " << error.what() << '\n';
   return 3;
