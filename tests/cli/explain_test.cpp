@@ -1,0 +1,149 @@
+// explain, and review with results that wait.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string divides =
+    "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a1|a0)\n  g2(divide|a0)\n  g3(a1|a1)\ncycle: {length: "
+    "0.125}\n"
+    "stop: {cycles: 2}\nphysics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  drag: 1\n  contact: {}\n"
+    "division: {plane: longest}\n";
+
+Json explained(const std::vector<std::string>& arguments, int code) {
+  std::vector<std::string> all{"explain", "--json"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const auto run = launch(all);
+  INFO(run.err);
+  REQUIRE(run.code == code);
+  return Json::parse(run.out);
+}
+
+void accept(const std::string& scenario) {
+  const auto run =
+      launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}});
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// A program that computes another scenario than it is asked for: as an older build would that had another
+/// constant.
+std::string pretender(const TemporaryFolder& folder, const std::string& scenario) {
+  const auto program = folder / "pretender";
+  writeWhole(program, "#!/bin/sh\nshift 2\nexec '" MORULA_PROGRAM "' trail '" + scenario + "' \"$@\"\n");
+  fs::permissions(program, fs::perms::owner_all);
+  return program;
+}
+
+}  // namespace
+
+TEST_CASE("explain says that all is well") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "pair.yaml";
+  writeWhole(scenario, divides);
+  accept(scenario);
+  const auto json = explained({scenario}, 0);
+  CHECK(json["class"] == "");
+  CHECK(json["first_step"].is_null());
+  for (const auto& check : json["checks"]) CHECK(check["passed"] == true);
+}
+
+TEST_CASE("explain names the kind of difference, and where it begins") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "pair.yaml";
+  writeWhole(scenario, divides);
+  accept(scenario);
+  REQUIRE(
+      launch({"run", scenario, "--no-pictures", "--out", folder / "out", "--db", folder / "run.db"}).code ==
+      0);
+  CHECK(explained({scenario, "--db", folder / "run.db"}, 0)["class"] == "");
+
+  SECTION("a golden that somebody has edited") {
+    const auto golden = folder / "pair.golden";
+    writeWhole(golden, replaced(readWhole(golden), "count cells 2", "count cells 3"));
+    CHECK(explained({scenario}, 1)["class"] == "INPUT_CHANGED");
+  }
+  SECTION("another scenario than the stored one") {
+    writeWhole(scenario, replaced(divides, "drag: 1", "drag: 1.5"));
+    const auto json = explained({scenario, "--db", folder / "run.db"}, 1);
+    CHECK(json["class"] == "INPUT_CHANGED");
+    CHECK_THAT(json["text"].get<std::string>(),
+               ContainsSubstring("-     \"drag\": 1,") && ContainsSubstring("+     \"drag\": 1.5,"));
+  }
+  SECTION("another program that computes with another constant") {
+    const auto other = folder / "other.yaml";
+    writeWhole(other, replaced(divides, "drag: 1", "drag: 1.0000000000000002"));
+    const auto json = explained({scenario, "--with", pretender(folder, other)}, 1);
+    CHECK(json["class"] == "COMPUTATION");
+    CHECK(json["first_step"].get<int>() == json["last_equal_step"].get<int>() + 1);
+    CHECK(json["cell"] == "");
+  }
+  SECTION("another program whose cells divide elsewhere") {
+    const auto other = folder / "other.yaml";
+    writeWhole(other, replaced(divides, "length: 0.125", "length: 0.25"));
+    const auto json = explained({scenario, "--with", pretender(folder, other)}, 1);
+    CHECK(json["cells"].size() == 3);  // the egg there, its daughters here
+  }
+}
+
+TEST_CASE("explain's bad questions") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "pair.yaml";
+  writeWhole(scenario, divides);
+  CHECK(launch({"explain"}).code == 2);
+  CHECK(launch({"explain", scenario, "--with", "a", "--db", "b"}).code == 2);
+  CHECK(launch({"explain", scenario, "--run", "7"}).code == 2);
+  CHECK(launch({"explain", scenario, "--with", folder / "none"}).code == 3);
+  CHECK_THAT(launch({"explain", scenario, "--with", "/bin/true"}).err,
+             ContainsSubstring("the trail is cut short"));
+  CHECK(launch({"explain", scenario, "--db", folder / "none.db"}).code == 6);
+  REQUIRE(
+      launch({"run", scenario, "--no-pictures", "--out", folder / "out", "--db", folder / "run.db"}).code ==
+      0);
+  const auto without = launch({"explain", scenario, "--db", folder / "run.db"});
+  CHECK(without.code == 3);
+  CHECK_THAT(without.err, ContainsSubstring("has no hashes"));
+}
+
+TEST_CASE("what differs waits for a review, beside the program, and is rejected or accepted with a reason") {
+  const TemporaryFolder folder;
+  const std::string name = fs::path(folder.path()).filename().string();  // nobody else's
+  const auto scenario = folder / (name + ".yaml"), golden = folder / (name + ".golden");
+  writeWhole(scenario, divides);
+  accept(scenario);
+  const auto pending = fs::path(MORULA_PROGRAM).parent_path() / "pending" / name;
+  const auto waits = [&](const char* extension) { return fs::exists(pending.string() + extension); };
+  CHECK_FALSE(waits(".golden"));
+
+  writeWhole(scenario, replaced(divides, "drag: 1", "drag: 1.5"));
+  CHECK(launch({"check", scenario}).code == 1);
+  CHECK((waits(".golden") && waits(".png")));
+  const auto shown = launch({"review", scenario});
+  CHECK(shown.code == 1);
+  CHECK_THAT(shown.out, ContainsSubstring("INPUT_CHANGED") && ContainsSubstring("changed bits") &&
+                            ContainsSubstring("changed values") && ContainsSubstring("picture  "));
+  CHECK(launch({"review", scenario, "--reject"}).code == 2);
+  CHECK(launch({"review", scenario, "--reject", "--accept", "--why", "both"}).code == 2);
+  CHECK(launch({"review", scenario, "--reject", "--why", "the drag was a slip"}).code == 0);
+  CHECK_FALSE((waits(".golden") || waits(".png")));
+  CHECK_THAT(readWhole(golden), ContainsSubstring("why the first one"));
+
+  CHECK(launch({"check", scenario}).code == 1);
+  const auto accepted =
+      launch({"review", scenario, "--accept", "--by", "tests", "--why", "more drag"}, {{"CI", ""}});
+  CHECK(accepted.code == 0);
+  CHECK_FALSE(waits(".golden"));
+  CHECK_THAT(readWhole(golden), ContainsSubstring("why more drag"));
+  CHECK(launch({"check", scenario}).code == 0);
+}
