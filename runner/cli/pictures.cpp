@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "cli/frame_file.h"
 #include "simulation/measures.h"
 
 namespace morula::cli {
@@ -32,11 +33,25 @@ std::vector<LegendEntry> Palette::legend() const {
   return entries;
 }
 
-OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
-  const Palette palette(scenario);
+namespace {
+
+/// What all pictures of the scenario share.
+OrganismPicture blankPicture(const Scenario& scenario) {
   const auto& mechanics = *scenario.scene.mechanics;
   OrganismPicture picture;
   picture.faces = mechanics.mesh.faces;
+  if (const auto& shell = mechanics.physics.shell)
+    picture.shell = Vector{shell->semiAxes[0], shell->semiAxes[1], shell->semiAxes[2]};
+  picture.title = scenario.scene.name;
+  picture.legend = Palette(scenario).legend();
+  return picture;
+}
+
+}  // namespace
+
+OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
+  const Palette palette(scenario);
+  OrganismPicture picture = blankPicture(scenario);
   for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
     Mesh mesh = cellMesh(world, world.cells.path[i]);
     if (mesh.faces == picture.faces) mesh.faces.clear();
@@ -44,12 +59,8 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
                              palette.colourOf(world.biology->describe(world.cells.state[i])), 1,
                              std::move(mesh.faces)});
   }
-  if (const auto& shell = mechanics.physics.shell)
-    picture.shell = Vector{shell->semiAxes[0], shell->semiAxes[1], shell->semiAxes[2]};
-  picture.title = scenario.scene.name;
   picture.caption = fmt::format("time {:.4g}, {} cell{}", world.clock.time, world.cells.path.size(),
                                 world.cells.path.size() == 1 ? "" : "s");
-  picture.legend = palette.legend();
   return picture;
 }
 
@@ -72,7 +83,17 @@ TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
 void FrameCollector::observe(const World& world) {
   if (!every_ || !world.bodies || world.clock.time < static_cast<double>(next_) * *every_) return;
   frames_.push_back(pictureOf(world, scenario_));
-  while (static_cast<double>(next_) * *every_ <= world.clock.time) ++next_;
+  expectNext(world.clock.time);
+}
+
+void FrameCollector::expectNext(double time) {
+  while (static_cast<double>(next_) * *every_ <= time) ++next_;
+}
+
+void FrameCollector::resume(const World& world, const std::vector<std::string>& kept) {
+  if (!every_ || !world.bodies) return;
+  for (const std::string& bytes : kept) frames_.push_back(pictureFrom(bytes, blankPicture(scenario_)));
+  expectNext(world.clock.time);
 }
 
 void makeFolder(const fs::path& folder) {

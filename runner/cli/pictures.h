@@ -38,12 +38,16 @@ class FrameCollector {
   FrameCollector(const Scenario& scenario, std::optional<double> every)
       : scenario_(scenario), every_(every) {}
   void observe(const World& world);
+  /// Goes on with the frames that were kept (frame_file.h) when the world was stopped.
+  void resume(const World& world, const std::vector<std::string>& kept);
   std::vector<OrganismPicture>& frames() { return frames_; }
 
  private:
+  void expectNext(double time);
+
   const Scenario& scenario_;
   std::optional<double> every_;
-  std::uint64_t next_ = 0;
+  std::uint64_t next_ = 0;  // number of the next due frame: due at time next_·every
   std::vector<OrganismPicture> frames_;
 };
 

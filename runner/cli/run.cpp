@@ -17,8 +17,8 @@ struct RunOptions {
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
-  std::string seeds, database, out = "results";
-  bool dryRun = false, noCheck = false, noPictures = false;
+  std::string seeds, database, out = "results", checkpointEvery;
+  bool dryRun = false, noCheck = false, noPictures = false, resume = false;
 };
 
 struct Planned {
@@ -30,6 +30,11 @@ struct Planned {
 std::vector<Planned> plan(const RunOptions& options) {
   if (!options.seeds.empty() && !options.scene.seed.empty())
     throw UsageError("--seed and --seeds: give one of them");
+  if (options.resume && options.dryRun) throw UsageError("--resume and --dry-run: give one of them");
+  const auto checkpointEvery =
+      options.checkpointEvery.empty()
+          ? 0
+          : naturalOption("--checkpoint-every", options.checkpointEvery, 1, 1'000'000'000'000u);
   std::vector<std::string> seeds{options.scene.seed};
   if (!options.seeds.empty()) {
     seeds.clear();
@@ -48,7 +53,9 @@ std::vector<Planned> plan(const RunOptions& options) {
                       .changed = !scene.empty(),
                       .check = !options.noCheck,
                       .draw = !options.noPictures,
-                      .quiet = options.output.quiet};
+                      .quiet = options.output.quiet,
+                      .checkpointEvery = checkpointEvery,
+                      .resume = options.resume};
       if (options.database.empty()) run.settings.database = run.settings.folder / "run.db";
       runs.push_back(std::move(run));
     }
@@ -114,6 +121,10 @@ void addRun(CLI::App& app, Action& action) {
       ->capture_default_str();
   verb->add_flag("--no-pictures", options->noPictures, "Do not draw");
   verb->add_flag("--no-check", options->noCheck, "Do not compare with the golden file");
+  verb->add_option("--checkpoint-every", options->checkpointEvery,
+                   "Keep a checkpoint every so many steps; one is always kept at Ctrl-C")
+      ->type_name("STEPS");
+  verb->add_flag("--resume", options->resume, "Go on from the last checkpoint of the same run");
   verb->add_flag("--dry-run", options->dryRun, "Read and check everything, run nothing, write nothing");
   add(*verb, options->execution);
   add(*verb, options->output);

@@ -11,6 +11,8 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   auto text = fmt::format("{}  seed {}: {}, {} cell{} at time {:.6g} after {} steps\n", scenario.scene.name,
                           scenario.scene.seed, name(end.status), end.cells, end.cells == 1 ? "" : "s",
                           end.time, end.steps);
+  if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
+  if (end.status == RunStatus::killed) text += "  go on    with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
   if (outcome.checks && outcome.checks->passed())
     text += fmt::format("  checks   all {} pass ({})\n", outcome.checks->results.size(),
@@ -39,6 +41,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettin
             {"steps", end.steps},
             {"cells", end.cells},
             {"time", end.time},
+            {"resumed_at", orNull(outcome.resumedAt)},
             {"db", settings.database.string()},
             {"pictures", outcome.pictures},
             {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()}};

@@ -2,9 +2,12 @@
 
 #include "cli/check_run.h"
 #include "cli/exit_codes.h"
+#include "cli/frame_file.h"
 #include "cli/pictures.h"
+#include "cli/resume.h"
 #include "cli/verbs.h"
 #include "parts/parts.h"
+#include "simulation/checkpoint.h"
 #include "store/store.h"
 
 namespace morula::cli {
@@ -18,6 +21,7 @@ RunRecord recordOf(const Scenario& scenario, const RunSettings& settings) {
   record.seed = scenario.scene.seed;
   record.documents = {{"scenario", scenario.file, scenario.bytes}, {"resolved", "", scenario.resolved}};
   for (const auto& file : scenario.files) record.documents.push_back({file.role, file.path, file.content});
+  if (!buildDiff().empty()) record.documents.push_back({"diff", "", buildDiff()});
   record.command = commandLine();
   record.isa = name(settings.execution.isa);
   record.threads = settings.execution.threads;
@@ -51,13 +55,25 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   makeFolder(settings.database.parent_path());
   auto store = Store::openForWriting(settings.database);
 
-  RunOutcome outcome;
-  outcome.id = store.begin(recordOf(scenario, settings));
+  const auto record = recordOf(scenario, settings);
+  Recorder recorder(recordingOf(scenario, wantsHashes(scenario, willBeChecked(scenario, settings))));
   FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
+  RunOutcome outcome;
+  if (settings.resume) outcome.resumedAt = resumeRun(store, record, world, recorder, frames, settings.quiet);
+  outcome.id = outcome.resumedAt ? runId(record) : store.begin(record);
+
+  const RunHooks hooks{
+      .watch = [&](const World& w) { frames.observe(w); },
+      .keep =
+          [&](const World& w, const Recorder& r) {
+            store.keepCheckpoint(
+                outcome.id, {w.clock.step, r.options().every, r.options().hashEvery, saveState(w)},
+                r.records(),
+                {frames.frames().size(), [&](auto i) { return frameBytes(frames.frames()[i]); }});
+          },
+      .keepEvery = settings.checkpointEvery};
   Progress progress(scenario.scene.name + " " + std::to_string(scenario.scene.seed), settings.quiet);
-  auto run = simulate(std::move(world),
-                      recordingOf(scenario, wantsHashes(scenario, willBeChecked(scenario, settings))),
-                      progress, [&](const World& w) { frames.observe(w); });
+  auto run = simulate(std::move(world), std::move(recorder), progress, hooks, outcome.resumedAt.has_value());
 
   outcome.end = run.end;
   const bool done = run.end.status == RunStatus::done;

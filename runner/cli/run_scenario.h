@@ -18,10 +18,13 @@ struct RunSettings {
   bool changed = false;  // by --set or --seed: its golden file does not apply
   bool check = true, draw = true;
   bool quiet = false;
+  std::uint64_t checkpointEvery = 0;  // [steps] 0: only when a signal ends the run
+  bool resume = false;                // go on from the last checkpoint, if there is one
 };
 
 struct RunOutcome {
   std::string id;
+  std::optional<std::uint64_t> resumedAt;  // [steps]
   RunEnd end;
   std::optional<CheckReport> checks;
   std::string whyNotChecked;  // against a golden

@@ -26,13 +26,15 @@ RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
   return record;
 }
 
-Simulation simulate(World world, const RecordOptions& record, Progress& progress,
-                    const std::function<void(const World&)>& watch) {
+Simulation simulate(World world, const RecordOptions& record, Progress& progress) {
+  return simulate(std::move(world), Recorder(record), progress, {}, false);
+}
+
+Simulation simulate(World world, Recorder recorder, Progress& progress, const RunHooks& hooks, bool resumed) {
   Simulation run{std::move(world), {}, {}, 0};
-  Recorder recorder(record);
   const auto observe = [&] {
     recorder.observe(run.world);
-    if (watch) watch(run.world);
+    if (hooks.watch) hooks.watch(run.world);
     progress.show(run.world);
   };
 
@@ -40,14 +42,16 @@ Simulation simulate(World world, const RecordOptions& record, Progress& progress
   auto status = RunStatus::done;
   std::string failure;
   try {
-    observe();
+    if (!resumed) observe();
     while (!finished(run.world)) {
       if ((run.signal = SignalWatch::caught()) != 0) {
         status = RunStatus::killed;
+        if (hooks.keep) hooks.keep(run.world, recorder);
         break;
       }
       step(run.world);
       observe();
+      if (hooks.keepEvery > 0 && run.world.clock.step % hooks.keepEvery == 0) hooks.keep(run.world, recorder);
     }
   } catch (const NumericalError& error) {
     status = RunStatus::failed;

@@ -24,9 +24,19 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution);
 /// at them.
 RecordOptions recordingOf(const Scenario& scenario, bool hashes);
 
-/// Runs it and writes down what `record` says. `watch`, if given, sees the world at the start and after every
-/// step. A NumericalError is not thrown but told in `end.failure`.
-Simulation simulate(World world, const RecordOptions& record, Progress& progress,
-                    const std::function<void(const World&)>& watch = {});
+/// Runs it and writes down what `record` says. A NumericalError is not thrown but told in `end.failure`.
+Simulation simulate(World world, const RecordOptions& record, Progress& progress);
+
+struct RunHooks {
+  /// Sees the world at the start and after every step.
+  std::function<void(const World&)> watch;
+  /// Keeps what the run can be resumed from: every so many steps (0: never), and when a signal ends the run.
+  std::function<void(const World&, const Recorder&)> keep;
+  std::uint64_t keepEvery = 0;
+};
+
+/// The same with somebody watching. A recorder that goes on with a stopped run's records (Recorder::resume),
+/// and the watcher, have seen the world as it is already.
+Simulation simulate(World world, Recorder recorder, Progress& progress, const RunHooks& hooks, bool resumed);
 
 }  // namespace morula::cli

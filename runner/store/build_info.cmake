@@ -77,6 +77,29 @@ if(top STREQUAL here)
   endif()
 endif()
 
+# What was edited, for the record of runs. In hexadecimal: a diff may hold anything, this file's own brackets too.
+set(diff "")
+if(state STREQUAL "modified")
+  set(limit 262144)
+  set(edits ${OUTPUT}.diff)
+  execute_process(COMMAND git -C ${SOURCE} diff --no-ext-diff --no-color HEAD OUTPUT_FILE ${edits} ERROR_QUIET)
+  git(new -c core.quotepath=off ls-files --others --exclude-standard core runner CMakeLists.txt)
+  string(REPLACE "\n" ";" new "${new}")
+  foreach(file IN LISTS new)
+    execute_process(COMMAND git -C ${SOURCE} diff --no-ext-diff --no-color --no-index -- /dev/null ${file}
+                    OUTPUT_FILE ${edits}.new ERROR_QUIET)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E cat ${edits} ${edits}.new OUTPUT_FILE ${edits}.both)
+    file(RENAME ${edits}.both ${edits})
+  endforeach()
+  file(SIZE ${edits} size)
+  file(READ ${edits} diff LIMIT ${limit} HEX)
+  if(size GREATER limit)
+    string(HEX "\n(cut: ${limit} of ${size} bytes)\n" cut)
+    string(APPEND diff ${cut})
+  endif()
+  string(REGEX REPLACE "(..)" "'\\\\x\\1'," diff "${diff}")
+endif()
+
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [==[// Written by runner/store/build_info.cmake at each build.
 #include "store/build_info.h"
 
@@ -87,6 +110,11 @@ const BuildInfo& buildInfo() {
                               R"(@target@)", {
 @libraries@  }};
   return info;
+}
+
+const std::string& buildDiff() {
+  static const std::string diff{@diff@};
+  return diff;
 }
 
 }  // namespace morula

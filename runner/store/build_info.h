@@ -19,6 +19,10 @@ struct BuildInfo {
 
 const BuildInfo& buildInfo();
 
+/// What the sources had that their commit had not, as `git diff` tells it; "" for a clean tree. Longer ones
+/// are cut at 256 KiB, which their last line says.
+const std::string& buildDiff();
+
 /// 32 hexadecimal digits over what can change a result: sources, compiler, flags, target, libraries. The
 /// commit is not in it: the same sources under another commit are the same program.
 std::string buildId(const BuildInfo& build);

@@ -2,21 +2,72 @@
 
 #include <sys/utsname.h>
 
+#include <cfenv>
+#include <cstdint>
 #include <ctime>
 #include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <sstream>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+#include "base/hash.h"
 
 namespace morula {
 
 namespace {
 
-/// x86 names its processor in "model name"; others give no name
-/// there, so only the architecture (in `kernel`) is known.
-std::string cpuName() {
+/// What stands behind the first line of /proc/cpuinfo that begins with `name`. x86 names its processor in
+/// "model name"; others give no name there, so only the architecture (in `kernel`) is known.
+std::string cpuInfo(const std::string& name) {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name"))
+    if (line.starts_with(name))
       if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
   return "unknown";
+}
+
+std::string cpuFeatures() {
+  std::string all = cpuInfo("flags");               // x86
+  if (all == "unknown") all = cpuInfo("Features");  // ARM
+  std::istringstream words(all);
+  std::set<std::string> features;
+  for (std::string word; words >> word;)
+    for (const char* kind : {"sse", "ssse", "avx", "fma", "f16c", "amx", "fp", "asimd", "sve"})
+      if (word.starts_with(kind)) features.insert(word);
+  std::string text;
+  for (const std::string& feature : features) text += (text.empty() ? "" : " ") + feature;
+  return text.empty() ? "unknown" : text;
+}
+
+std::string roundingName() {
+  switch (std::fegetround()) {
+    case FE_TONEAREST:
+      return "nearest";
+    case FE_UPWARD:
+      return "upward";
+    case FE_DOWNWARD:
+      return "downward";
+    case FE_TOWARDZERO:
+      return "toward zero";
+    default:
+      return "rounding unknown";
+  }
+}
+
+std::string fpEnvironment() {
+  volatile double smallest = std::numeric_limits<double>::min();  // volatile: this processor must compute it
+  std::string text = roundingName() + (smallest / 2 > 0 ? ", denormals kept" : ", denormals flushed");
+#ifdef __SSE2__
+  constexpr unsigned flags = 0x3f;  // what has happened so far: no part of how it computes
+  std::ostringstream number;
+  number << std::hex << (_mm_getcsr() & ~flags);
+  text += ", MXCSR 0x" + number.str();
+#endif
+  return text;
 }
 
 std::string kernelName() {
@@ -28,8 +79,17 @@ std::string kernelName() {
 }  // namespace
 
 MachineInfo machineInfo() {
-  static const MachineInfo machine{cpuName(), kernelName()};
+  static const MachineInfo machine{cpuInfo("model name"), kernelName(), cpuFeatures(), fpEnvironment()};
   return machine;
+}
+
+std::string binaryHash() {
+  static const std::string hash = [] {
+    std::ifstream file("/proc/self/exe", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    return bytes.empty() ? "unknown" : Hasher().add(bytes).digest().text();
+  }();
+  return hash;
 }
 
 std::string utcNow() {

@@ -5,12 +5,17 @@
 namespace morula {
 
 struct MachineInfo {
-  std::string cpu;     // "AMD EPYC 7B13"
-  std::string kernel;  // "Linux 6.1.0-18-amd64 x86_64"
+  std::string cpu;            // "AMD EPYC 7B13"
+  std::string kernel;         // "Linux 6.1.0-18-amd64 x86_64"
+  std::string features;       // of the processor, those that arithmetic can hang on: "avx2 fma sse2 …"
+  std::string fpEnvironment;  // of this thread: "nearest, denormals kept, MXCSR 0x1f80"
 };
 
 /// Reads the machine's description; what cannot be read is "unknown".
 MachineInfo machineInfo();
+
+/// 32 hexadecimal digits over the file of the running program; "unknown" if it cannot be read.
+std::string binaryHash();
 
 /// Now, as "2008-06-17T12:34:56Z".
 std::string utcNow();

@@ -12,9 +12,31 @@ void Recorder::observe(const World& world) {
   sampled_ = false;
   const Clock& clock = world.clock;
   if (options_.hashEvery && clock.step % *options_.hashEvery == 0) hash(world);
-  if (!options_.every || clock.time < static_cast<double>(next_) * *options_.every) return;
+  if (!isDue(clock.time)) return;
   sample(world);
-  while (static_cast<double>(next_) * *options_.every <= clock.time) ++next_;
+  expectNext(clock.time);
+}
+
+bool Recorder::isDue(double time) const {
+  return options_.every && time >= static_cast<double>(next_) * *options_.every;
+}
+
+void Recorder::expectNext(double time) {
+  while (static_cast<double>(next_) * *options_.every <= time) ++next_;
+}
+
+void Recorder::resume(const World& world, const RunResults& earlier) {
+  std::map<StateId, StateId> here;
+  for (const auto& [state, text] : earlier.stateTexts) here[state] = world.biology->stateOf(text);
+  for (Sample s : earlier.samples) {
+    if (s.world.step > world.clock.step || !isDue(s.world.time)) continue;
+    for (CellMeasures& c : s.cells) describe(world, c.state = here.at(c.state));
+    expectNext(s.world.time);
+    results_.samples.push_back(std::move(s));
+  }
+  for (const ChainLink& link : earlier.chain)
+    if (options_.hashEvery && link.step <= world.clock.step && link.step % *options_.hashEvery == 0)
+      results_.chain.push_back(link);
 }
 
 void Recorder::hash(const World& world) {
@@ -24,7 +46,13 @@ void Recorder::hash(const World& world) {
 
 void Recorder::sample(const World& world) {
   results_.samples.push_back({measureWorld(world), measureCells(world), measureContacts(world)});
+  for (const CellMeasures& c : results_.samples.back().cells) describe(world, c.state);
   sampled_ = true;
+}
+
+void Recorder::describe(const World& world, StateId state) {
+  if (const auto [text, isNew] = results_.stateTexts.try_emplace(state); isNew)
+    text->second = world.biology->describe(state);
 }
 
 RunResults Recorder::take(const World& world, bool failed) {
@@ -33,18 +61,12 @@ RunResults Recorder::take(const World& world, bool failed) {
   if (options_.every && !failed && !measuredAlready) sample(world);
   if (options_.hashEvery && !failed && results_.chain.back().step != world.clock.step) hash(world);
 
+  for (const LineageEntry& e : world.lineage.entries) describe(world, e.state);
   RunResults results = std::exchange(results_, {});
   results.lineage = world.lineage.entries;
   if (world.connections) results.connections = world.connections->history;
   for (const TimeStepChange& t : world.timeSteps) results.timeSteps.push_back({t.time, t.step, t.timeStep});
 
-  const auto describe = [&](StateId state) {
-    if (const auto [text, isNew] = results.stateTexts.try_emplace(state); isNew)
-      text->second = world.biology->describe(state);
-  };
-  for (const LineageEntry& e : results.lineage) describe(e.state);
-  for (const Sample& s : results.samples)
-    for (const CellMeasures& c : s.cells) describe(c.state);
   return results;
 }
 

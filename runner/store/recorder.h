@@ -22,11 +22,18 @@ class Recorder {
   /// sample is taken at the first step at or after its time and carries the time of that step.
   void observe(const World& world);
 
+  /// Goes on with what was recorded before the world was stopped: samples and hashes up to its step, apart
+  /// from a sample that was taken only because the run was stopped. States of cells are those of this world.
+  void resume(const World& world, const RunResults& earlier);
+
   /// True if the last call of `observe` took a sample (for pictures over time).
   bool sampled() const { return sampled_; }
   /// The samples so far.
   const std::vector<Sample>& samples() const { return results_.samples; }
   const std::vector<ChainLink>& chain() const { return results_.chain; }
+  const RecordOptions& options() const { return options_; }
+  /// Samples and hashes so far, with the texts of the states in them; nothing else yet.
+  const RunResults& records() const { return results_; }
 
   /// The run has ended: everything recorded, with a last sample, the lineage,
   /// connections and changes of the time step. After a NumericalError pass `failed`:
@@ -36,6 +43,9 @@ class Recorder {
  private:
   void sample(const World& world);
   void hash(const World& world);
+  void describe(const World& world, StateId state);
+  bool isDue(double time) const;
+  void expectNext(double time);
 
   RecordOptions options_;
   std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every

@@ -2,6 +2,7 @@
 // What is stored of a run, as plain data: no simulation and no database is needed to fill or read it.
 // The tables are described in store/README.md.
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,7 +22,9 @@ const char* name(RunStatus status);
 
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
 struct Document {
-  std::string role;  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh"
+  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "diff" (what the
+  // program's sources had that their commit had not)
+  std::string role;
   std::string path;  // where it was read from; "" if it was not
   std::string content;
   friend bool operator==(const Document&, const Document&) = default;
@@ -38,6 +41,7 @@ struct RunRecord {
   int threads = 1;      // changes no result
   BuildInfo build = buildInfo();
   MachineInfo machine = machineInfo();
+  std::string binaryHash = morula::binaryHash();
 };
 
 /// 16 hexadecimal digits over scenarioHash, seed and build: the same computation has the same id, anywhere.
@@ -78,6 +82,28 @@ struct RunResults {
   std::vector<TimeStepRecord> timeSteps;
   std::vector<ChainLink> chain;  // by step
   std::vector<CheckResult> checks;
+};
+
+/// What a run that was stopped goes on from. Samples and hashes up to its step stand in their tables.
+struct Checkpoint {
+  std::uint64_t step = 0;
+  std::optional<double> every;             // as RecordOptions
+  std::optional<std::uint64_t> hashEvery;  // as RecordOptions
+  std::string state;                       // core/simulation/checkpoint.h
+};
+
+/// The shapes so far for a sequence of pictures, as bytes: the same run makes the same ones, so those that
+/// are stored already are not asked for again.
+struct FrameSource {
+  std::size_t count = 0;
+  std::function<std::string(std::size_t)> bytes;
+};
+
+/// A run that goes on.
+struct ResumedRun {
+  std::string id;
+  Checkpoint checkpoint;
+  std::vector<std::string> frames;
 };
 
 }  // namespace morula

@@ -55,12 +55,16 @@ void insertCells(Database& db, const std::string& id, const RunResults& results)
   }
 }
 
-void insertSamples(Database& db, const std::string& id, const RunResults& results) {
+bool isNew(std::uint64_t step, std::optional<std::uint64_t> after) { return !after || step > *after; }
+
+void insertSamples(Database& db, const std::string& id, const RunResults& results,
+                   std::optional<std::uint64_t> after) {
   Statement whole(db, "INSERT INTO sample VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement cell(db, "INSERT INTO cell_sample VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement contact(db, "INSERT INTO contact VALUES (?, ?, ?, ?, ?)");
   for (const Sample& s : results.samples) {
     const WorldMeasures& w = s.world;
+    if (!isNew(w.step, after)) continue;
     // What the scene does not have was not measured: no bodies, no volume; no shell, nothing outermost.
     const auto measured = [](double value, bool has) { return has ? std::optional(value) : std::nullopt; };
     const bool bodies = w.volume != 0, shell = w.outermost != 0;
@@ -73,10 +77,12 @@ void insertSamples(Database& db, const std::string& id, const RunResults& result
   }
 }
 
-void insertChain(Database& db, const std::string& id, const std::vector<ChainLink>& chain) {
+void insertChain(Database& db, const std::string& id, const std::vector<ChainLink>& chain,
+                 std::optional<std::uint64_t> after) {
   Statement link(db, "INSERT INTO step_hash VALUES (?, ?, ?, ?, ?, ?, ?)");
   Statement cell(db, "INSERT INTO cell_hash VALUES (?, ?, ?, ?)");
   for (const ChainLink& l : chain) {
+    if (!isNew(l.step, after)) continue;
     const StateHashes& s = l.state;
     link.run(id, l.step, l.hash.text(), s.whole.text(), s.clock.text(), s.connections.text(),
              s.lineage.text());
@@ -98,17 +104,36 @@ void insertRun(Database& db, const std::string& id, const RunRecord& r, const st
   }
   Statement(
       db,
-      "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "?, ?, ?)")
       .run(id, r.scenario, r.seed, name(end ? end->status : RunStatus::running), hash, started, ended, steps,
            cells, time, failure, r.scenarioHash, buildId(r.build), r.build.version, r.build.sources,
            r.build.gitCommit, r.build.gitState, r.build.compiler, r.build.flags, r.build.target,
-           joined(r.build.libraries), r.machine.cpu, r.machine.kernel, r.isa, r.threads, r.command);
+           joined(r.build.libraries), r.machine.cpu, r.machine.kernel, r.isa, r.threads, r.command,
+           r.binaryHash, r.machine.fpEnvironment, r.machine.features);
   insertDocuments(db, id, r.documents);
+}
+
+void endRun(Database& db, const std::string& id, const RunEnd& end) {
+  Statement(db, "UPDATE run SET status = ?, ended = ?, steps = ?, cells = ?, time = ? WHERE run_id = ?")
+      .run(name(end.status), utcNow(), end.steps, end.cells, end.time, id);
+}
+
+void deleteResults(Database& db, const std::string& id) {
+  for (const char* table :
+       {"cell", "sample", "cell_sample", "contact", "connection", "time_step", "step_hash", "cell_hash"})
+    Statement(db, std::string("DELETE FROM ") + table + " WHERE run_id = ?").run(id);
+}
+
+void insertRecords(Database& db, const std::string& id, const RunResults& results,
+                   std::optional<std::uint64_t> after) {
+  insertSamples(db, id, results, after);
+  insertChain(db, id, results.chain, after);
 }
 
 void insertResults(Database& db, const std::string& id, const RunResults& results) {
   insertCells(db, id, results);
-  insertSamples(db, id, results);
+  insertRecords(db, id, results);
 
   Statement connection(db, "INSERT INTO connection VALUES (?, ?, ?, ?, ?, ?, ?)");
   std::uint64_t number = 0;
@@ -118,8 +143,6 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
 
   Statement timeStep(db, "INSERT INTO time_step VALUES (?, ?, ?, ?)");
   for (const TimeStepRecord& t : results.timeSteps) timeStep.run(id, t.step, t.time, t.timeStep);
-
-  insertChain(db, id, results.chain);
 
   insertChecks(db, id, results.checks);
 }

@@ -8,7 +8,14 @@ namespace morula {
 /// The row `run` and the run's documents; without an end its status is running.
 void insertRun(Database& db, const std::string& id, const RunRecord& record, const std::string& started,
                const RunEnd* end);
+/// The row `run` is there and running: how it ended.
+void endRun(Database& db, const std::string& id, const RunEnd& end);
 void insertResults(Database& db, const std::string& id, const RunResults& results);
+/// All rows that results are made of.
+void deleteResults(Database& db, const std::string& id);
+/// Of samples and hashes, those of steps after `after`; all of them if there is none.
+void insertRecords(Database& db, const std::string& id, const RunResults& results,
+                   std::optional<std::uint64_t> after = {});
 void insertChecks(Database& db, const std::string& id, const std::vector<CheckResult>& checks);
 
 }  // namespace morula

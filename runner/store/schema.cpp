@@ -156,8 +156,8 @@ CREATE TABLE check_result (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
-// Version 1 to 2: hashes of each part and each cell. A version 1 hash was of the state alone and of another
-// make, so none is kept.
+// Version 1 to 2: hashes of each part and each cell; what a run that was stopped goes on from; more about the
+// program and the machine. A version 1 hash was of the state alone and of another make, so none is kept.
 const char* const version2 = R"sql(
 DROP TABLE step_hash;
 CREATE TABLE step_hash (
@@ -178,6 +178,29 @@ CREATE TABLE cell_hash (            -- of each living cell at each step of step_
   hash   TEXT NOT NULL,
   PRIMARY KEY (run_id, step, path)
 ) STRICT, WITHOUT ROWID;
+
+ALTER TABLE run ADD COLUMN
+  binary_hash TEXT NOT NULL DEFAULT 'unknown';    -- XXH3-128 of the program's file
+ALTER TABLE run ADD COLUMN
+  fp_environment TEXT NOT NULL DEFAULT 'unknown'; -- how the processor rounds, and what it does with denormals
+ALTER TABLE run ADD COLUMN
+  cpu_features TEXT NOT NULL DEFAULT 'unknown';   -- those that arithmetic can hang on
+
+CREATE TABLE checkpoint (            -- of a run that has not finished; the next one replaces it
+  run_id     TEXT PRIMARY KEY REFERENCES run ON DELETE CASCADE,
+  step       INTEGER NOT NULL,       -- samples and hashes up to this step are in their tables
+  made       TEXT NOT NULL,          -- UTC
+  every      REAL,                   -- between samples; NULL: none are taken
+  hash_every INTEGER,                -- steps between hashes; NULL: none are taken
+  state      BLOB NOT NULL           -- core/simulation/checkpoint.h
+) STRICT;
+
+CREATE TABLE checkpoint_frame (      -- shapes for a sequence of pictures, until it is drawn
+  run_id  TEXT NOT NULL REFERENCES checkpoint ON DELETE CASCADE,
+  number  INTEGER NOT NULL,
+  content BLOB NOT NULL,
+  PRIMARY KEY (run_id, number)
+) STRICT;
 )sql";
 
 constexpr std::array migrations{&version1, &version2};

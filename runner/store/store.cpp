@@ -83,6 +83,14 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
           end.status == RunStatus::done ? end.stateHash->text() : "failed: " + end.failure;
       if (earlier->stateHash != computed) reportNondeterminism(db_, id, *earlier, computed);
     }
+    if (end.status == RunStatus::killed) {
+      deleteResults(db_, id);
+      endRun(db_, id, end);
+      insertResults(db_, id, results);
+      transaction.commit();
+      attempts_.erase(attempt);
+      return;
+    }
     deleteRun(db_, id);
   }
   insertRun(db_, id, attempt->second.record, attempt->second.started, &end);

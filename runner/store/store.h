@@ -11,6 +11,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,9 +50,19 @@ class Store {
   /// until `finish` has compared the two; unfinished or failed attempts are replaced now.
   std::string begin(const RunRecord& record);
 
+  /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples
+  /// and hashes that the file has not yet: whoever kills the program at any moment leaves one whole
+  /// checkpoint and what was recorded up to it. Does nothing if the file has a finished run of that id.
+  void keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
+                      const FrameSource& frames = {});
+
+  /// Begins a run where its last checkpoint left it. Without one the run is not begun. `record` as for
+  /// `begin`.
+  std::optional<ResumedRun> resume(const RunRecord& record);
+
   /// Stores how the run ended and what it left behind, replacing what the file has of this id. Throws
   /// NondeterminismError, and leaves the file as it was, if a finished run of this id has another state hash
-  /// (or this one failed). A killed attempt never replaces a finished run.
+  /// (or this one failed). A killed attempt never replaces a finished run, and keeps its checkpoint.
   void finish(const std::string& id, const RunEnd& end, const RunResults& results);
 
   /// Replaces the run's check results of the kinds that occur in `checks`.

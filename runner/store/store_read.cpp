@@ -66,7 +66,7 @@ const std::string runColumns =
     "SELECT run_id, scenario, seed, status, state_hash, started, ended, steps, cells, time, failure, "
     "scenario_hash, "
     "version, sources, git_commit, git_state, compiler, flags, target, libraries, cpu, kernel, isa, threads, "
-    "command "
+    "command, binary_hash, fp_environment, cpu_features "
     "FROM run ";
 
 StoredRun runFrom(const Statement& s) {
@@ -85,10 +85,11 @@ StoredRun runFrom(const Statement& s) {
   run.record.scenarioHash = s.text(11);
   run.record.build = {s.text(12), s.text(13), s.text(14), s.text(15),
                       s.text(16), s.text(17), s.text(18), librariesFrom(s.text(19))};
-  run.record.machine = {s.text(20), s.text(21)};
+  run.record.machine = {s.text(20), s.text(21), s.text(27), s.text(26)};
   run.record.isa = s.text(22);
   run.record.threads = static_cast<int>(s.integer(23));
   run.record.command = s.text(24);
+  run.record.binaryHash = s.text(25);
   return run;
 }
 

@@ -1,0 +1,79 @@
+#include "cli/resume.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/provenance.h"
+#include "simulation/checkpoint.h"
+
+namespace morula::cli {
+
+namespace {
+
+/// What makes one run_id another one.
+std::string differences(const RunRecord& there, const RunRecord& here) {
+  std::string text;
+  for (const auto& [item, before, now] : compareIdentity(there, here))
+    if (before != now)
+      text += (text.empty() ? "" : "; ") + fmt::format("{} ({} then, {} now)", item, before, now);
+  return text;
+}
+
+/// Why there is nothing to go on from.
+std::string whyNot(Store& store, const RunRecord& record) {
+  const std::string id = runId(record);
+  std::optional<StoredRun> other;
+  for (const StoredRun& run : store.runs()) {
+    if (run.id == id && run.status == RunStatus::done) return "run " + id + " is finished";
+    if (run.id == id) return "run " + id + " left no checkpoint (--checkpoint-every makes them)";
+    if (run.record.scenario == record.scenario && run.status != RunStatus::done) other = run;
+  }
+  if (other)
+    return "run " + other->id + " of " + record.scenario +
+           " is another one; what differs: " + differences(other->record, record);
+  return "there is no unfinished run of " + record.scenario + " in " + store.file().string();
+}
+
+std::string named(const char* option, const std::optional<double>& every) {
+  return every ? fmt::format("{} every {}", option, *every) : fmt::format("no {}", option);
+}
+
+/// What was recorded in another way cannot be made up for.
+void requireSameRecords(const Checkpoint& c, const RecordOptions& now) {
+  const std::optional<double> then(c.hashEvery), hashes(now.hashEvery);
+  if (c.every == now.every && c.hashEvery == now.hashEvery) return;
+  throw UsageError(fmt::format(
+      "--resume: the checkpoint was made with {} and {}, and now it is {} and {}; record as then (--no-check "
+      "and "
+      "the scenario's record and check decide), or leave out --resume to start from the beginning",
+      named("samples", c.every), named("state hashes", then), named("samples", now.every),
+      named("state hashes", hashes)));
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> resumeRun(Store& store, const RunRecord& record, World& world,
+                                       Recorder& recorder, FrameCollector& frames, bool quiet) {
+  const auto run = store.resume(record);
+  if (!run) {
+    tell("nothing to resume: " + whyNot(store, record) + "; starting from the beginning", quiet);
+    return std::nullopt;
+  }
+  requireSameRecords(run->checkpoint, recorder.options());
+  try {
+    restoreState(world, run->checkpoint.state);
+    recorder.resume(world, store.results(run->id));
+    frames.resume(world, run->frames);
+  } catch (const InputError& error) {
+    throw FileError(store.file().string() + ": run " + run->id + " cannot be resumed: " + error.what() +
+                    "; leave out --resume to start from the beginning");
+  }
+  tell(fmt::format("{} goes on from step {}, time {:.6g}", record.scenario, world.clock.step,
+                   world.clock.time),
+       quiet);
+  return world.clock.step;
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,211 @@
+// morula run --resume: killed at any moment and gone on with, a run leaves what it would have left anyway.
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+#include "store/database.h"
+#include "store/store_error.h"
+
+using namespace morula::test;
+using morula::Database;
+using morula::Statement;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Contacts, connections, samples, hashes, pictures: something in every table. Takes some seconds.
+const std::string scene = R"(morula: 1
+name: stopped
+dna: |
+  START: a0
+  g1(a0|a0)
+  g2(divide|a0)
+stop: {time: 3.75}
+physics:
+  mesh: {icosphere: 3}
+  cell: {radius: 0.95}
+  drag: 2
+  shell: {sphere: 1}
+  contact: {friction: 0.3}
+connections: {}
+record: {every: 0.25, pictures: 1}
+check: {}
+)";
+
+/// All rows of all tables but when and how the run was made, and what it was resumed from.
+std::string contentOf(const std::string& file) {
+  Database db(file, Database::Mode::existing, std::chrono::seconds(60));
+  std::string text;
+  Statement tables(db, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name");
+  while (tables.next()) {
+    const std::string table = tables.text(0);
+    std::string columns;
+    Statement names(db, "SELECT name FROM pragma_table_info(?)");
+    for (names.start(table); names.next();)
+      if (const auto name = names.text(0);
+          name != "started" && name != "ended" && name != "command" && name != "isa" && name != "threads")
+        columns += (columns.empty() ? "" : " || '|' || ") + ("quote(\"" + name + "\")");
+    text += "== " + table + "\n";
+    for (Statement rows(db, "SELECT " + columns + " AS r FROM " + table + " ORDER BY r"); rows.next();)
+      text += rows.text(0) + "\n";
+  }
+  return text;
+}
+
+/// 0 while there is none.
+std::int64_t checkpointStep(const std::string& file) {
+  if (!fs::exists(file)) return 0;
+  try {
+    Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+    return db.integer("SELECT max(step) FROM checkpoint");
+  } catch (const morula::StoreError&) {  // its tables are not there yet
+    return 0;
+  }
+}
+
+/// Sends the signal once there is a checkpoint behind `step`.
+Launched stopBehind(std::int64_t step, int signal, const std::string& file,
+                    const std::vector<std::string>& how) {
+  return launch(how, {}, [&](int process) {
+    for (int i = 0; i < 6000 && checkpointStep(file) <= step; ++i) usleep(5'000);
+    kill(process, signal);
+  });
+}
+
+std::map<std::string, std::string> filesIn(const std::string& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".png")
+      files[fs::relative(entry.path(), folder).string()] = readWhole(entry.path().string());
+  return files;
+}
+
+}  // namespace
+
+TEST_CASE("killed three times and resumed, a run leaves the same database and the same pictures") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "stopped.yaml", scene);
+  const auto arguments = [&](const std::string& out, std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", folder / "stopped.yaml", "--out", folder / out});
+    return more;
+  };
+  REQUIRE(launch(arguments("whole", {})).code == 0);
+  const std::string whole = folder / "whole/stopped-0", stopped = folder / "stopped/stopped-0";
+  std::int64_t step = 0;
+  const std::vector<std::vector<std::string>> ways{
+      {"--isa", "scalar"}, {"--threads", "2"}, {"--isa", "narrow"}};
+  for (const auto& way : ways) {
+    auto how = arguments("stopped", {"--checkpoint-every", "50", "--resume"});
+    how.insert(how.end(), way.begin(), way.end());
+    const auto run = stopBehind(step, SIGKILL, stopped + "/run.db", how);
+    INFO(run.err);
+    CHECK(run.code == 128 + SIGKILL);
+    CHECK(checkpointStep(stopped + "/run.db") > step);
+    step = checkpointStep(stopped + "/run.db");
+  }
+  const auto end = launch(arguments("stopped", {"--resume", "--json"}));
+  INFO(end.err);
+  REQUIRE(end.code == 0);
+  CHECK(Json::parse(end.out)["resumed_at"] == step);
+  CHECK_THAT(end.err, ContainsSubstring("stopped goes on from step " + std::to_string(step)));
+  const auto content = contentOf(whole + "/run.db");
+  CHECK_THAT(content, ContainsSubstring("== contact\n'"));
+  CHECK_THAT(content, ContainsSubstring("== connection\n'"));
+  CHECK_THAT(content, ContainsSubstring("== step_hash\n'"));
+  CHECK(contentOf(stopped + "/run.db") == content);
+  CHECK(filesIn(whole).size() == 7);
+  CHECK((filesIn(stopped) == filesIn(whole)));
+}
+
+TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is told") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "stopped.yaml", scene);
+  const std::vector<std::string> how{
+      "run", folder / "stopped.yaml", "--db", folder / "run.db", "--no-pictures", "--out", folder.path()};
+  const auto database = folder / "run.db";
+  const auto run = launch(how, {}, [&](int process) {
+    for (int i = 0; i < 6000 && !fs::exists(database); ++i) usleep(5'000);
+    usleep(300'000);
+    kill(process, SIGINT);
+  });
+  CHECK(run.code == 130);
+  CHECK_THAT(run.out, ContainsSubstring("--resume"));
+  CHECK(checkpointStep(database) > 0);
+  const auto content = contentOf(database);
+  CHECK_THAT(content, ContainsSubstring("'killed'"));
+
+  auto again = how;
+  again.push_back("--resume");
+  SECTION("to the end") {
+    const auto end = launch(again);
+    INFO(end.err);
+    CHECK(end.code == 0);
+    auto other = how;
+    std::replace(other.begin(), other.end(), database, folder / "whole.db");
+    REQUIRE(launch(other).code == 0);
+    CHECK(contentOf(database) == contentOf(folder / "whole.db"));
+  }
+  SECTION("recorded in another way it is refused, and nothing is lost") {
+    Database(database, Database::Mode::existing, std::chrono::seconds(5))
+        .execute("UPDATE checkpoint SET hash_every = NULL");
+    const auto end = launch(again);
+    INFO(end.err);
+    CHECK(end.code == 2);
+    CHECK_THAT(end.err, ContainsSubstring("samples every 0.25 and no state hashes, and now it is samples "
+                                          "every 0.25 and state hashes every 64"));
+    CHECK(checkpointStep(database) > 0);
+  }
+  SECTION("a damaged checkpoint is refused") {
+    {
+      Database db(database, Database::Mode::existing, std::chrono::seconds(5));
+      db.execute("UPDATE checkpoint SET state = substr(state, 1, 1000)");
+    }
+    const auto end = launch(again);
+    INFO(end.err);
+    CHECK(end.code == 6);
+    CHECK_THAT(end.err, ContainsSubstring("cannot be resumed: checkpoint: it is cut short"));
+    CHECK_THAT(end.err, ContainsSubstring("leave out --resume"));
+  }
+  SECTION("another seed is another run, which says what differs") {
+    again.insert(again.end(), {"--seed", "5", "--set", "stop.time=0.1"});
+    const auto end = launch(again);
+    INFO(end.err);
+    CHECK(end.code == 0);
+    CHECK_THAT(end.err, ContainsSubstring("nothing to resume"));
+    CHECK_THAT(end.err, ContainsSubstring("seed (0 then, 5 now)"));
+    CHECK_THAT(end.err, ContainsSubstring("starting from the beginning"));
+  }
+}
+
+TEST_CASE("with nothing to resume, a run says so and starts from the beginning") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> how{"run",
+                                     "scenarios/thesis/elegans-128.yaml",
+                                     "--db",
+                                     folder / "run.db",
+                                     "--no-pictures",
+                                     "--set",
+                                     "stop={cycles: 2}",
+                                     "--out",
+                                     folder.path(),
+                                     "--resume"};
+  const auto first = launch(how);
+  INFO(first.err);
+  CHECK(first.code == 0);
+  CHECK_THAT(first.err, ContainsSubstring("nothing to resume: there is no unfinished run of elegans-128 in"));
+  const auto second = launch(how);
+  CHECK(second.code == 0);
+  CHECK_THAT(second.err, ContainsSubstring(" is finished; starting from the beginning"));
+}
+
+TEST_CASE("mistakes on the command line") {
+  CHECK(launch({"run", "scenarios/thesis/unique-four.yaml", "--checkpoint-every", "0"}).code == 2);
+  CHECK(launch({"run", "scenarios/thesis/unique-four.yaml", "--checkpoint-every", "1.5"}).code == 2);
+  CHECK(launch({"run", "scenarios/thesis/unique-four.yaml", "--resume", "--dry-run"}).code == 2);
+}

@@ -1,0 +1,138 @@
+// What a run that was stopped goes on from.
+#include "catch.h"
+#include "example_run.h"
+#include "store/store.h"
+#include "store/store_error.h"
+#include "temporary_folder.h"
+
+using namespace morula;
+
+namespace {
+
+std::int64_t count(const std::filesystem::path& file, const std::string& from) {
+  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+  return db.integer("SELECT count(*) FROM " + from);
+}
+
+Checkpoint checkpointAt(std::uint64_t step) { return {step, 0.25, 64, "state at " + std::to_string(step)}; }
+
+/// Samples and hashes only, as of a run that goes on.
+RunResults recordsUpTo(std::uint64_t step) {
+  RunResults all = exampleResults(), records;
+  records.stateTexts = all.stateTexts;
+  for (const Sample& s : all.samples)
+    if (s.world.step <= step) records.samples.push_back(s);
+  for (const ChainLink& link : all.chain)
+    if (link.step <= step) records.chain.push_back(link);
+  return records;
+}
+
+FrameSource frames(std::size_t n, int* asked = nullptr) {
+  return {n, [asked](std::size_t i) {
+            if (asked) ++*asked;
+            return "frame " + std::to_string(i);
+          }};
+}
+
+}  // namespace
+
+TEST_CASE("a run goes on from its last checkpoint, with what was recorded up to it, once") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  std::string id;
+  {
+    Store store = Store::openForWriting(file);
+    id = store.begin(exampleRecord());
+    store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1));
+    CHECK(count(file, "sample") == 1);
+    CHECK(count(file, "step_hash") == 1);
+    int asked = 0;
+    store.keepCheckpoint(id, checkpointAt(700), recordsUpTo(700), frames(3, &asked));
+    CHECK(asked == 2);  // the first one is there
+  }                     // as if killed
+  CHECK(count(file, "checkpoint") == 1);
+  CHECK(count(file, "sample") == 2);
+  CHECK(count(file, "step_hash") == 2);
+
+  Store store = Store::openForWriting(file);
+  const auto resumed = store.resume(exampleRecord());
+  REQUIRE(resumed);
+  CHECK(resumed->id == id);
+  CHECK(resumed->checkpoint.step == 700);
+  CHECK(resumed->checkpoint.every == 0.25);
+  CHECK(resumed->checkpoint.hashEvery == 64);
+  CHECK(resumed->checkpoint.state == "state at 700");
+  CHECK(resumed->frames == std::vector<std::string>{"frame 0", "frame 1", "frame 2"});
+  CHECK(store.results(id).samples.size() == 2);
+  store.finish(id, exampleEnd(), exampleResults());
+  CHECK(count(file, "checkpoint") == 0);
+  CHECK(count(file, "checkpoint_frame") == 0);
+  CHECK(count(file, "sample") == 2);
+  CHECK_FALSE(store.resume(exampleRecord()));
+}
+
+TEST_CASE("a killed run keeps its checkpoint, and its results are what there is") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+  const std::string id = store.begin(exampleRecord());
+  store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100));
+  RunEnd end = exampleEnd();
+  end.status = RunStatus::killed;
+  end.stateHash.reset();
+  RunResults results = exampleResults();
+  results.checks.clear();
+  store.finish(id, end, results);
+  CHECK(store.find(id).status == RunStatus::killed);
+  CHECK(store.find(id).steps == 700);
+  CHECK(count(file, "cell") == 3);
+  CHECK(count(file, "document") == 2);
+  REQUIRE(store.resume(exampleRecord()));
+  CHECK(store.find(id).status == RunStatus::running);
+  CHECK(store.find(id).ended.empty());
+}
+
+TEST_CASE("without a checkpoint there is nothing to resume, and a new beginning forgets one") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+  CHECK_FALSE(store.resume(exampleRecord()));
+  CHECK(count(file, "run") == 0);
+  const std::string id = store.begin(exampleRecord());
+  CHECK_FALSE(store.resume(exampleRecord()));
+  store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(2));
+  RunRecord other = exampleRecord();
+  other.seed += 1;
+  CHECK_FALSE(store.resume(other));
+  store.begin(exampleRecord());
+  CHECK_FALSE(store.resume(exampleRecord()));
+  CHECK(count(file, "checkpoint_frame") == 0);
+}
+
+TEST_CASE("a finished run takes no checkpoint of an attempt to repeat it") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+  const std::string id = store.begin(exampleRecord());
+  store.finish(id, exampleEnd(), exampleResults());
+  store.begin(exampleRecord());
+  store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100));
+  CHECK(count(file, "checkpoint") == 0);
+  CHECK(count(file, "sample") == 2);
+  CHECK(store.find(id).status == RunStatus::done);
+}
+
+TEST_CASE("records that were made in another way are replaced as a whole") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+  const std::string id = store.begin(exampleRecord());
+  Checkpoint without = checkpointAt(700);
+  without.hashEvery.reset();
+  RunResults few = recordsUpTo(700);
+  few.chain.clear();
+  store.keepCheckpoint(id, without, few);
+  store.keepCheckpoint(id, checkpointAt(800), recordsUpTo(800));
+  CHECK(count(file, "step_hash") == 2);
+  CHECK(count(file, "sample") == 2);
+}
