@@ -83,6 +83,8 @@ Action parse(int argc, char** argv) {
   addInit(app, action);
   addRender(app, action);
   addLineage(app, action);
+  addReplay(app, action);
+  addExport(app, action);
   addBench(app, action);
   addTrail(app, action);
   addBulletWorker(app, action);

@@ -22,6 +22,8 @@ void addSchema(CLI::App& app, Action& action);
 void addInit(CLI::App& app, Action& action);
 void addRender(CLI::App& app, Action& action);
 void addLineage(CLI::App& app, Action& action);
+void addReplay(CLI::App& app, Action& action);
+void addExport(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addTrail(CLI::App& app, Action& action);
 void addBulletWorker(CLI::App& app, Action& action);

@@ -108,4 +108,14 @@ void Store::addChecks(const std::string& id, const std::vector<CheckResult>& che
   transaction.commit();
 }
 
+void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
+  Statement(db_, "VACUUM INTO ?").run(file.string());
+  Database copy(file, Database::Mode::existing, std::chrono::seconds(1));
+  configure(copy);
+  Statement(copy, "DELETE FROM run WHERE run_id <> ?").run(id);
+  copy.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");
+  copy.execute("DELETE FROM checkpoint");
+  copy.execute("VACUUM");
+}
+
 }  // namespace morula

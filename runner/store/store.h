@@ -81,6 +81,9 @@ class Store {
   std::vector<ChainLink> chain(const std::string& id);
   std::vector<Document> documents(const std::string& id);
 
+  /// Makes a file that holds this run alone. It must not be there yet.
+  void copyRun(const std::string& id, const std::filesystem::path& file);
+
   const std::filesystem::path& file() const { return db_.file(); }
 
  private:

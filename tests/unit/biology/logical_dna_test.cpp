@@ -49,6 +49,18 @@ TEST_CASE("two equal subtrees [Nilsson 2008, 5.2.2], cycle by cycle") {
   }
 }
 
+TEST_CASE("a state is found by its description, whether or not it was met before") {
+  const auto unit = makeLogicalDna(parseDna(uniqueFour, "test.dna"), {});
+  CHECK(unit->stateOf("a0") == unit->startState());
+  const StateId unmet = unit->stateOf("B a3 divide");
+  CHECK(unit->describe(unmet) == "B a3 divide");
+  CHECK(unit->stateOf("B a3 divide") == unmet);
+  CHECK(unit->describe(unit->stateOf("")) == "");
+  CHECK_THROWS_WITH(unit->stateOf("a0 b9"), ContainsSubstring("no substance 'b9'"));
+  CHECK_THROWS_WITH(unit->stateOf("a3 a2"), ContainsSubstring("sorted"));
+  CHECK_THROWS_WITH(unit->stateOf("a2 a2"), ContainsSubstring("once each"));
+}
+
 TEST_CASE("a substance that is not produced again is gone") {
   Organism organism("START: a0, rest\ng1(a1|a0)\ng2(a0|a1)\n");
   CHECK(organism.cells() == Cells{{"", "a0 rest"}});

@@ -46,3 +46,16 @@ TEST_CASE("the machine is described") {
   CHECK(now.back() == 'Z');
   CHECK(now > "2024");
 }
+
+TEST_CASE("the program knows its own file, and how this processor computes") {
+  CHECK(isHex(binaryHash(), 32));
+  CHECK(binaryHash() == binaryHash());
+  CHECK_THAT(machineInfo().fpEnvironment, ContainsSubstring("nearest, denormals kept"));
+  CHECK(machineInfo().features != "");
+}
+
+TEST_CASE("an edited tree's diff goes with the program, a clean one has none") {
+  CHECK(buildDiff().empty() == (buildInfo().gitState != "modified"));
+  if (!buildDiff().empty()) CHECK_THAT(buildDiff(), ContainsSubstring("diff --git "));
+  CHECK(buildDiff().size() <= 262144 + 100);
+}

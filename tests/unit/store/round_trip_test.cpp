@@ -56,6 +56,9 @@ TEST_CASE("a run's row comes back") {
   REQUIRE(run.record.build.gitCommit == record.build.gitCommit);
   REQUIRE(run.record.machine.cpu == record.machine.cpu);
   REQUIRE(run.record.machine.kernel == record.machine.kernel);
+  REQUIRE(run.record.machine.features == record.machine.features);
+  REQUIRE(run.record.machine.fpEnvironment == record.machine.fpEnvironment);
+  REQUIRE(run.record.binaryHash == record.binaryHash);
   REQUIRE(stored.store.documents(run.id) == record.documents);
 }
 

@@ -1,0 +1,147 @@
+// morula export: a stored run for others, as a folder that describes itself; without one, which runs there
+// are.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "base/error.h"
+#include "cli/console.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/pictures.h"
+#include "cli/ro_crate.h"
+#include "cli/verbs.h"
+#include "golden/accept.h"
+
+namespace morula::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct ExportOptions {
+  std::string database, run, crate, pictures, agent, license;
+  OutputOptions output;
+};
+
+int listRuns(Store& store, const ExportOptions& options) {
+  Json list = Json::array();
+  for (const StoredRun& run : store.runs()) {
+    if (!options.output.json)
+      print(fmt::format("{}  {}  {}  {}  seed {}\n", run.id, run.started, name(run.status),
+                        run.record.scenario, run.record.seed));
+    list.push_back({{"run_id", run.id},
+                    {"scenario", run.record.scenario},
+                    {"seed", run.record.seed},
+                    {"status", name(run.status)},
+                    {"started", run.started},
+                    {"state_hash", run.stateHash.empty() ? Json() : Json(run.stateHash)}});
+  }
+  if (options.output.json) printJson({{"runs", list}});
+  return fine;
+}
+
+CrateFile crateFile(const Document& d) {
+  using Role = CrateFile::Role;
+  const std::string file = fs::path(d.path).filename().string();
+  if (d.role == "resolved")
+    return {"scenario/resolved.json",
+            Role::object,
+            "The scenario with all defaults and changes filled in",
+            "",
+            d.content,
+            {}};
+  if (d.role == "diff")
+    return {"program.diff", Role::about, "What the program's sources had that their commit had not", "",
+            d.content,      {}};
+  const char* what = d.role == "dna"    ? "The genes that the scenario names"
+                     : d.role == "mesh" ? "The egg's mesh that the scenario names"
+                                        : "The scenario as it was read";
+  return {d.role + "/" + (file.empty() ? d.role : file), Role::object, what, d.path, d.content, {}};
+}
+
+/// The golden file that the run is held against, if it is here.
+void addGolden(std::vector<CrateFile>& files) {
+  for (const CrateFile& file : files) {
+    if (!file.path.starts_with("scenario/") || file.alternateName.empty()) continue;
+    const fs::path golden = goldenPath(file.alternateName);
+    if (!fs::exists(golden)) return;
+    files.push_back({"golden/" + golden.filename().string(), CrateFile::Role::object,
+                     "The accepted result that the run is held against", golden.string(), "", golden});
+    return;
+  }
+}
+
+/// What `morula run` draws. The database does not know where: beside it, unless it holds other runs too.
+void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
+  const auto add = [&](const fs::path& picture, const std::string& description) {
+    if (fs::exists(folder / picture))
+      files.push_back({"pictures/" + picture.string(), CrateFile::Role::result, description,
+                       (folder / picture).string(), "", folder / picture});
+  };
+  add("organism.png", "The organism at the end");
+  add("wireframe.png", "The organism at the end, as meshes");
+  add("lineage.png", "The tree of its cells");
+  if (!fs::is_directory(folder / "sequence")) return;
+  std::vector<fs::path> frames;
+  for (const auto& entry : fs::directory_iterator(folder / "sequence"))
+    if (entry.path().extension() == ".png") frames.push_back(entry.path().filename());
+  std::sort(frames.begin(), frames.end());
+  for (const fs::path& frame : frames) add("sequence" / frame, "The organism on the way");
+}
+
+void makeEmptyFolder(const fs::path& folder) {
+  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder)))
+    throw FileError("'" + folder.string() + "' is there already; give a folder that is not, or an empty one");
+  makeFolder(folder);
+}
+
+int act(const ExportOptions& options) {
+  auto store = Store::openForReading(options.database);
+  if (options.crate.empty()) {
+    if (!options.run.empty() || !options.pictures.empty() || !options.agent.empty() ||
+        !options.license.empty())
+      throw UsageError("export: --ro-crate FOLDER says what to make of the run");
+    return listRuns(store, options);
+  }
+  CrateRun crate{store.find(options.run), options.agent, options.license, {}};
+  for (const Document& document : store.documents(crate.run.id)) crate.files.push_back(crateFile(document));
+  addGolden(crate.files);
+  if (!options.pictures.empty() && !fs::is_directory(options.pictures))
+    throw FileError("'" + options.pictures + "': no such folder");
+  const fs::path folder = options.crate;
+  makeEmptyFolder(folder);
+  store.copyRun(crate.run.id, folder / "run.db");
+  crate.files.push_back(
+      {"run.db", CrateFile::Role::result, "All results of the run, in SQLite", options.database, "", {}});
+  if (!options.pictures.empty()) addPictures(crate.files, options.pictures);
+  else if (store.runs().size() == 1) addPictures(crate.files, fs::path(options.database).parent_path());
+  writeCrate(crate, folder);
+  if (options.output.json)
+    printJson({{"run_id", crate.run.id}, {"crate", folder.string()}, {"files", crate.files.size()}});
+  else print(fmt::format("{} ({} files and ro-crate-metadata.json)\n", folder.string(), crate.files.size()));
+  return fine;
+}
+
+}  // namespace
+
+void addExport(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ExportOptions>();
+  auto* verb = app.add_subcommand("export", "List the runs of a database, or give one to others as a folder");
+  verb->add_option("file", options->database, "A database")->required()->type_name("FILE");
+  verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
+  verb->add_option("--ro-crate", options->crate, "Write a Process Run Crate (RO-Crate 1.1) there")
+      ->type_name("FOLDER");
+  verb->add_option("--pictures", options->pictures,
+                   "Where the run's pictures lie; default: beside a database of one run")
+      ->type_name("FOLDER");
+  verb->add_option("--agent", options->agent, "Who ran it: a name, or a URI such as an ORCID")
+      ->type_name("WHO");
+  verb->add_option("--license", options->license, "The results' licence, a URI")->type_name("URI");
+  add(*verb, options->output);
+  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,165 @@
+// morula replay: a stored run once more, and what is not as it was.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+#include "store/database.h"
+
+using namespace morula::test;
+using morula::Database;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string scene = R"(morula: 1
+name: small
+dna: |
+  START: a0
+  g1(divide|a0)
+stop: {time: 1.5}
+physics: {mesh: {icosphere: 1}, contact: {}}
+check: {}
+)";
+
+/// A database with one run of the scene.
+struct Stored {
+  TemporaryFolder folder;
+  std::string database = folder / "run.db", id;
+  explicit Stored(const std::vector<std::string>& more = {}, const std::string& text = scene, int code = 0) {
+    writeWhole(folder / "small.yaml", text);
+    std::vector<std::string> arguments{"run",   folder / "small.yaml", "--db",          database,
+                                       "--out", folder.path(),         "--no-pictures", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto run = launch(arguments);
+    INFO(run.err);
+    REQUIRE(run.code == code);
+    id = Json::parse(run.out)["run_id"];
+  }
+  void execute(const std::string& sql) {
+    Database(database, Database::Mode::existing, std::chrono::seconds(5)).execute(sql);
+  }
+};
+
+Json condition(const Json& json, const std::string& item) {
+  for (const auto& c : json["conditions"])
+    if (c["item"] == item) return c;
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a run replayed by the same program gives the same bits under the same conditions") {
+  const Stored stored;
+  const std::string before = readWhole(stored.database);
+  const std::vector<std::vector<std::string>> ways{{stored.database},
+                                                   {stored.database, "--run", stored.id},
+                                                   {stored.id, "--db", stored.database},
+                                                   {stored.id.substr(0, 6), "--db", stored.database}};
+  for (std::vector<std::string> how : ways) {
+    how.insert(how.begin(), "replay");
+    const auto run = launch(how);
+    INFO(run.err);
+    CHECK(run.code == 0);
+    CHECK_THAT(run.out, ContainsSubstring("conditions      all 18 the same"));
+    CHECK_THAT(run.out, ContainsSubstring("hashes on the way the same"));
+    CHECK(run.out.ends_with("\nthe same bits\n"));
+  }
+  CHECK((readWhole(stored.database) == before));  // nothing was written
+}
+
+TEST_CASE("on another instruction set and number of threads the bits are the same, and it is said") {
+  const Stored stored;
+  const auto run = launch({"replay", stored.database, "--isa", "scalar", "--threads", "2", "--json"});
+  INFO(run.err);
+  CHECK(run.code == 0);
+  const Json json = Json::parse(run.out);
+  CHECK(json["same_bits"] == true);
+  CHECK(json["state_hash"]["same"] == true);
+  CHECK(json["step_hashes"]["then"] > 3);
+  CHECK(json["step_hashes"]["first_difference"].is_null());
+  CHECK(condition(json, "isa")["same"] == false);
+  CHECK(condition(json, "isa")["now"] == "scalar");
+  CHECK(condition(json, "threads")["then"] == "1");
+  CHECK(condition(json, "threads")["now"] == "2");
+  CHECK(condition(json, "binary")["same"] == true);
+}
+
+TEST_CASE("by itself a replay computes as the run did") {
+  const Stored stored({"--isa", "scalar", "--threads", "3"});
+  const auto run = launch({"replay", stored.database, "--json"});
+  const Json json = Json::parse(run.out);
+  CHECK(condition(json, "isa")["now"] == "scalar");
+  CHECK(condition(json, "threads")["now"] == "3");
+}
+
+TEST_CASE("each condition that is not as it was is named") {
+  Stored stored;
+  stored.execute(
+      "UPDATE run SET sources = 's', git_commit = 'c', compiler = 'GNU 1', flags = '-O9', target = 'Moon', "
+      "libraries = 'SQLite 1.0', cpu = 'abacus', kernel = 'k', binary_hash = 'b', fp_environment = 'upward', "
+      "cpu_features = 'beads', version = '0'");
+  const auto run = launch({"replay", stored.database});
+  CHECK(run.code == 0);  // the bits are the same for all that
+  for (const char* item : {"sources", "commit", "compiler", "flags", "target", "libraries", "cpu", "kernel",
+                           "binary", "floating point", "cpu features", "version", "build id"}) {
+    CAPTURE(item);
+    CHECK_THAT(run.out, ContainsSubstring(std::string("\n  ") + item + " "));
+  }
+  CHECK_THAT(run.out, ContainsSubstring("then  abacus"));
+}
+
+TEST_CASE("other bits give exit 1, and the first step is named") {
+  Stored stored;
+  SECTION("at the end") {
+    stored.execute("UPDATE run SET state_hash = '0000000000000000'");
+    const auto run = launch({"replay", stored.database});
+    CHECK(run.code == 1);
+    CHECK_THAT(run.out, ContainsSubstring("state           differs"));
+    CHECK_THAT(run.out, ContainsSubstring("NOT the same bits"));
+  }
+  SECTION("on the way") {
+    stored.execute("UPDATE step_hash SET hash = '00000000000000000000000000000000' WHERE step = 128");
+    const auto run = launch({"replay", stored.database});
+    CHECK(run.code == 1);
+    CHECK_THAT(run.out, ContainsSubstring("differ first at step 128"));
+  }
+  SECTION("a hash is gone") {
+    stored.execute("DELETE FROM step_hash WHERE step = 128");
+    CHECK(launch({"replay", stored.database}).code == 1);
+  }
+}
+
+TEST_CASE("a run that failed fails again in the same way") {
+  const Stored stored({"--set", "physics.membrane.production=40"}, scene, 4);
+  const auto run = launch({"replay", stored.database, "--json"});
+  INFO(run.err);
+  CHECK(run.code == 0);
+  CHECK_THAT(Json::parse(run.out)["state_hash"]["now"].get<std::string>(),
+             ContainsSubstring("failed: step "));
+}
+
+TEST_CASE("a replayed run is stored where it is asked for") {
+  const Stored stored;
+  const std::string out = stored.folder / "again.db";
+  CHECK(launch({"replay", stored.database, "--db-out", out}).code == 0);
+  const auto run = launch({"replay", stored.id, "--db", out, "--json"});
+  CHECK(run.code == 0);
+  CHECK(Json::parse(run.out)["run_id"] == stored.id);
+}
+
+TEST_CASE("what cannot be replayed") {
+  Stored stored;
+  CHECK(launch({"replay"}).code == 2);
+  CHECK(launch({"replay", "0123456789abcdef"}).code == 2);
+  CHECK(launch({"replay", stored.id, "--db", stored.database, "--run", stored.id}).code == 2);
+  CHECK(launch({"replay", stored.id, "--db", stored.folder / "none.db"}).code == 6);
+  CHECK(launch({"replay", stored.folder / "small.yaml"}).code == 6);
+  CHECK(launch({"replay", "ffff", "--db", stored.database}).code == 6);
+  CHECK(launch({"replay", stored.database, "--isa", "abacus"}).code == 2);
+  stored.execute("UPDATE run SET status = 'killed', state_hash = NULL");
+  const auto run = launch({"replay", stored.database});
+  CHECK(run.code == 2);
+  CHECK_THAT(run.err, ContainsSubstring("--resume"));
+}
