@@ -86,8 +86,8 @@ Comparison compare(const StoredRun& before, const std::vector<ChainLink>& hashes
   c.hashNow = endText(run.end.stateHash ? run.end.stateHash->text() : "", run.end.failure);
   c.hashesBefore = hashes.size();
   c.hashesNow = run.results.chain.size();
-  const auto [a, b] = std::mismatch(hashes.begin(), hashes.end(), run.results.chain.begin(),
-                                    run.results.chain.end());
+  const auto [a, b] =
+      std::mismatch(hashes.begin(), hashes.end(), run.results.chain.begin(), run.results.chain.end());
   if (a != hashes.end()) c.firstDifference = a->step;
   else if (b != run.results.chain.end()) c.firstDifference = b->step;
   return c;

@@ -12,7 +12,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
                           scenario.scene.seed, name(end.status), end.cells, end.cells == 1 ? "" : "s",
                           end.time, end.steps);
   if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
-  if (end.status == RunStatus::killed) text += "  go on    with the same command and --resume\n";
+  if (outcome.canBeResumed) text += "  go on    with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
   if (outcome.checks && outcome.checks->passed())
     text += fmt::format("  checks   all {} pass ({})\n", outcome.checks->results.size(),

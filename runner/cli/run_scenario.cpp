@@ -1,5 +1,7 @@
 #include "cli/run_scenario.h"
 
+#include <fmt/format.h>
+
 #include "cli/check_run.h"
 #include "cli/exit_codes.h"
 #include "cli/frame_file.h"
@@ -61,12 +63,15 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   RunOutcome outcome;
   if (settings.resume) outcome.resumedAt = resumeRun(store, record, world, recorder, frames, settings.quiet);
   outcome.id = outcome.resumedAt ? runId(record) : store.begin(record);
+  if (const auto step = store.checkpointStep(outcome.id); step && !settings.resume)
+    tell(fmt::format("an earlier attempt was stopped at step {}: --resume goes on from there", *step),
+         settings.quiet);
 
   const RunHooks hooks{
       .watch = [&](const World& w) { frames.observe(w); },
       .keep =
           [&](const World& w, const Recorder& r) {
-            store.keepCheckpoint(
+            outcome.canBeResumed = store.keepCheckpoint(
                 outcome.id, {w.clock.step, r.options().every, r.options().hashEvery, saveState(w)},
                 r.records(),
                 {frames.frames().size(), [&](auto i) { return frameBytes(frames.frames()[i]); }});
@@ -76,6 +81,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   auto run = simulate(std::move(world), std::move(recorder), progress, hooks, outcome.resumedAt.has_value());
 
   outcome.end = run.end;
+  outcome.canBeResumed = outcome.canBeResumed && run.end.status == RunStatus::killed;
   const bool done = run.end.status == RunStatus::done;
   if (done) checkOutcome(scenario, settings, run, outcome);
   if (outcome.checks) run.results.checks = outcome.checks->results;

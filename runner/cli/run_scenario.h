@@ -25,6 +25,7 @@ struct RunSettings {
 struct RunOutcome {
   std::string id;
   std::optional<std::uint64_t> resumedAt;  // [steps]
+  bool canBeResumed = false;               // it left a checkpoint
   RunEnd end;
   std::optional<CheckReport> checks;
   std::string whyNotChecked;  // against a golden

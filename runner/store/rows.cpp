@@ -114,6 +114,15 @@ void insertRun(Database& db, const std::string& id, const RunRecord& r, const st
   insertDocuments(db, id, r.documents);
 }
 
+void restartRun(Database& db, const std::string& id, const std::string& started) {
+  Statement(db,
+            "UPDATE run SET status = 'running', started = ?, ended = NULL, steps = NULL, cells = NULL, "
+            "time = NULL, failure = NULL WHERE run_id = ?")
+      .run(started, id);
+  for (const char* table : {"cell", "connection", "time_step"})
+    Statement(db, std::string("DELETE FROM ") + table + " WHERE run_id = ?").run(id);
+}
+
 void endRun(Database& db, const std::string& id, const RunEnd& end) {
   Statement(db, "UPDATE run SET status = ?, ended = ?, steps = ?, cells = ?, time = ? WHERE run_id = ?")
       .run(name(end.status), utcNow(), end.steps, end.cells, end.time, id);

@@ -8,6 +8,8 @@ namespace morula {
 /// The row `run` and the run's documents; without an end its status is running.
 void insertRun(Database& db, const std::string& id, const RunRecord& record, const std::string& started,
                const RunEnd* end);
+/// The row `run` is there, and the run has not finished: it runs again, and only its records stay.
+void restartRun(Database& db, const std::string& id, const std::string& started);
 /// The row `run` is there and running: how it ended.
 void endRun(Database& db, const std::string& id, const RunEnd& end);
 void insertResults(Database& db, const std::string& id, const RunResults& results);

@@ -63,6 +63,11 @@ std::string Store::begin(const RunRecord& record) {
   Transaction transaction(db_);
   if (const auto earlier = findEarlier(db_, id)) {
     if (earlier->status == name(RunStatus::done)) return id;
+    if (checkpointStep(id)) {
+      restartRun(db_, id, attempt.started);
+      transaction.commit();
+      return id;
+    }
     deleteRun(db_, id);
   }
   insertRun(db_, id, attempt.record, attempt.started, nullptr);
@@ -84,9 +89,11 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
       if (earlier->stateHash != computed) reportNondeterminism(db_, id, *earlier, computed);
     }
     if (end.status == RunStatus::killed) {
-      deleteResults(db_, id);
       endRun(db_, id, end);
-      insertResults(db_, id, results);
+      if (checkpointStep(id).value_or(0) <= end.steps) {  // else the file knows more of this run already
+        deleteResults(db_, id);
+        insertResults(db_, id, results);
+      }
       transaction.commit();
       attempts_.erase(attempt);
       return;

@@ -47,14 +47,19 @@ class Store {
   static Store openForReading(const std::filesystem::path& file, Options options = {});
 
   /// Enters the run and returns its id. If the file has a finished run of that id, its row and results stay
-  /// until `finish` has compared the two; unfinished or failed attempts are replaced now.
+  /// until `finish` has compared the two; unfinished or failed attempts are replaced now. A checkpoint of
+  /// theirs stays until there is a later one: the same run comes by the same states.
   std::string begin(const RunRecord& record);
 
   /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples
   /// and hashes that the file has not yet: whoever kills the program at any moment leaves one whole
-  /// checkpoint and what was recorded up to it. Does nothing if the file has a finished run of that id.
-  void keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
+  /// checkpoint and what was recorded up to it. Not for a run that the file has
+  /// finished, nor in place of a checkpoint of a later step. Returns whether there is one to resume from.
+  bool keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
                       const FrameSource& frames = {});
+
+  /// The step of the checkpoint that the run of this id can be resumed from.
+  std::optional<std::uint64_t> checkpointStep(const std::string& id);
 
   /// Begins a run where its last checkpoint left it. Without one the run is not begun. `record` as for
   /// `begin`.

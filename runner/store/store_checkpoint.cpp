@@ -35,20 +35,31 @@ void addFrames(Database& db, const std::string& id, const FrameSource& frames) {
 
 }  // namespace
 
-void Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
+std::optional<std::uint64_t> Store::checkpointStep(const std::string& id) {
+  Statement s(db_, "SELECT step FROM checkpoint WHERE run_id = ?");
+  if (!s.start(id).next()) return std::nullopt;
+  return s.natural(0);
+}
+
+bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
                            const FrameSource& frames) {
   const auto attempt = attempts_.find(id);
   CHECK(attempt != attempts_.end(), "a run is begun before it is stopped");
   Transaction transaction(db_);
   Statement status(db_, "SELECT status FROM run WHERE run_id = ?");
   if (!status.start(id).next()) insertRun(db_, id, attempt->second.record, attempt->second.started, nullptr);
-  else if (status.text(0) == name(RunStatus::done)) return;
+  else if (status.text(0) == name(RunStatus::done)) return false;
   const auto kept = keptStep(db_, id, checkpoint);
-  if (!kept) deleteResults(db_, id);
+  if (kept && *kept > checkpoint.step) return true;
+  if (!kept) {
+    deleteResults(db_, id);
+    Statement(db_, "DELETE FROM checkpoint WHERE run_id = ?").run(id);  // and its frames
+  }
   insertRecords(db_, id, records, kept);
   replaceCheckpoint(db_, id, checkpoint);
   addFrames(db_, id, frames);
   transaction.commit();
+  return true;
 }
 
 std::optional<ResumedRun> Store::resume(const RunRecord& record) {
@@ -68,7 +79,7 @@ std::optional<ResumedRun> Store::resume(const RunRecord& record) {
   attempts_[id] = {record, row.text(4)};
   Statement frame(db_, "SELECT content FROM checkpoint_frame WHERE run_id = ? ORDER BY number");
   for (frame.start(id); frame.next();) run.frames.push_back(frame.text(0));
-  Statement(db_, "UPDATE run SET status = 'running', ended = NULL WHERE run_id = ?").run(id);
+  restartRun(db_, id, attempts_[id].started);
   transaction.commit();
   return run;
 }

@@ -58,15 +58,21 @@ std::string contentOf(const std::string& file) {
   return text;
 }
 
-/// 0 while there is none.
-std::int64_t checkpointStep(const std::string& file) {
+/// 0 while there is no row, no table or no file.
+std::int64_t number(const std::string& file, const std::string& sql) {
   if (!fs::exists(file)) return 0;
   try {
-    Database db(file, Database::Mode::existing, std::chrono::seconds(1));
-    return db.integer("SELECT max(step) FROM checkpoint");
-  } catch (const morula::StoreError&) {  // its tables are not there yet
-    return 0;
-  }
+    return Database(file, Database::Mode::existing, std::chrono::seconds(1)).integer(sql);
+  } catch (const morula::StoreError&) { return 0; }
+}
+
+std::int64_t checkpointStep(const std::string& file) {
+  return number(file, "SELECT max(step) FROM checkpoint");
+}
+
+void waitUntilRunning(const std::string& file) {
+  for (int i = 0; i < 6000 && number(file, "SELECT count(*) FROM run WHERE status = 'running'") == 0; ++i)
+    usleep(5'000);
 }
 
 /// Sends the signal once there is a checkpoint behind `step`.
@@ -130,7 +136,7 @@ TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is tol
       "run", folder / "stopped.yaml", "--db", folder / "run.db", "--no-pictures", "--out", folder.path()};
   const auto database = folder / "run.db";
   const auto run = launch(how, {}, [&](int process) {
-    for (int i = 0; i < 6000 && !fs::exists(database); ++i) usleep(5'000);
+    waitUntilRunning(database);
     usleep(300'000);
     kill(process, SIGINT);
   });
@@ -150,6 +156,18 @@ TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is tol
     std::replace(other.begin(), other.end(), database, folder / "whole.db");
     REQUIRE(launch(other).code == 0);
     CHECK(contentOf(database) == contentOf(folder / "whole.db"));
+  }
+  SECTION("forgotten, it is told, and nothing is lost") {
+    const auto step = checkpointStep(database);
+    const auto forgotten = launch(how, {}, [&](int process) {
+      waitUntilRunning(database);
+      usleep(200'000);
+      kill(process, SIGKILL);
+    });
+    CHECK_THAT(forgotten.err, ContainsSubstring("--resume goes on from there"));
+    CHECK(checkpointStep(database) == step);
+    CHECK(launch(again).code == 0);
+    CHECK_THAT(contentOf(database), ContainsSubstring("'done'"));
   }
   SECTION("recorded in another way it is refused, and nothing is lost") {
     Database(database, Database::Mode::existing, std::chrono::seconds(5))

@@ -92,7 +92,7 @@ TEST_CASE("a killed run keeps its checkpoint, and its results are what there is"
   CHECK(store.find(id).ended.empty());
 }
 
-TEST_CASE("without a checkpoint there is nothing to resume, and a new beginning forgets one") {
+TEST_CASE("without a checkpoint there is nothing to resume") {
   TemporaryFolder folder;
   const auto file = folder / "runs.db";
   Store store = Store::openForWriting(file);
@@ -104,9 +104,34 @@ TEST_CASE("without a checkpoint there is nothing to resume, and a new beginning 
   RunRecord other = exampleRecord();
   other.seed += 1;
   CHECK_FALSE(store.resume(other));
+}
+
+TEST_CASE("whoever begins anew loses no checkpoint until there is a later one") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  Store store = Store::openForWriting(file);
+  const std::string id = store.begin(exampleRecord());
+  CHECK(store.keepCheckpoint(id, checkpointAt(700), recordsUpTo(700), frames(2)));
   store.begin(exampleRecord());
-  CHECK_FALSE(store.resume(exampleRecord()));
-  CHECK(count(file, "checkpoint_frame") == 0);
+  CHECK(store.checkpointStep(id) == 700u);
+  CHECK(store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1)));
+  CHECK(store.checkpointStep(id) == 700u);
+  RunEnd end = exampleEnd();
+  end.status = RunStatus::killed;
+  end.stateHash.reset();
+  end.steps = 100;
+  store.finish(id, end, recordsUpTo(100));
+  CHECK(store.find(id).status == RunStatus::killed);
+  CHECK(count(file, "sample") == 2);
+  CHECK(count(file, "checkpoint_frame") == 2);
+  store.begin(exampleRecord());
+  CHECK(store.keepCheckpoint(id, checkpointAt(800), recordsUpTo(800), frames(3)));
+  const auto resumed = store.resume(exampleRecord());
+  REQUIRE(resumed);
+  CHECK(resumed->checkpoint.step == 800);
+  CHECK(resumed->frames.size() == 3);
+  store.finish(id, exampleEnd(), exampleResults());
+  CHECK_FALSE(store.checkpointStep(id));
 }
 
 TEST_CASE("a finished run takes no checkpoint of an attempt to repeat it") {
@@ -116,7 +141,7 @@ TEST_CASE("a finished run takes no checkpoint of an attempt to repeat it") {
   const std::string id = store.begin(exampleRecord());
   store.finish(id, exampleEnd(), exampleResults());
   store.begin(exampleRecord());
-  store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100));
+  CHECK_FALSE(store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100)));
   CHECK(count(file, "checkpoint") == 0);
   CHECK(count(file, "sample") == 2);
   CHECK(store.find(id).status == RunStatus::done);
@@ -131,7 +156,9 @@ TEST_CASE("records that were made in another way are replaced as a whole") {
   without.hashEvery.reset();
   RunResults few = recordsUpTo(700);
   few.chain.clear();
-  store.keepCheckpoint(id, without, few);
+  store.keepCheckpoint(id, without, few, frames(3));
+  store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1));
+  CHECK(count(file, "checkpoint_frame") == 1);
   store.keepCheckpoint(id, checkpointAt(800), recordsUpTo(800));
   CHECK(count(file, "step_hash") == 2);
   CHECK(count(file, "sample") == 2);
