@@ -52,6 +52,8 @@ struct BlockView {
   RealPointer predicted;    // [v] velocity estimate at the new time, for damping
   RealPointer gradient;     // [v] 6∇V: six times the outward area vector that belongs to the vertex
   RealPointer coefficient;  // [edgeCount + 1][blockLanes] spring force over edge vector
+  // Runge–Kutta only, else null: [4][v] position and velocity at the start of the step, sums of both slopes
+  RealPointer substeps;
 };
 
 enum class ShellShape { none, sphere, ellipsoid };

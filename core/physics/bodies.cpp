@@ -44,6 +44,8 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
     }
   }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(std::size_t(lines) * vertexStride, 0);
+  if (b.parameters.integrator == Integrator::rungeKutta4)
+    b.substeps.assign(std::size_t(lines) * vertexStride * 4, 0);
 }
 
 void place(Bodies& b, int slot, const Body& cell, double vertexMass) {
@@ -87,7 +89,7 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                         parameters.pressure.outside,
                         parameters.drag,
                         {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1}};
-  for (auto* a : {&b.position, &b.velocity, &b.acceleration}) *a = Reals(parameters.precision);
+  for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps}) *a = Reals(parameters.precision);
   b.scratch.assign(threads,
                    {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});
   for (auto& s : b.scratch) {
@@ -122,7 +124,8 @@ BlockView Bodies::block(int index, int thread) {
           &pressure[l],
           s.predicted.from(0),
           s.gradient.from(0),
-          s.coefficient.from(coefficients)};
+          s.coefficient.from(coefficients),
+          substeps.size() > 0 ? substeps.from(4 * v) : RealPointer{nullptr}};
 }
 
 Body makeEgg(const Bodies& b) { return makeEgg(b, 0); }

@@ -57,6 +57,9 @@ struct Bodies {
   // Each cell's parameters, [slot], filled up to whole blocks
   AlignedVector<double> vertexMass, restScale, pressureConstant;
 
+  // Between the evaluations of a Runge–Kutta step (BlockView::substeps); empty with the other integrators
+  Reals substeps;
+
   // Output of the last force evaluation, [slot]
   AlignedVector<double> volume;    // [length³]
   AlignedVector<double> pressure;  // [force/length²] inner minus outer

@@ -8,8 +8,11 @@
 namespace morula {
 
 enum class Integrator {
-  velocityVerlet,  // second order; the default
-  thesisVerlet,    // as the thesis starts it: first order [Nilsson 2008, eq. 4.6, 4.7]
+  velocityVerlet,   // second order; the default
+  thesisVerlet,     // as the thesis starts it: first order [Nilsson 2008, eq. 4.6, 4.7]
+  explicitEuler,    // first order, and gains energy: stable only where drag takes it [Nilsson 2008, eq. 3.12]
+  symplecticEuler,  // first order
+  rungeKutta4,      // fourth order, four evaluations of the forces per step
 };
 
 struct CellParameters {

@@ -1,8 +1,10 @@
 // Compiled once per instruction set (core/CMakeLists.txt); see physics_dispatch.cpp for the choice.
 #include "physics/physics_kernels.h"
 
+#include "physics/euler_kernel.h"
 #include "physics/pressure_kernel.h"
 #include "physics/ring_kernel.h"
+#include "physics/runge_kutta_kernel.h"
 #include "physics/spring_kernel.h"
 #include "physics/verlet_kernel.h"
 
@@ -14,8 +16,19 @@ const PhysicsKernels physics = {
      driftVelocityVerlet<ShellShape::ellipsoid>},
     {driftThesisVerlet<ShellShape::none>, driftThesisVerlet<ShellShape::sphere>,
      driftThesisVerlet<ShellShape::ellipsoid>},
-    {kick<Integrator::velocityVerlet, false>, kick<Integrator::velocityVerlet, true>},
-    {kick<Integrator::thesisVerlet, false>, kick<Integrator::thesisVerlet, true>},
+    {driftExplicitEuler<ShellShape::none>, driftExplicitEuler<ShellShape::sphere>,
+     driftExplicitEuler<ShellShape::ellipsoid>},
+    {driftSymplecticEuler<ShellShape::none>, driftSymplecticEuler<ShellShape::sphere>,
+     driftSymplecticEuler<ShellShape::ellipsoid>},
+    {{driftRungeKutta<1, ShellShape::none>, driftRungeKutta<2, ShellShape::none>,
+      driftRungeKutta<3, ShellShape::none>, driftRungeKutta<4, ShellShape::none>},
+     {driftRungeKutta<1, ShellShape::sphere>, driftRungeKutta<2, ShellShape::sphere>,
+      driftRungeKutta<3, ShellShape::sphere>, driftRungeKutta<4, ShellShape::sphere>},
+     {driftRungeKutta<1, ShellShape::ellipsoid>, driftRungeKutta<2, ShellShape::ellipsoid>,
+      driftRungeKutta<3, ShellShape::ellipsoid>, driftRungeKutta<4, ShellShape::ellipsoid>}},
+    {kick<Kick::none, false>, kick<Kick::none, true>},
+    {kick<Kick::half, false>, kick<Kick::half, true>},
+    {kick<Kick::whole, false>, kick<Kick::whole, true>},
     findSpringCoefficients<false>,
     findSpringCoefficients<true>,
     gatherRings,

@@ -10,8 +10,10 @@ struct PhysicsKernels {
   using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
   using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&,
                               double timeStep);
-  TimedStage driftVelocityVerlet[3], driftThesisVerlet[3];  // [ShellShape]
-  TimedStage kickVelocityVerlet[2], kickThesisVerlet[2];    // [is there a shell]
+  TimedStage driftVelocityVerlet[3], driftThesisVerlet[3];                     // [ShellShape]
+  TimedStage driftExplicitEuler[3], driftSymplecticEuler[3];                   // [ShellShape]
+  TimedStage driftRungeKutta[3][4];                                            // [ShellShape][evaluation]
+  TimedStage endEvaluation[2], kickVelocityVerlet[2], kickSymplecticEuler[2];  // [is there a shell]
   Stage findSpringCoefficients, findDampedSpringCoefficients;
   Stage gatherRings;
   Stage addPressureForces, addPressureAndDragForces;

@@ -10,13 +10,21 @@ struct StabilityLimits {
 };
 
 /// Spring mode, 6 k_s/m_p with damping: k_s Δt² + 2s k_d Δt − 4 m_p/6 = 0, s = 2 for velocity Verlet and 1
-/// for the thesis'. Pressure mode: Δt = 2/ω with ω² = (k_p/V²) A²/m, A the area of the sphere that holds V. V
-/// from the last evaluation.
+/// for the thesis' and symplectic Euler. Pressure mode: Δt = 2/ω with ω² = (k_p/V²) A²/m, A the area of the
+/// sphere that holds V. V from the last evaluation. Runge–Kutta: where its amplification reaches 1, for an
+/// undamped mode Δt = √8/ω.
+///
+/// Explicit Euler amplifies what nothing damps, at any step: its limit is γ/ω² (less where a mode creeps).
+/// Springs damp only along the edges, so a membrane under tension swings undamped across them unless there is
+/// drag: without drag both limits are 0. With it they are those of modes damped by k_d and drag, and by drag
+/// alone for breathing and for the swinging across edges with k_s (1 − L0/L) of the sphere that holds V.
 StabilityLimits measureLimits(const Bodies& bodies, int slot);
 
 /// Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the
 /// usual density of vertices, where the weights of a vertex sum up to 5, and both sides move. K Δt² + 2s C Δt
-/// − 4 m/10 = 0. [time]
-double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass);
+/// − 4 m/10 = 0. `drag` [1/time] is explicit Euler's only damping along surfaces; without it the limit is 0.
+/// [time]
+double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass,
+                    double drag = 0);
 
 }  // namespace morula

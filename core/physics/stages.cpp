@@ -10,16 +10,43 @@ ShellShape shapeOf(const std::optional<ShellParameters>& shell) {
   return a[0] == a[1] && a[1] == a[2] ? ShellShape::sphere : ShellShape::ellipsoid;
 }
 
+struct Movement {
+  PhysicsKernels::TimedStage drift;
+  const PhysicsKernels::TimedStage* kick;  // [is there a shell]
+  std::span<const PhysicsKernels::TimedStage> furtherDrifts;
+};
+
+Movement movementOf(const PhysicsKernels& k, Integrator integrator, int shape) {
+  switch (integrator) {
+    case Integrator::velocityVerlet:
+      return {k.driftVelocityVerlet[shape], k.kickVelocityVerlet, {}};
+    case Integrator::thesisVerlet:
+      return {k.driftThesisVerlet[shape], k.endEvaluation, {}};
+    case Integrator::explicitEuler:
+      return {k.driftExplicitEuler[shape], k.endEvaluation, {}};
+    case Integrator::symplecticEuler:
+      return {k.driftSymplecticEuler[shape], k.kickSymplecticEuler, {}};
+    case Integrator::rungeKutta4:
+      return {k.driftRungeKutta[shape][0], k.endEvaluation, std::span(k.driftRungeKutta[shape]).subspan(1)};
+  }
+  return {};
+}
+
 }  // namespace
 
 PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa) {
   const PhysicsKernels& k = physicsKernels(isa, p.precision);
-  const bool thesis = p.integrator == Integrator::thesisVerlet;
-  const int shape = static_cast<int>(shapeOf(p.shell));
-  return {(thesis ? k.driftThesisVerlet : k.driftVelocityVerlet)[shape],
-          (thesis ? k.kickThesisVerlet : k.kickVelocityVerlet)[p.shell.has_value()],
-          p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients, k.gatherRings,
-          p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces};
+  const Movement move = movementOf(k, p.integrator, static_cast<int>(shapeOf(p.shell)));
+  return {
+      move.drift,         move.kick[p.shell.has_value()],
+      move.furtherDrifts, p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,
+      k.gatherRings,      p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces};
+}
+
+PhysicsStages furtherStages(const PhysicsStages& stages, std::size_t evaluation) {
+  PhysicsStages further = stages;
+  further.drift = stages.furtherDrifts[evaluation];
+  return further;
 }
 
 void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {

@@ -1,5 +1,7 @@
 #pragma once
 // The stages of one block's step, in the order of the thesis' figure 4.4.
+#include <span>
+
 #include "physics/bodies.h"
 #include "physics/physics_kernels.h"
 
@@ -8,6 +10,8 @@ namespace morula {
 /// The kernels that a scene's parameters call for, chosen once: none does what the scene has not.
 struct PhysicsStages {
   PhysicsKernels::TimedStage drift, kick;
+  // Of the evaluations after the first in a time step: Runge–Kutta's second to fourth; none elsewhere.
+  std::span<const PhysicsKernels::TimedStage> furtherDrifts;
   PhysicsKernels::Stage findSpringCoefficients, gatherRings, addPressureForces;
 };
 
@@ -16,6 +20,9 @@ PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa);
 /// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`. 0 only
 /// evaluates.
 void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);
+
+/// The stages of one further evaluation of the same time step.
+PhysicsStages furtherStages(const PhysicsStages& stages, std::size_t evaluation);
 
 /// Once the outer forces are added: turns forces into accelerations and ends the time step.
 void kick(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);

@@ -8,7 +8,6 @@
 //
 // The thesis' Verlet, x' = 2x − x_prev + a Δt² [Nilsson 2008, eq. 4.6], written with its velocity v = (x −
 // x_prev)/Δt [eq. 4.7]: v' = v + Δt a, x' = x + Δt v'. Damping sees that lagged velocity: first order.
-#include "physics/parameters.h"
 #include "physics/shell_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -56,22 +55,24 @@ struct InverseMass {
   Real value[blockLanes];
 };
 
-/// Force → acceleration; velocity Verlet: velocity ← v'. The shell bears what presses against it.
-template <Integrator integrator, bool shell>
+/// How much of a time step the velocity still lacks when the new acceleration is known.
+enum class Kick { none, half, whole };
+
+/// Force → acceleration, and velocity ← v' where the drift has left some of it. The shell bears what presses
+/// against it.
+template <Kick lacking, bool shell>
 inline void kick(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
-  const Lanes halfStep = 0.5 * dt;
+  const Lanes step = lacking == Kick::half ? 0.5 * dt : dt;
   const InverseMass inverseMass(b);
   const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       Vec a = load(inverseMass.value + lane) * loadVec(b.acceleration, v, lane);
       Vec velocity;
-      if constexpr (integrator == Integrator::velocityVerlet || shell)
-        velocity = loadVec(b.velocity, v, lane);
-      if constexpr (integrator == Integrator::velocityVerlet) velocity += halfStep * a;
+      if constexpr (lacking != Kick::none || shell) velocity = loadVec(b.velocity, v, lane);
+      if constexpr (lacking != Kick::none) velocity += step * a;
       if constexpr (shell) slideOnShell(slope, loadVec(b.position, v, lane), velocity, a);
-      if constexpr (integrator == Integrator::velocityVerlet || shell)
-        storeVec(b.velocity, v, lane, velocity);
+      if constexpr (lacking != Kick::none || shell) storeVec(b.velocity, v, lane, velocity);
       storeVec(b.acceleration, v, lane, a);
     }
 }

@@ -9,6 +9,9 @@ namespace morula {
 /// Moves all cells on by `timeStep` and evaluates every force at the new positions; 0 only evaluates.
 void movePhysics(World& world, double timeStep);
 
+/// The part of it that one evaluation of the forces takes.
+void moveAndEvaluate(World& world, const PhysicsStages& stages, double timeStep);
+
 /// Throws NumericalError if a cell's volume is not a positive number below the largest sensible one.
 void checkBodies(const World& world);
 

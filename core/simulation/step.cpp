@@ -21,9 +21,14 @@ void step(World& world) {
 }
 
 void movePhysics(World& world, double timeStep) {
+  if (world.bodies->count == 0) return;
+  moveAndEvaluate(world, world.stages, timeStep);
+  for (std::size_t i = 0; i < world.stages.furtherDrifts.size(); ++i)
+    moveAndEvaluate(world, furtherStages(world.stages, i), timeStep);
+}
+
+void moveAndEvaluate(World& world, const PhysicsStages& stages, double timeStep) {
   Bodies& bodies = *world.bodies;
-  if (bodies.count == 0) return;
-  const PhysicsStages& stages = world.stages;
   const int blocks = bodies.blockCount(), threads = world.execution.threads;
   const bool alone =
       !world.contacts && !world.connections;  // no cell needs another: one pass while a block is hot

@@ -20,6 +20,14 @@ struct Limit {
   int cell;
 };
 
+/// Of all modes at once: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with
+/// 1/stiffness.
+double combine(Integrator integrator, const Limit& l) {
+  if (integrator == Integrator::explicitEuler) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact);
+  return 1 /
+         std::sqrt(1 / (l.spring * l.spring) + 1 / (l.pressure * l.pressure) + 1 / (l.contact * l.contact));
+}
+
 /// The limits of the cell with the smallest combined one.
 Limit tightestLimit(const World& world, double& combined) {
   Limit tightest{};
@@ -30,10 +38,9 @@ Limit tightestLimit(const World& world, double& combined) {
     Limit l{own.spring, own.pressure, INFINITY, cell};
     if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
       l.contact = contactLimit(world.bodies->parameters.integrator, world.contacts->parameters.stiffness,
-                               world.contacts->parameters.damping, world.bodies->vertexMass[slot]);
-    // Stiffnesses add up, and a limit goes with 1/√stiffness.
-    const double all = 1 / std::sqrt(1 / (l.spring * l.spring) + 1 / (l.pressure * l.pressure) +
-                                     1 / (l.contact * l.contact));
+                               world.contacts->parameters.damping, world.bodies->vertexMass[slot],
+                               world.bodies->parameters.drag);
+    const double all = combine(world.bodies->parameters.integrator, l);
     if (all < combined) combined = all, tightest = l;
   }
   return tightest;
@@ -46,6 +53,14 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
       "physics.time_step " + exactText(timeStep) + " is above 0.8 of the stability limit " +
           numberText(limit) + " of its " + mode,
       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(margin * limit)));
+}
+
+/// Explicit Euler without drag.
+[[noreturn]] void refuseUndamped(const World& world, int cell) {
+  throw NumericalError(
+      world.cells.path[cell].text(), world.clock.step,
+      "physics.integrator explicit-euler is stable with no time step where nothing damps the motion",
+      "give the scene a physics.drag > 0, or use another physics.integrator");
 }
 
 }  // namespace
@@ -61,6 +76,7 @@ void chooseTimeStep(World& world) {
   const PhysicsParameters& p = world.bodies->parameters;
   double combined;
   const Limit limit = tightestLimit(world, combined);
+  if (!(combined > 0)) refuseUndamped(world, limit.cell);
   double timeStep;
   if (p.timeStep) {
     timeStep = *p.timeStep;

@@ -95,7 +95,7 @@ void warnOfTimeSteps(Forecast& f, const Rehearsal& rehearsal) {
 
 /// What the steps themselves cost.
 Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, double vertices) {
-  const double lanes = sums.laneSteps * vertices;
+  const double lanes = rates.evaluations * sums.laneSteps * vertices;
   Costs costs;
   costs["springs"].seconds = rates.springs * lanes;
   costs["damping"].seconds = rates.damping * lanes;
@@ -106,7 +106,7 @@ Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, doubl
   costs["contact"].seconds = rates.snapshots * lanes + rates.pair * pairs;
   costs["friction"].seconds = rates.frictionOfPair * pairs;
   costs["search"].seconds = rates.search * sums.cellSearches * vertices;
-  costs["connections"].seconds = rates.connections * sums.cellSteps * vertices;
+  costs["connections"].seconds = rates.evaluations * rates.connections * sums.cellSteps * vertices;
   return costs;
 }
 

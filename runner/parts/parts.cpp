@@ -36,6 +36,22 @@ const char* planeText(DivisionPlane plane) {
   return "";
 }
 
+const char* integratorText(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::velocityVerlet:
+      return "velocity Verlet";
+    case Integrator::thesisVerlet:
+      return "the thesis' Verlet";
+    case Integrator::explicitEuler:
+      return "explicit Euler";
+    case Integrator::symplecticEuler:
+      return "symplectic Euler";
+    case Integrator::rungeKutta4:
+      return "Runge-Kutta of fourth order";
+  }
+  return "";
+}
+
 Part absent(const char* name, const std::string& key) { return {name, false, "", key}; }
 
 void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons& why) {
@@ -58,9 +74,9 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
   parts.push_back({"pressure", true, "", why.of({"physics.pressure"})});
   parts.push_back(p.drag > 0 ? Part{"drag", true, "", why.of({"physics.drag"})}
                              : absent("drag", "physics.drag > 0"));
-  const char* verlet = p.integrator == Integrator::thesisVerlet ? "the thesis' Verlet" : "velocity Verlet";
   parts.push_back({"integration", true,
-                   fmt::format("{}, {}", verlet, p.timeStep ? "fixed time step" : "automatic time step"),
+                   fmt::format("{}, {}", integratorText(p.integrator),
+                               p.timeStep ? "fixed time step" : "automatic time step"),
                    why.of({"physics.integrator", "physics.time_step"})});
   parts.push_back(p.growth ? Part{"growth", true, "", why.of({"physics.growth"})}
                            : absent("growth", "physics.growth"));

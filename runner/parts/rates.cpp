@@ -240,6 +240,7 @@ StepRates measureRates(World& world, double bytes) {
   StepRates rates;
   OtherMemory memory(bytes);
   if (world.bodies->count == 0) return rates;
+  rates.evaluations = 1 + static_cast<int>(world.stages.furtherDrifts.size());
   measureOwnStep(world, memory, rates);
   const double share = laneShare(world.execution.isa, static_cast<std::uint64_t>(world.bodies->count),
                                  world.bodies->parameters.precision);

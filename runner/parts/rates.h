@@ -5,7 +5,7 @@
 
 namespace morula {
 
-/// [s] for one vertex and step, by the clock of one thread. What the scene lacks costs 0.
+/// [s] for one vertex and evaluation of the forces, by the clock of one thread. What the scene lacks costs 0.
 struct StepRates {
   double springs = 0, damping = 0, pressure = 0, drag = 0;
   double integration = 0, shell = 0;
@@ -13,6 +13,7 @@ struct StepRates {
   double pair = 0, frictionOfPair = 0;  // for one evaluation of a vertex and a neighbour
   double search = 0;                    // for one vertex and search
   double connections = 0;
+  int evaluations = 1;  // of the forces in a step: Runge–Kutta has four
 };
 
 /// Lanes that nobody uses are paid for, too: the vertices of the cells that kernels of this width go through

@@ -113,9 +113,12 @@ std::vector<Parameter> parameters() {
       optionalReal("physics.time_step", "time", positive, "auto", "auto",
                    "Smaller: more exact and slower. auto: powers of two below the stability limits",
                    PHYSICS(timeStep)),
-      choice("physics.integrator", {"velocity-verlet", "thesis-verlet"},
-             "Second order, or first order as the thesis starts it [Nilsson 2008, eq. 4.6, 4.7]",
-             PHYSICS(integrator)),
+      choice(
+          "physics.integrator",
+          {"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4"},
+          "Second order; first order as the thesis starts it [Nilsson 2008, eq. 4.6, 4.7]; first order, "
+          "explicit [eq. 3.12, needs drag] or symplectic; fourth order with four evaluations of the forces",
+          PHYSICS(integrator)),
       choice("physics.precision", {"double", "single"},
              "Of the numbers that physics computes with: 16 digits, or 7 at half the memory and up to twice "
              "the speed",

@@ -14,17 +14,29 @@ struct Variant {
 std::vector<Variant> variants() {
   const PhysicsParameters plain = softCell();
   PhysicsParameters undamped = plain, thesis = plain, sphere = plain, ellipsoid = plain;
+  PhysicsParameters explicitEuler = plain, symplecticEuler = plain, rungeKutta = plain, kuttaInShell = plain;
   undamped.membrane.damping = 0;
   thesis.integrator = Integrator::thesisVerlet;
   thesis.drag = 0.1;
   sphere.shell = ShellParameters{{1, 1, 1}};
   sphere.drag = 0.2;
   ellipsoid.shell = ShellParameters{{1.1, 1, 0.9}};
+  explicitEuler.integrator = Integrator::explicitEuler;
+  explicitEuler.shell = ShellParameters{{1.1, 1, 0.9}};
+  symplecticEuler.integrator = Integrator::symplecticEuler;
+  symplecticEuler.shell = ShellParameters{{1, 1, 1}};
+  rungeKutta.integrator = kuttaInShell.integrator = Integrator::rungeKutta4;
+  kuttaInShell.shell = ShellParameters{{1.1, 1, 0.9}};
+  kuttaInShell.drag = 0.2;
   return {{"plain", plain},
           {"undamped", undamped},
           {"thesis", thesis},
           {"sphere", sphere},
-          {"ellipsoid", ellipsoid}};
+          {"ellipsoid", ellipsoid},
+          {"explicit Euler", explicitEuler},
+          {"symplectic Euler", symplecticEuler},
+          {"Runge-Kutta", rungeKutta},
+          {"Runge-Kutta in an ellipsoid", kuttaInShell}};
 }
 
 std::vector<Body> crowd(const Mesh& mesh, int count) {

@@ -44,6 +44,11 @@ struct Lab {
     for (int i = 0; i < bodies.blockCount(); ++i) {
       advance(stages, bodies, bodies.block(i, 0), timeStep);
       kick(stages, bodies, bodies.block(i, 0), timeStep);
+      for (std::size_t k = 0; k < stages.furtherDrifts.size(); ++k) {
+        const PhysicsStages further = furtherStages(stages, k);
+        advance(further, bodies, bodies.block(i, 0), timeStep);
+        kick(further, bodies, bodies.block(i, 0), timeStep);
+      }
     }
   }
 

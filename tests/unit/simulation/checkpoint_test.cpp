@@ -16,6 +16,8 @@ namespace {
 std::vector<Scene> allScenes() {
   std::vector<Scene> scenes{scenes::life(),   scenes::packed(),     scenes::ellipsoid(),
                             scenes::thesis(), scenes::coarsening(), scenes::lineageOnly(scenes::eventful, 6)};
+  scenes.push_back(scenes::ellipsoid());
+  scenes.back().mechanics->physics.integrator = Integrator::rungeKutta4;
   Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
   ring.name = "life of a torus in single precision";
   ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};

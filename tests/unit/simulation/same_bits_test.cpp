@@ -12,12 +12,23 @@ std::vector<Scene> allScenes() {
   Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
   ring.name = "life of a torus";
   ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
-  std::vector<Scene> scenes{scenes::packed(), scenes::ellipsoid(), scenes::thesis(),     scenes::life(), mixed,
-                            ring,             scenes::coarsening()};
+  std::vector<Scene> scenes{
+      scenes::packed(),    scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring,
+      scenes::coarsening()};
   for (Scene single : {scenes::packed(), scenes::thesis(), ring}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;
     scenes.push_back(single);
+  }
+  for (auto [integrator, name] : {std::pair{Integrator::explicitEuler, "explicit Euler"},
+                                  {Integrator::symplecticEuler, "symplectic Euler"},
+                                  {Integrator::rungeKutta4, "Runge-Kutta"}}) {
+    Scene other = scenes::ellipsoid();
+    other.name += std::string(" by ") + name;
+    other.mechanics->physics.integrator = integrator;
+    other.mechanics->physics.drag = 5;  // or explicit Euler's steps are tiny
+    other.stop.time = integrator == Integrator::explicitEuler ? 3.1 : 3.5;
+    scenes.push_back(other);
   }
   return scenes;
 }

@@ -121,6 +121,29 @@ TEST_CASE("A fixed step above a limit is the scene's mistake: the message names 
   }
 }
 
+TEST_CASE("Explicit Euler without drag is refused, automatic or not, and the message says what to change") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 3);
+  PhysicsParameters& p = scene.mechanics->physics;
+  p.integrator = Integrator::explicitEuler;
+  for (const std::optional<double> timeStep : {std::optional<double>(), std::optional(1e-6)}) {
+    p.timeStep = timeStep;
+    CHECK_THROWS_WITH(makeWorld(scene),
+                      ContainsSubstring("physics.integrator explicit-euler is stable with no") &&
+                          ContainsSubstring("physics.drag"));
+  }
+  p.timeStep.reset();
+  p.drag = 5;
+  CHECK_NOTHROW(makeWorld(scene));
+}
+
+TEST_CASE("Runge-Kutta takes longer steps than Verlet") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 3);
+  scene.mechanics->physics.membrane.damping = 0;
+  const double byVerlet = timeStepLimit(makeWorld(scene));
+  scene.mechanics->physics.integrator = Integrator::rungeKutta4;
+  CHECK(timeStepLimit(makeWorld(scene)) == Approx(std::sqrt(2.0) * byVerlet).epsilon(1e-12));
+}
+
 TEST_CASE("Limits far below 1 are named by digits, not by zeros") {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 3);
   scene.mechanics->physics.cell.mass = 1e-14;

@@ -1,5 +1,4 @@
-// The order of the two integrators: a cell under pressure is released, and its error falls with Δt² or with
-// Δt.
+// The order of the integrators: a cell under pressure is released, and its error falls with Δt, Δt² or Δt⁴.
 #include "catch.h"
 #include "lab.h"
 
@@ -29,13 +28,13 @@ double distance(const std::vector<Point>& a, const std::vector<Point>& b) {
 }
 
 /// log2 of the error's fall from each halving of the step to the next.
-std::vector<double> observedOrders(Integrator integrator, double drag) {
-  const auto reference = released(Integrator::velocityVerlet, 1 << 15, drag);
+std::vector<double> observedOrders(Integrator integrator, double drag, int steps = 128) {
+  const auto reference = released(Integrator::rungeKutta4, 1 << 13, drag);
   std::vector<double> orders;
-  double coarse = distance(released(integrator, 128, drag), reference);
+  double coarse = distance(released(integrator, steps, drag), reference);
   CHECK(coarse < 0.1);
-  for (int steps : {256, 512, 1024}) {
-    const double fine = distance(released(integrator, steps, drag), reference);
+  for (int halving = 1; halving <= 3; ++halving) {
+    const double fine = distance(released(integrator, steps << halving, drag), reference);
     orders.push_back(std::log2(coarse / fine));
     coarse = fine;
   }
@@ -53,6 +52,21 @@ TEST_CASE("Velocity Verlet is second order, with damping and drag too") {
 TEST_CASE("The thesis' Verlet is first order") {
   for (double drag : {0.0, 0.5})
     for (double order : observedOrders(Integrator::thesisVerlet, drag)) CHECK(order == Approx(1).margin(0.2));
+}
+
+TEST_CASE("Both Euler methods are first order, Runge-Kutta is of fourth order") {
+  for (double drag : {0.0, 0.5}) {
+    for (double order : observedOrders(Integrator::explicitEuler, drag, 2048))
+      CHECK(order == Approx(1).margin(0.2));
+    for (double order : observedOrders(Integrator::symplecticEuler, drag, 512))
+      CHECK(order == Approx(1).margin(0.2));
+    for (double order : observedOrders(Integrator::rungeKutta4, drag)) CHECK(order == Approx(4).margin(0.2));
+  }
+}
+
+TEST_CASE("Velocity Verlet and Runge-Kutta go to one and the same place") {
+  const auto byVerlet = released(Integrator::velocityVerlet, 1 << 15, 0.5);
+  CHECK(distance(byVerlet, released(Integrator::rungeKutta4, 1 << 12, 0.5)) < 2e-7);
 }
 
 TEST_CASE("The thesis' Verlet is x' = 2x − x_prev + a Δt²") {
