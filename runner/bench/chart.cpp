@@ -13,6 +13,7 @@ namespace morula {
 namespace {
 
 constexpr Colour axisInk{0x6a, 0x70, 0x77}, gridInk{0xe6, 0xe6, 0xe2};
+constexpr double manyDecades = 2e3;            // from here on powers of ten alone
 constexpr double dashLength = 9, dashGap = 6;  // [pixel]
 
 struct Range {
@@ -49,30 +50,41 @@ Sheet makeSheet(const Chart& chart, const Annotations& words) {
   s.bottom = chart.height - bands.bottom - 4 * s.textSize;
   for (const ChartLine& line : chart.lines)
     for (const Spot& p : line.points) s.xRange.see(p.x), s.yRange.see(p.y);
+  if (chart.xScale == Chart::Scale::decades) s.xRange.low *= 0.8, s.xRange.high *= 1.25;
   s.yRange.low *= 0.8, s.yRange.high *= 1.25;
   if (!(s.xRange.low < s.xRange.high)) s.xRange = {s.xRange.low / 2, 2 * s.xRange.low};
   return s;
 }
 
+/// Numbers to write beside an axis.
+std::vector<double> ticks(const Range& range, Chart::Scale scale) {
+  std::vector<double> list;
+  const auto add = [&](double a) {
+    if (a >= range.low && a <= range.high) list.push_back(a);
+  };
+  if (scale == Chart::Scale::powersOfTwo)
+    for (int power = 0; power < 24; ++power) add(std::ldexp(1.0, power));
+  else
+    for (int decade = -18; decade < 9; ++decade)
+      for (const double digit : {1.0, 2.0, 5.0})
+        if (digit == 1 || range.high / range.low < manyDecades) add(digit * std::pow(10.0, decade));
+  return list;
+}
+
 void drawAxes(Image& image, const Sheet& s, const Chart& chart) {
   const double small = 0.9 * s.textSize;
-  for (int power = 0; power < 24; ++power) {
-    const double x = std::ldexp(1.0, power);
-    if (x < s.xRange.low || x > s.xRange.high) continue;
+  for (const double x : ticks(s.xRange, chart.xScale)) {
     const double px = std::floor(s.place({x, s.yRange.low}).x) + 0.5;
     drawStroke(image, {{px, s.top}, {px, s.bottom}}, 1, gridInk);
-    drawText(image, px, s.bottom + 1.4 * s.textSize, fmt::format("{:.0f}", x),
+    drawText(image, px, s.bottom + 1.4 * s.textSize, fmt::format("{:g}", x),
              {.size = small, .colour = axisInk, .anchor = Anchor::centre});
   }
-  for (int decade = -3; decade < 9; ++decade)
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      const double y = digit * std::pow(10.0, decade);
-      if (y < s.yRange.low || y > s.yRange.high) continue;
-      const double py = std::floor(s.place({s.xRange.low, y}).y) + 0.5;
-      drawStroke(image, {{s.left, py}, {s.right, py}}, 1, gridInk);
-      drawText(image, s.left - 0.6 * s.textSize, py + 0.36 * s.textSize, fmt::format("{:g}", y),
-               {.size = small, .colour = axisInk, .anchor = Anchor::right});
-    }
+  for (const double y : ticks(s.yRange, Chart::Scale::decades)) {
+    const double py = std::floor(s.place({s.xRange.low, y}).y) + 0.5;
+    drawStroke(image, {{s.left, py}, {s.right, py}}, 1, gridInk);
+    drawText(image, s.left - 0.6 * s.textSize, py + 0.36 * s.textSize, fmt::format("{:g}", y),
+             {.size = small, .colour = axisInk, .anchor = Anchor::right});
+  }
   drawStroke(image, {{s.left, s.top}, {s.left, s.bottom}, {s.right, s.bottom}}, 1, axisInk);
   drawText(image, 0.5 * (s.left + s.right), s.bottom + 3 * s.textSize, chart.xLabel,
            {.size = s.textSize, .colour = axisInk, .anchor = Anchor::centre});
@@ -136,6 +148,9 @@ Image drawChart(const Chart& chart) {
     if (line.dashed) drawDashed(image, places, 2.2, line.colour);
     else if (places.size() > 1) drawStroke(image, places, 2.2, line.colour);
     for (const Spot& p : places) drawDisc(image, p, 3.6, line.colour);
+    for (std::size_t i = 0; i < line.pointLabels.size(); ++i)
+      drawText(image, places[i].x + 0.5 * sheet.textSize, places[i].y - 0.35 * sheet.textSize,
+               line.pointLabels[i], {.size = 0.75 * sheet.textSize, .colour = line.colour});
   }
   drawLabels(image, sheet, chart);
   return image;

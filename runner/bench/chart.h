@@ -13,15 +13,19 @@ struct ChartLine {
   Colour colour;
   std::vector<Spot> points;  // by x; both > 0
   bool dashed = false;
+  std::vector<std::string> pointLabels = {};  // one for each point, or none at all
 };
 
 struct Chart {
+  enum class Scale { powersOfTwo, decades };
   std::string title, caption, xLabel, yLabel;
   std::vector<ChartLine> lines;
+  Scale xScale = Scale::powersOfTwo;
   int width = 1100, height = 760;
 };
 
-/// x runs over powers of two, y over 1, 2, 5, 10, … Each line's label stands at its right end.
+/// y runs over 1, 2, 5, 10, …, or over powers of ten alone where there are many; so does x on decades. Each
+/// line's label stands at its right end.
 Image drawChart(const Chart& chart);
 
 }  // namespace morula

@@ -85,6 +85,7 @@ Action parse(int argc, char** argv) {
   addLineage(app, action);
   addReplay(app, action);
   addExport(app, action);
+  addAccuracy(app, action);
   addBench(app, action);
   addTrail(app, action);
   addBulletWorker(app, action);

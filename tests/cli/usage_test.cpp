@@ -32,8 +32,8 @@ TEST_CASE("help and version are data") {
 }
 
 TEST_CASE("every verb that help lists is there") {
-  for (const auto* verb : {"run", "check", "review", "validate", "schema", "init", "render", "lineage",
-                           "replay", "export"}) {
+  for (const auto* verb : {"run", "check", "accuracy", "review", "validate", "schema", "init", "render",
+                           "lineage", "replay", "export"}) {
     INFO(verb);
     CHECK(launch({"--help"}).out.find(std::string("  ") + verb + " ") != std::string::npos);
     CHECK(launch({verb, "--help"}).code == 0);

@@ -1,0 +1,46 @@
+#pragma once
+// One way to compute a scene: what accuracy varies.
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contacts/parameters.h"
+#include "physics/parameters.h"
+#include "scenario/scenario.h"
+
+namespace morula {
+
+struct Setting {
+  Integrator integrator = Integrator::velocityVerlet;
+  double timeStep = 0;
+  Precision precision = Precision::binary64;
+  std::optional<std::uint64_t> level;  // of the icosphere; absent: the scene's mesh comes from a file
+  std::optional<ContactLaw> law;       // absent: cells cannot touch
+};
+
+inline constexpr Integrator allIntegrators[] = {Integrator::velocityVerlet, Integrator::thesisVerlet,
+                                                Integrator::explicitEuler, Integrator::symplecticEuler,
+                                                Integrator::rungeKutta4};
+
+/// As scenarios call it.
+const char* name(Integrator integrator);
+/// What theory says for a smooth scene.
+double orderOf(Integrator integrator);
+/// Of the forces, in each time step.
+int evaluationsPerStep(Integrator integrator);
+
+/// The scenario's own way, with another time step.
+Setting settingOf(const Scenario& scenario, double timeStep);
+
+/// "path=value", as --set takes them. All of them: they make any scenario of the scene compute in this way.
+std::vector<std::string> changesFor(const Setting& setting);
+
+/// What is the same in a series of runs whose time steps differ: "rk4, icosphere 2, single"; what is as in
+/// `usual` is not said, but for the integrator.
+std::string seriesName(const Setting& setting, const Setting& usual);
+
+/// Reads the scenario with further changes.
+using ReadScenario = std::function<Scenario(const std::vector<std::string>& changes)>;
+
+}  // namespace morula

@@ -1,0 +1,128 @@
+#include "accuracy/state_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/error.h"
+#include "mesh/measures.h"
+#include "simulation/measures.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+namespace {
+
+Vector nearestOnSegment(const Point& p, const Point& a, const Point& b) {
+  const Vector d = b - a;
+  const double length = dot(d, d);
+  const double share = length > 0 ? std::clamp(dot(p - a, d) / length, 0.0, 1.0) : 0;
+  return a + share * d;
+}
+
+/// Inside the triangle's prism the foot on its plane, else the nearest point of its border.
+double squaredDistance(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const Vector n = cross(b - a, c - a), ap = p - a;
+  const double area = dot(n, n);
+  if (area > 0 && dot(cross(b - a, ap), n) >= 0 && dot(cross(c - b, p - b), n) >= 0 &&
+      dot(cross(a - c, p - c), n) >= 0) {
+    const double height = dot(ap, n);
+    return height * height / area;
+  }
+  double least = INFINITY;
+  for (const auto& [u, v] : {std::pair{a, b}, {b, c}, {c, a}}) {
+    const Vector off = p - nearestOnSegment(p, u, v);
+    least = std::min(least, dot(off, off));
+  }
+  return least;
+}
+
+/// A face with the ball around it, by which most faces are left out.
+struct Patch {
+  Point a, b, c, centre;
+  double radius;
+};
+
+std::vector<Patch> patchesOf(const Mesh& mesh) {
+  std::vector<Patch> patches;
+  for (const Face& f : mesh.faces) {
+    Patch p{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]], {}, 0};
+    p.centre = (p.a + p.b + p.c) / 3.0;
+    p.radius = std::max({norm(p.a - p.centre), norm(p.b - p.centre), norm(p.c - p.centre)});
+    patches.push_back(p);
+  }
+  return patches;
+}
+
+/// Sum of the squared distances of the vertices of one from the surface of the other.
+double sumOfSquares(const Mesh& from, const Mesh& to) {
+  const std::vector<Patch> patches = patchesOf(to);
+  double sum = 0;
+  for (std::size_t v = 0; v < from.vertices.size(); ++v) {
+    const Point& p = from.vertices[v];
+    // The vertex of the same number is a good guess where the meshes are the same, and harmless elsewhere.
+    const Vector guess = p - to.vertices[std::min(v, to.vertices.size() - 1)];
+    double least = dot(guess, guess), reach = std::sqrt(least);
+    for (const Patch& patch : patches) {
+      const Vector away = p - patch.centre;
+      const double far = reach + patch.radius;
+      if (dot(away, away) > far * far) continue;
+      const double squared = squaredDistance(p, patch.a, patch.b, patch.c);
+      if (squared < least) least = squared, reach = std::sqrt(squared);
+    }
+    sum += least;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Shapes takeShapes(const World& world) {
+  Shapes shapes{world.clock.time, {}};
+  for (const CellPath& path : world.cells.path) {
+    ComparedCell cell{path, cellMesh(world, path), {}, 0};
+    cell.centroid = measureCentroid(cell.surface.vertices);
+    cell.volume = measureVolume(cell.surface.vertices, cell.surface.faces);
+    shapes.cells.push_back(std::move(cell));
+  }
+  return shapes;
+}
+
+double StateError::largest() const { return std::max({centroid, volume, surface}); }
+
+StateError larger(const StateError& a, const StateError& b) {
+  return {std::max(a.centroid, b.centroid), std::max(a.volume, b.volume), std::max(a.surface, b.surface)};
+}
+
+bool haveSameCells(const Shapes& a, const Shapes& b) {
+  return std::equal(a.cells.begin(), a.cells.end(), b.cells.begin(), b.cells.end(),
+                    [](const ComparedCell& x, const ComparedCell& y) { return x.path == y.path; });
+}
+
+StateError compareShapes(const Shapes& shapes, const Shapes& reference, double eggRadius) {
+  CHECK(haveSameCells(shapes, reference), "only the same cells can be compared");
+  StateError worst;
+  for (std::size_t i = 0; i < shapes.cells.size(); ++i) {
+    const ComparedCell &a = shapes.cells[i], &b = reference.cells[i];
+    worst = larger(worst, {norm(a.centroid - b.centroid) / eggRadius, std::abs(a.volume / b.volume - 1),
+                           measureSurfaceDistance(a.surface, b.surface) / eggRadius});
+  }
+  return worst;
+}
+
+double measureSurfaceDistance(const Mesh& a, const Mesh& b) {
+  const double count = static_cast<double>(a.vertices.size() + b.vertices.size());
+  return std::sqrt((sumOfSquares(a, b) + sumOfSquares(b, a)) / count);
+}
+
+double compareBirths(std::span<const LineageEntry> a, std::span<const LineageEntry> b) {
+  std::map<CellPath, double> born;
+  for (const LineageEntry& e : a) born[e.path] = e.born;
+  double largest = 0;
+  for (const LineageEntry& e : b)
+    if (const auto same = born.find(e.path); same != born.end())
+      largest = std::max(largest, std::abs(same->second - e.born));
+  return largest;
+}
+
+}  // namespace morula

@@ -1,0 +1,54 @@
+#pragma once
+// How far one world is from another that should be the same.
+#include <span>
+#include <vector>
+
+#include "base/cell_path.h"
+#include "biology/lineage.h"
+#include "mesh/mesh.h"
+
+namespace morula {
+
+struct World;
+
+/// A cell as others see it, whatever its mesh.
+struct ComparedCell {
+  CellPath path;
+  Mesh surface;
+  Point centroid;     // [length]
+  double volume = 0;  // [length³]
+};
+
+/// All living cells at one time, by path.
+struct Shapes {
+  double time = 0;
+  std::vector<ComparedCell> cells;
+};
+
+/// The world has bodies.
+Shapes takeShapes(const World& world);
+
+/// Each the largest over the cells.
+struct StateError {
+  double centroid = 0;  // [radii of the egg] distance of the centroids
+  double volume = 0;    // [1] difference of volumes over the reference's
+  double surface = 0;   // [radii of the egg] root mean square distance of the surfaces
+  double largest() const;
+};
+
+StateError larger(const StateError& a, const StateError& b);
+
+/// True if the same cells live in both.
+bool haveSameCells(const Shapes& a, const Shapes& b);
+
+/// Of two with the same cells.
+StateError compareShapes(const Shapes& shapes, const Shapes& reference, double eggRadius);
+
+/// [length] From the vertices of either surface to the nearest points of the other: the root mean square of
+/// all. Meshes may differ. 0 for the same surface.
+double measureSurfaceDistance(const Mesh& a, const Mesh& b);
+
+/// Largest difference of the times at which cells of both lineages were born. [time]
+double compareBirths(std::span<const LineageEntry> a, std::span<const LineageEntry> b);
+
+}  // namespace morula

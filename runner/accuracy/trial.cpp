@@ -1,0 +1,88 @@
+#include "accuracy/trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "bench/clock.h"
+#include "bench/statistics.h"
+
+namespace morula {
+
+namespace {
+
+constexpr double slack = 1e-9;  // of a time: sums of time steps may miss it by rounding
+
+/// Steps until the time is reached and adds up what that costs.
+void goTo(World& world, double time, Trial& trial, double& seconds) {
+  const double perStep = evaluationsPerStep(trial.setting.integrator);
+  while (world.clock.time < time * (1 - slack) && !world.cells.path.empty()) {
+    trial.vertexSteps += static_cast<std::uint64_t>(world.bodies->livingVertices);
+    ++trial.steps;
+    trial.forceEvaluations += static_cast<std::uint64_t>(perStep);
+    seconds += timeOf(ClockKind::process, [&] { step(world); });
+  }
+}
+
+void runOnce(const Scene& scene, const std::vector<double>& times, const Execution& execution, Trial& trial,
+             double& seconds) {
+  World world = makeWorld(scene, execution);
+  trial.shapes.push_back(takeShapes(world));
+  for (const double time : times) {
+    goTo(world, time, trial, seconds);
+    trial.shapes.push_back(takeShapes(world));
+    trial.born = world.lineage.entries;
+  }
+}
+
+double largestDifference(const World& a, const World& b) {
+  if (a.cells.path != b.cells.path || a.bodies->position.size() != b.bodies->position.size()) return INFINITY;
+  double largest = 0;
+  for (std::size_t i = 0; i < a.bodies->position.size(); ++i)
+    largest = std::max(largest, std::abs(a.bodies->position[i] - b.bodies->position[i]));
+  return largest;
+}
+
+}  // namespace
+
+Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vector<double>& times,
+               const Execution& execution, int rounds) {
+  std::vector<double> seconds;
+  Trial trial;
+  for (int round = 0; round < rounds && trial.failure.empty(); ++round) {
+    trial = {setting, "", {}, {}, 0, 0, 0, 0};
+    double took = 0;
+    try {
+      runOnce(read(changesFor(setting)).scene, times, execution, trial, took);
+    } catch (const InputError& error) { trial.failure = error.what(); } catch (const NumericalError& error) {
+      trial.failure = error.what();
+    }
+    seconds.push_back(took);
+  }
+  trial.cpuSeconds = median(seconds);
+  return trial;
+}
+
+Horizon findHorizon(const Scene& scene, const Execution& execution, std::optional<double> latest,
+                    double amplification) {
+  World world = makeWorld(scene, execution), twin = makeWorld(scene, execution);
+  Reals& x = twin.bodies->position;
+  const double before = x[0];
+  const bool wide = twin.bodies->parameters.precision == Precision::binary64;
+  x[0] = wide ? std::nextafter(before, INFINITY) : double(std::nextafterf(float(before), INFINITY));
+  const double ulp = x[0] - before;
+  Horizon horizon{0, 0, false, world.clock.timeStep};
+  while (!finished(world) && !(latest && world.clock.time >= *latest)) {
+    step(world);
+    step(twin);
+    const double apart = largestDifference(world, twin);
+    horizon.parted = apart > amplification * ulp;
+    if (horizon.parted) break;
+    horizon.rounding = std::max(horizon.rounding, apart);
+    horizon.end = world.clock.time;
+    horizon.leastTimeStep = std::min(horizon.leastTimeStep, world.clock.timeStep);
+  }
+  return horizon;
+}
+
+}  // namespace morula

@@ -1,0 +1,174 @@
+// From settings to a report: manufactured rows, and one small scene from end to end.
+#include "accuracy/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "accuracy/picture.h"
+#include "accuracy/table.h"
+#include "base/error.h"
+#include "catch.h"
+
+using namespace morula;
+
+namespace {
+
+AccuracyRow row(const std::string& series, double timeStep, double error, double seconds,
+                Integrator integrator = Integrator::velocityVerlet) {
+  AccuracyRow r;
+  r.series = series;
+  r.setting.integrator = integrator;
+  r.setting.timeStep = timeStep;
+  r.error = error;
+  r.resolved = true;
+  r.cpuSeconds = seconds;
+  r.forceEvaluations = static_cast<std::uint64_t>(1000 * seconds);
+  return r;
+}
+
+/// A blown-up cell that swings, with drag that explicit Euler lives on.
+const std::string swinging =
+    "morula: 1\nname: swinging\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\n"
+    "physics:\n  mesh: {icosphere: 1}\n  membrane: {stiffness: 10, damping: 0.02}\n"
+    "  pressure: {constant: 8, outside: 0}\n  drag: 4\n";
+
+ReadScenario reader(const std::string& text) {
+  return [text](const std::vector<std::string>& changes) {
+    std::vector<Override> overrides;
+    for (const auto& change : changes) overrides.push_back(parseOverride(change));
+    return readScenario(text, "test.yaml", ".", overrides);
+  };
+}
+
+const SeriesOrder& orderIn(const AccuracyReport& report, const std::string& series) {
+  for (const SeriesOrder& o : report.orders)
+    if (o.series == series) return o;
+  FAIL("no series " << series);
+  throw;
+}
+
+}  // namespace
+
+TEST_CASE("Every setting is read back by a scenario as what it is") {
+  for (Integrator integrator : allIntegrators)
+    for (Precision precision : {Precision::binary64, Precision::binary32})
+      for (ContactLaw law : {ContactLaw::pair, ContactLaw::thesis}) {
+        const Setting setting{integrator, 0x1p-9, precision, 2, law};
+        const Scenario scenario = reader(swinging + "  contact: {}\n")(changesFor(setting));
+        const Setting back = settingOf(scenario, 0x1p-9);
+        CHECK(back.integrator == integrator);
+        CHECK(back.precision == precision);
+        CHECK(back.law == law);
+        CHECK(back.level == 2u);
+        CHECK(scenario.scene.mechanics->physics.timeStep == 0x1p-9);
+      }
+}
+
+TEST_CASE("Orders and speeds follow from rows; what failed, parted or is not resolved is left out") {
+  std::vector<AccuracyRow> rows;
+  for (double h : {0.1, 0.05, 0.025}) {
+    rows.push_back(row("slow", h, 3.9 * h, 1 / h));
+    rows.push_back(row("fast", h, 15.9 * h * h, 2 / h));
+  }
+  rows.push_back(row("slow", 0.0125, 1e-9, 80));
+  rows.back().resolved = false;
+  rows.push_back(row("fast", 0.0125, 1e-9, 160));
+  rows.back().partedAt = 0.5;
+  AccuracyRow failed;
+  failed.series = "broken", failed.failure = "why";
+  rows.push_back(failed);
+
+  const auto orders = findOrders(rows);
+  REQUIRE(orders.size() == 3);
+  CHECK(orders[0].observed->slope == Approx(1).epsilon(1e-9));
+  CHECK(orders[1].observed->slope == Approx(2).epsilon(1e-9));
+  CHECK(orders[0].observed->points == 3);
+  CHECK_FALSE(orders[2].observed);
+
+  // Error 0.1: slow at h = 0.1/3.9, 1/h s; fast at h = √(0.1/15.9), 2/h s. Error 0.01: fast alone.
+  const auto speeds = findSpeeds(rows, "slow");
+  REQUIRE(speeds.size() == 3);
+  CHECK(speeds[0].cpuSeconds == Approx(39).epsilon(1e-9));
+  CHECK(*speeds[0].speed == Approx(1));
+  CHECK(speeds[1].cpuSeconds == Approx(2 / std::sqrt(0.1 / 15.9)).epsilon(1e-9));
+  CHECK(*speeds[1].speed == Approx(19.5 * std::sqrt(0.1 / 15.9)).epsilon(1e-9));
+  CHECK(speeds[2].series == "fast");
+  CHECK_FALSE(speeds[2].speed);
+
+  AccuracyReport report;
+  report.rows = rows;
+  CHECK(cheapest(report, 0.5)->cpuSeconds == 10);
+  CHECK(cheapest(report, 0.05)->cpuSeconds == 40);
+  CHECK(cheapest(report, 0.05)->series == "fast");
+  CHECK(cheapest(report, 1e-12) == nullptr);
+  report.reference.left.error = 0.02;  // counts on top: 0.03975 + 0.02 > 0.05
+  CHECK(cheapest(report, 0.05)->cpuSeconds == 80);
+}
+
+TEST_CASE("A smooth scene: every integrator has its order, and the reference its witness") {
+  AccuracyOptions options;
+  options.integrators = {std::begin(allIntegrators), std::end(allIntegrators)};
+  options.levels = {0};
+  options.rounds = 1;
+  const AccuracyReport report = measureAccuracy(reader(swinging), options);
+  INFO(describe(report));
+  CHECK(report.reference.agrees);
+  CHECK(report.reference.setting.integrator == Integrator::rungeKutta4);
+  CHECK(report.times.back() == 1);
+  CHECK_FALSE(report.horizon->parted);
+  REQUIRE(report.rows.size() == 5 * 7);
+  double smallest = 1;
+  for (const AccuracyRow& r : report.rows)
+    if (r.error && r.resolved) smallest = std::min(smallest, *r.error);
+  CHECK(report.reference.left.error <= smallest / 10);
+
+  CHECK(orderIn(report, "velocity-verlet").observed->slope == Approx(2).margin(0.2));
+  CHECK(orderIn(report, "rk4").observed->slope == Approx(4).margin(0.2));
+  CHECK(orderIn(report, "symplectic-euler").observed->slope == Approx(1).margin(0.2));
+  CHECK(orderIn(report, "thesis-verlet").observed->slope == Approx(1).margin(0.2));
+  // A coarser mesh is another cell: no time step makes up for that.
+  CHECK(std::abs(orderIn(report, "velocity-verlet, icosphere 0").observed->slope) < 0.5);
+  for (const AccuracyRow& r : report.rows) {
+    if (!r.failure.empty()) {
+      // Longer steps than an integrator bears are told, not dropped.
+      CHECK_THAT(r.failure, ContainsSubstring("physics.time_step"));
+      continue;
+    }
+    CHECK(r.steps == static_cast<std::uint64_t>(1 / r.setting.timeStep));
+    CHECK(r.forceEvaluations == r.steps * (r.setting.integrator == Integrator::rungeKutta4 ? 4 : 1));
+    CHECK(r.vertexSteps == r.steps * (r.setting.level == 0u ? 12 : 42));
+    CHECK(r.cpuSeconds > 0);
+  }
+  const Image picture = drawAccuracy(report);
+  CHECK(std::count(picture.pixels.begin(), picture.pixels.end(), Colour{0x0b, 0x3c, 0x6f}) > 100);
+}
+
+TEST_CASE("A scene without bodies has no error, and says so") {
+  const auto read = reader("morula: 1\nname: genes\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1}\n");
+  CHECK_THROWS_WITH(measureAccuracy(read, {}),
+                    ContainsSubstring("physics") && ContainsSubstring("test.yaml"));
+}
+
+TEST_CASE("Cells that touch are compared only up to where chaos begins, unless one insists") {
+  const std::string crowd =
+      "morula: 1\nname: crowd\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\ncycle: {length: 0.25}\n"
+      "stop: {time: 1.5}\nphysics:\n  mesh: {icosphere: 1}\n  drag: 10\n  shell: {sphere: 1}\n"
+      "  cell: {radius: 0.95}\n  contact: {}\n";
+  AccuracyOptions options;
+  options.integrators = {};
+  options.otherPrecision = options.otherLaw = false;
+  options.rounds = 1, options.halvings = 1;
+  const AccuracyReport report = measureAccuracy(reader(crowd), options);
+  INFO(describe(report));
+  CHECK(report.horizon->parted);
+  CHECK(report.times.back() <= report.horizon->end);
+  CHECK(report.times.back() < 1.5);
+  CHECK(report.horizon->rounding > 0);
+  CHECK(report.reference.left.error >= report.horizon->rounding / 0.95);
+  options.until = 1;
+  const AccuracyReport longer = measureAccuracy(reader(crowd), options);
+  CHECK(longer.times.back() == 1);
+  REQUIRE_FALSE(longer.remarks.empty());
+  CHECK_THAT(longer.remarks[0], ContainsSubstring("chaos"));
+  CHECK(longer.reference.left.error >= longer.reference.distance);
+}

@@ -1,0 +1,100 @@
+// Distances of surfaces and states whose distance is known.
+#include "accuracy/state_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "catch.h"
+#include "mesh/measures.h"
+#include "scenes.h"
+
+using namespace morula;
+
+namespace {
+
+Mesh moved(Mesh mesh, const Vector& by) {
+  for (Point& x : mesh.vertices) x += by;
+  return mesh;
+}
+
+ComparedCell cell(const char* path, const Mesh& mesh) {
+  return {CellPath::parse(path), mesh, measureCentroid(mesh.vertices),
+          measureVolume(mesh.vertices, mesh.faces)};
+}
+
+}  // namespace
+
+TEST_CASE("A surface is nowhere from itself, however its vertices are numbered") {
+  const Mesh ball = makeIcosphere(2);
+  CHECK(measureSurfaceDistance(ball, ball) == 0);
+  Mesh other = ball;
+  const auto last = static_cast<std::int32_t>(ball.vertices.size()) - 1;
+  std::reverse(other.vertices.begin(), other.vertices.end());
+  for (Face& f : other.faces)
+    for (std::int32_t& v : f) v = last - v;
+  CHECK(measureSurfaceDistance(ball, other) < 1e-15);
+}
+
+TEST_CASE("Of concentric cubes half the distances are to faces and half to corners") {
+  const Mesh inner = scenes::cube(), outer = scenes::scaled(scenes::cube(), 1.1);
+  // Corners of the inner one are 0.055 under three faces; those of the outer one √3 times that from a corner.
+  CHECK(measureSurfaceDistance(inner, outer) == Approx(0.055 * std::sqrt((1 + 3) / 2.0)).epsilon(1e-12));
+  CHECK(measureSurfaceDistance(outer, inner) == Approx(0.055 * std::sqrt((1 + 3) / 2.0)).epsilon(1e-12));
+}
+
+TEST_CASE("Far apart, surfaces are as far as their nearest corners, edges and faces") {
+  const Mesh cube = scenes::cube();  // of edge 1.1
+  // Its far corners see the other's near face at 3.1 + 1.1, the near ones at 3.1 − 1.1 + 1.1.
+  const double expected = std::sqrt((2.0 * 2.0 + 3.1 * 3.1) / 2);
+  CHECK(measureSurfaceDistance(cube, moved(cube, {3.1, 0, 0})) == Approx(expected).epsilon(1e-12));
+}
+
+TEST_CASE("A finer mesh of the same ball is as near as its faces are flat") {
+  const Mesh coarse = makeIcosphere(1), fine = makeIcosphere(3);
+  const double distance = measureSurfaceDistance(coarse, fine);
+  CHECK(distance > 0.01);
+  CHECK(distance < 0.08);  // the coarse one's volume radius is 0.95
+  CHECK(measureSurfaceDistance(makeIcosphere(2), fine) < 0.4 * distance);
+}
+
+TEST_CASE("Small shifts come out to the last digits") {
+  const Mesh cube = scenes::cube();
+  // Along an axis: four of eight corners leave each cube's face by 1e-9, and lie above or under it.
+  const double distance = measureSurfaceDistance(cube, moved(cube, {1e-9, 0, 0}));
+  CHECK(distance > 0.5e-9);
+  CHECK(distance < 1.001e-9);
+}
+
+TEST_CASE("Centroid, volume and surface are each the worst over the cells, in egg radii or relative") {
+  const Mesh cube = scenes::cube();
+  const Shapes reference{1, {cell("A", cube), cell("B", moved(cube, {5, 0, 0}))}};
+  Shapes other{
+      1, {cell("A", moved(cube, {0, 0.3, 0.4})), cell("B", moved(scenes::scaled(cube, 1.1), {5, 0, 0}))}};
+  const StateError error = compareShapes(other, reference, 2);
+  CHECK(error.centroid == Approx(0.25).epsilon(1e-12));
+  CHECK(error.volume == Approx(0.331).epsilon(1e-12));
+  CHECK(error.surface > 0.05);
+  CHECK(error.surface < 0.25);
+  CHECK(error.largest() == error.volume);
+}
+
+TEST_CASE("Other cells are told, and not compared") {
+  const Mesh cube = scenes::cube();
+  const Shapes one{0, {cell("", cube)}}, two{0, {cell("A", cube), cell("B", cube)}}, empty{0, {}};
+  CHECK(haveSameCells(one, one));
+  CHECK_FALSE(haveSameCells(one, two));
+  CHECK_FALSE(haveSameCells(empty, two));
+  CHECK_THROWS(compareShapes(one, two, 1));
+}
+
+TEST_CASE("Births are held against those of the same path") {
+  const std::vector<LineageEntry> a{{CellPath{}, 0, 1, 0, 0, Fate::divided, 0},
+                                    {CellPath::parse("A"), 1, 0, 0, 0, Fate::alive, 0},
+                                    {CellPath::parse("B"), 1, 0, 0, 0, Fate::alive, 0}};
+  auto b = a;
+  b[1].born = 1.25;
+  b.push_back({CellPath::parse("AA"), 7, 0, 0, 0, Fate::alive, 0});
+  CHECK(compareBirths(a, b) == 0.25);
+  CHECK(compareBirths(b, a) == 0.25);
+  CHECK(compareBirths(a, a) == 0);
+}
