@@ -150,6 +150,8 @@ MORULA_INLINE bool any(Mask m) { return bits(m) != 0; }
 /// Keeps quotients finite where a length is 0, and is below rounding else.
 constexpr double nothing = single ? 1e-30 : 1e-280;
 
+/// The smaller one; b where they do not compare (as x86's minpd).
+MORULA_INLINE Lanes smaller(Lanes a, Lanes b) { return select(a < b, a, b); }
 /// The larger one; b where they do not compare (as x86's maxpd).
 MORULA_INLINE Lanes larger(Lanes a, Lanes b) { return select(a > b, a, b); }
 

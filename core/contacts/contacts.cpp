@@ -5,6 +5,15 @@
 
 namespace morula {
 
+namespace {
+
+/// Friction below the slip speed is a damper, and a damper c on a mass m alternates without end from c·Δt = m
+/// on. A vertex rubs against up to ten others, as in contactLimit. Against a step a hundredth as long, two
+/// daughters pressed together are off by 1e-5 radii with this limit and by 5e-3 without.
+constexpr double gripShare = 0.1;
+
+}  // namespace
+
 Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search,
                       Precision precision) {
   Contacts c;
@@ -67,6 +76,10 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
     ++c.rebuilds;
   }
   c.pairEvaluations += c.list.pairs;  // the forces come next
+  if (c.parameters.friction > 0) {
+    c.lightestVertex = INFINITY;
+    for (int slot : bodies.slots) c.lightestVertex = std::min(c.lightestVertex, bodies.vertexMass[slot]);
+  }
 }
 
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
@@ -75,6 +88,7 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                                    c.parameters.damping,
                                    c.parameters.friction,
                                    c.parameters.slipSpeed,
+                                   gripShare * c.lightestVertex / timeStep,
                                    timeStep,
                                    bodies.lineCount() * blockLanes};
   c.addForces(c.list.slices.data() + first, last - first, c.list.indices.data(), c.rows.data(), constants,

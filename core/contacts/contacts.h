@@ -18,6 +18,7 @@ struct Contacts {
   ContactParameters parameters;
   const ContactKernels* kernels = nullptr;
   ContactKernels::AddForces addForces = nullptr;  // of the scene's law
+  double lightestVertex = 0;                      // [mass] now, where there is friction
   double skinShare = 0;                           // [SearchSettings]
 
   // State between rebuilds; nothing of it is part of the result

@@ -11,8 +11,10 @@
 //   depth f  = w max(0, −K g − C v·h) h     on i, with v = v_i − v_j; K and C are constants, not made of Δt
 //
 // Exchanging i and j turns h and f round and leaves the rest: f_ij = −f_ji bit for bit, so momentum is kept
-// to rounding. Coulomb friction adds −μ|f| t/max(|t|, v_slip) with t the relative velocity along the surface:
-// antisymmetric as well. 1/R² is the mean of the two vertices' 1/R_i², which needs no division.
+// to rounding. Coulomb friction adds −min(μ|f|/max(|t|, v_slip), c_max) t with t the relative velocity along
+// the surface: antisymmetric as well. Below v_slip it is a damper; c_max keeps it from turning the slip round
+// within a step (contacts.cpp), or else vertices that press on each other chatter, and one unit in the last
+// place grows twentyfold in a step. 1/R² is the mean of the two vertices' 1/R_i², which needs no division.
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -33,7 +35,8 @@ MORULA_INLINE Vec pairForce(const Rows& i, const Rows& j, const ContactConstants
     const Lanes facing = dot(h, h) + nothing;
     const Vec slip = relative - (opening / facing) * h;
     const Lanes slipSpeed = larger(squareRoot(dot(slip, slip)), Lanes(c.slipSpeed));
-    f -= ((Lanes(c.friction) * size) * squareRoot(facing) / slipSpeed) * slip;
+    const Lanes grip = (Lanes(c.friction) * size) * squareRoot(facing) / slipSpeed;
+    f -= smaller(grip, Lanes(c.strongestGrip)) * slip;
   }
   return f;
 }

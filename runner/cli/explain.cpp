@@ -25,7 +25,7 @@ namespace {
 
 struct ExplainOptions {
   std::string scenario;
-  std::string with, database, run;
+  std::string with, database, run, every = "64";
   ExecutionOptions execution;
   OutputOptions output;
 };
@@ -42,6 +42,10 @@ struct Findings {
   std::vector<CheckResult> checks;
 };
 
+std::uint64_t strideOf(const ExplainOptions& options) {
+  return naturalOption("--every", options.every, 1, 1'000'000'000);
+}
+
 OwnRun ownRun(const Scenario& scenario, const Execution& how) {
   return {"this program, " + std::string(name(how.isa)) + ", threads " + std::to_string(how.threads),
           [&scenario, how] { return makeScenarioWorld(scenario, how); }, [](World& w) { step(w); },
@@ -51,9 +55,9 @@ OwnRun ownRun(const Scenario& scenario, const Execution& how) {
 }
 
 /// Two runs of this program that compute in different ways.
-void lookForNondeterminism(const Scenario& scenario, const Execution& how, Findings& f) {
+void lookForNondeterminism(const Scenario& scenario, const Execution& how, std::uint64_t every, Findings& f) {
   OwnRun first = ownRun(scenario, how), second = ownRun(scenario, otherExecution(how));
-  f.where = explainTwice(first, second);
+  f.where = explainTwice(first, second, every);
   f.failureClass = f.where.failureClass;
   f.text += (f.failureClass.empty() ? "two runs of this program: " : "") + f.where.text;
 }
@@ -103,7 +107,7 @@ void compareWithProgram(const Scenario& scenario, const ExplainOptions& options,
                         Findings& f) {
   ProgramRun expected(options.with, scenario.file, [&] { return makeScenarioWorld(scenario, how); });
   OwnRun actual = ownRun(scenario, how);
-  f.where = explain(expected, actual);
+  f.where = explain(expected, actual, strideOf(options));
   f.failureClass = f.where.failureClass;
   f.text += f.where.text;
 }
@@ -179,7 +183,7 @@ int act(const ExplainOptions& options) {
   Findings f;
   const SignalWatch signals;
   try {
-    lookForNondeterminism(scenario, how, f);
+    lookForNondeterminism(scenario, how, strideOf(options), f);
     if (f.failureClass.empty() && !options.database.empty()) compareWithStored(scenario, options, how, f);
     else if (f.failureClass.empty() && !options.with.empty()) compareWithProgram(scenario, options, how, f);
     else if (f.failureClass.empty()) compareWithGolden(scenario, how, options.output.quiet, f);
@@ -201,6 +205,9 @@ void addExplain(CLI::App& app, Action& action) {
       ->type_name("PROGRAM");
   verb->add_option("--db", options->database, "Compare with a stored run")->type_name("FILE");
   verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
+  verb->add_option("--every", options->every, "Look at every so many steps first; 1 finds also what heals")
+      ->type_name("STEPS")
+      ->capture_default_str();
   add(*verb, options->execution);
   add(*verb, options->output);
   verb->callback([options, &action] { action = [options] { return act(*options); }; });

@@ -27,17 +27,19 @@ struct Run {
 }  // namespace
 
 TEST_CASE(
-    "coarsening: nine cells lie, and are as large, as in the fine run, for less than a quarter of the work") {
+    "coarsening: five cells lie, and are as large, as in the fine run, for less than a third of the work") {
   const std::string file = MORULA_SOURCE_DIR "/scenarios/organisms/coarsening.yaml";
-  const Scene scene = loadScenario(file, {parseOverride("stop.time=4.9375")}).scene;
+  const Scene scene = loadScenario(file, {parseOverride("stop.time=3.9375")}).scene;
   Scene fineScene = scene;
   fineScene.mechanics->physics.coarsen.reset();
   fineScene.mechanics->coarser.clear();
   const Run coarse(scene), fine(fineScene);
 
   const auto a = measureCells(coarse.world), b = measureCells(fine.world);
-  REQUIRE(a.size() == 9);
-  REQUIRE(b.size() == 9);
+  // Later on it is a close call which axis of a nearly round cell is its longest: a coarser mesh decides
+  // otherwise.
+  REQUIRE(a.size() == 5);
+  REQUIRE(b.size() == 5);
   Worst centre, volume, area;
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -49,13 +51,13 @@ TEST_CASE(
     volume.see(std::abs(a[i].volume / b[i].volume - 1));
     area.see(std::abs(a[i].area / b[i].area - 1));
   }
-  CAPTURE(sum / 9, double(centre), double(volume), double(area), fine.vertexSteps / coarse.vertexSteps);
-  CHECK(sum / 9 < 0.1);  // cell radii
-  CHECK(centre < 0.2);
-  CHECK(volume < 0.03);
-  CHECK(area < 0.02);
-  CHECK(coarse.world.bodies->livingVertices == 642 + 8 * 162);
-  CHECK(fine.vertexSteps > 4 * coarse.vertexSteps);
+  CAPTURE(sum / 5, double(centre), double(volume), double(area), fine.vertexSteps / coarse.vertexSteps);
+  CHECK(sum / 5 < 0.05);  // cell radii
+  CHECK(centre < 0.1);
+  CHECK(volume < 0.01);
+  CHECK(area < 0.01);
+  CHECK(coarse.world.bodies->livingVertices == 642 + 4 * 162);
+  CHECK(fine.vertexSteps > 3 * coarse.vertexSteps);
   CHECK(measureMeanOverlap(coarse.world) < 0.01);
   for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i].sphericity > 0.75);
 }

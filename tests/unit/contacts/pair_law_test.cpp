@@ -7,7 +7,7 @@ using namespace morula;
 namespace {
 
 /// The force of j on i, from the equations of pair_law_kernel.h.
-Vector pairForce(const SeenVertex& i, const SeenVertex& j, const ContactParameters& c) {
+Vector pairForce(const SeenVertex& i, const SeenVertex& j, const ContactParameters& c, double strongestGrip) {
   const Vector d = i.x - j.x;
   const double inverseSquare = (i.inverseRadiusSquared + j.inverseRadiusSquared) / 2;  // 1/R²
   if (dot(d, d) * inverseSquare >= 1) return {};
@@ -20,7 +20,7 @@ Vector pairForce(const SeenVertex& i, const SeenVertex& j, const ContactParamete
   const Vector f = weight * push * h;
   if (norm(h) == 0) return {};
   const Vector n = h / norm(h), slip = v - dot(v, n) * n;
-  return f - (c.friction * norm(f) / std::max(norm(slip), c.slipSpeed)) * slip;
+  return f - std::min(c.friction * norm(f) / std::max(norm(slip), c.slipSpeed), strongestGrip) * slip;
 }
 
 struct Case {
@@ -43,11 +43,14 @@ TEST_CASE("Contact forces are the sum of the pair forces over all pairs of verti
       Crowd crowd(limp(), law, ball, heap(ball, count, 1.6, 0.5));
       crowd.evaluateForces();
       const auto all = seen(crowd.lab.bodies, law);
+      const auto& masses = crowd.lab.bodies.vertexMass;
+      const double grip =
+          0.1 * *std::min_element(masses.begin(), masses.begin() + count) / crowd.lawTimeStep;
       Worst error, largest;
       for (const SeenVertex& i : all) {
         Vector sum;
         for (const SeenVertex& j : all)
-          if (i.slot != j.slot) sum += pairForce(i, j, law);
+          if (i.slot != j.slot) sum += pairForce(i, j, law, grip);
         error.see(norm(crowd.lab.force(i.slot, i.v) - sum));
         largest.see(norm(sum));
       }
@@ -148,11 +151,12 @@ TEST_CASE("Damping acts against approach only, and never pulls") {
 
 TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
   const Mesh ball = makeIcosphere(2);
-  const auto forceOn = [&](double friction, double slip) {
+  const auto forceOn = [&](double friction, double slip, double timeStep = 0x1p-30) {
     Body left = shakenBody(ball, 0, 0), right = left;
     for (Point& x : right.position) x += Vector{1.9, 0, 0};
     for (Vector& u : right.velocity) u = {0, slip, 0};
     Crowd crowd(limp(), {ContactLaw::pair, 40, 0, friction, 0.01}, ball, {left, right});
+    crowd.lawTimeStep = timeStep;
     crowd.evaluateForces();
     Vector push;
     for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) push += crowd.lab.force(1, v);
@@ -164,4 +168,13 @@ TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
   CHECK(-fast.y == Approx(0.3 * without.x).epsilon(0.02));  // the cone, but for the curvature of the balls
   CHECK(faster.y == Approx(fast.y).epsilon(1e-9));          // beyond the slip speed it does not grow
   CHECK(slow.y == Approx(fast.y * 0.01).epsilon(1e-3));     // below it fades linearly
+
+  // A step that is too long for so strong a damper: friction grips less, and cannot turn the slip round.
+  const double slip = 1e-4, longStep = 0x1p-6;
+  const Vector gentle = forceOn(0.3, slip, longStep);
+  CHECK(gentle.y < 0);
+  CHECK(-gentle.y < 0.5 * -slow.y);
+  CHECK(-gentle.y * longStep < slip);  // the right ball's mass is 1
+  CHECK(forceOn(0.3, 100, longStep).y ==
+        Approx(fast.y).epsilon(1e-9));  // what slips as fast as Coulomb has it is not touched
 }

@@ -29,6 +29,15 @@ TEST_CASE("A calm cell forgets a last place; a crowd that divides does not") {
   CHECK(crowd.growth.back().size > 1e-12);
 }
 
+TEST_CASE("Friction does not chatter: two daughters pressed together forget a last place") {
+  Scene scene = scenes::packed();
+  scene.stop.time = 1.75;  // the egg divides at 1
+  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->physics.drag = 20;
+  const TwinRun run = twins(scene);
+  CHECK((run.growth.empty() || run.growth.back().size < 1e-11));
+}
+
 TEST_CASE("Growth is told in rising decades at rising steps, and ends with the undisturbed state") {
   const Scene scene = scenes::packed();
   const TwinRun run = twins(scene);
