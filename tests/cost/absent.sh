@@ -29,8 +29,8 @@ calls() {
   grep -oE '^c?fn=\([0-9]+\) .*' "$work/$1.calls" | sed 's/^[^ ]* //' | sort -u >"$work/$1"
 }
 hashes() {
-  awk '/^cfn=/ { name = $1; sub(/^cfn=/, "", name); if ($0 ~ /morula::stateHash\(/) wanted = name }
-       /^fn=/ { f = $1; sub(/^fn=/, "", f); if ($0 ~ /morula::stateHash\(/) wanted = f }
+  awk '/^cfn=/ { name = $1; sub(/^cfn=/, "", name); if ($0 ~ /morula::hashState\(/) wanted = name }
+       /^fn=/ { f = $1; sub(/^fn=/, "", f); if ($0 ~ /morula::hashState\(/) wanted = f }
        /^calls=/ { split($1, n, "="); called[name] += n[2] }
        END { print called[wanted] + 0 }' "$work/$1.calls"
 }
