@@ -92,8 +92,7 @@ void chooseTimeStep(World& world) {
   clock.epochTime = clock.time;
   clock.epochStep = clock.step;
   world.timeSteps.push_back({clock.time, clock.step, timeStep});
-  movePhysics(world,
-              0);  // the thesis' contact law depends on the time step: its forces are those of the new one
+  movePhysics(world, 0);  // the thesis' contact law and the grip of friction depend on the time step
 }
 
 }  // namespace morula

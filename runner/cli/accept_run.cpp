@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "cli/check_run.h"
 #include "cli/console.h"
+#include "cli/scenario_run.h"
 #include "cli/signals.h"
 #include "explain/explain.h"
 #include "explain/growth.h"
@@ -13,10 +14,6 @@
 namespace morula::cli {
 
 namespace {
-
-struct Interrupted {
-  int signal;
-};
 
 /// Bits are checked exactly; the values beside them tell how large a difference is.
 std::vector<ToleranceRule> usualRules(const Scenario& scenario) {
@@ -31,7 +28,7 @@ TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
   const SignalWatch signals;
   Progress progress(scenario.scene.name + " again", quiet);
   const auto watch = [&](const World& world) {
-    if (const int signal = SignalWatch::caught()) throw Interrupted{signal};
+    stopAtSignal();
     progress.show(world);
   };
   if (scenario.scene.mechanics)
@@ -45,12 +42,7 @@ TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
 }
 
 std::string whereTheyPart(const Scenario& scenario, const Execution& how, const Execution& other) {
-  const auto own = [&](const Execution& e) {
-    return OwnRun(
-        std::string(name(e.isa)) + ", threads " + std::to_string(e.threads),
-        [&scenario, e] { return makeScenarioWorld(scenario, e); }, [](World& w) { step(w); });
-  };
-  OwnRun first = own(how), second = own(other);
+  OwnRun first = scenarioRun(scenario, how), second = scenarioRun(scenario, other);
   return "nothing accepted. " + explainTwice(first, second).text;
 }
 

@@ -89,7 +89,8 @@ int act(const CheckOptions& options) {
     const CheckReport report = done ? check(scenario, run, true) : failed(scenario, run);
     if (hasUnusableGolden(report)) code = input;
     else if (!report.passed() && code == fine) code = differs;
-    if (!report.passed() && done) putPending(scenario, run, observe(scenario, run), options.output.quiet);
+    if (report.passed()) removePending(scenario);
+    else if (done) putPending(scenario, run, observe(scenario, run), options.output.quiet);
     for (const auto& result : report.results) results.push_back(toJson(report, result));
     if (!options.output.json) print(describe(report));
     else if (!report.passed()) tell(describe(report), options.output.quiet);

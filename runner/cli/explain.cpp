@@ -11,6 +11,7 @@
 #include "cli/exit_codes.h"
 #include "cli/git_text.h"
 #include "cli/options.h"
+#include "cli/scenario_run.h"
 #include "cli/signals.h"
 #include "cli/verbs.h"
 #include "explain/program_run.h"
@@ -30,10 +31,6 @@ struct ExplainOptions {
   OutputOptions output;
 };
 
-struct Interrupted {
-  int signal;
-};
-
 /// What was found, in the order in which one finding explains the next.
 struct Findings {
   std::string failureClass;  // "" if nothing differs
@@ -46,17 +43,9 @@ std::uint64_t strideOf(const ExplainOptions& options) {
   return naturalOption("--every", options.every, 1, 1'000'000'000);
 }
 
-OwnRun ownRun(const Scenario& scenario, const Execution& how) {
-  return {"this program, " + std::string(name(how.isa)) + ", threads " + std::to_string(how.threads),
-          [&scenario, how] { return makeScenarioWorld(scenario, how); }, [](World& w) { step(w); },
-          [](const World&) {
-            if (const int signal = SignalWatch::caught()) throw Interrupted{signal};
-          }};
-}
-
 /// Two runs of this program that compute in different ways.
 void lookForNondeterminism(const Scenario& scenario, const Execution& how, std::uint64_t every, Findings& f) {
-  OwnRun first = ownRun(scenario, how), second = ownRun(scenario, otherExecution(how));
+  OwnRun first = scenarioRun(scenario, how), second = scenarioRun(scenario, otherExecution(how));
   f.where = explainTwice(first, second, every);
   f.failureClass = f.where.failureClass;
   f.text += (f.failureClass.empty() ? "two runs of this program: " : "") + f.where.text;
@@ -97,7 +86,7 @@ void compareWithStored(const Scenario& scenario, const ExplainOptions& options, 
     return;
   }
   StoredTrail expected("run " + stored.id + " in " + options.database, chain, stored.steps, stored.failure);
-  OwnRun actual = ownRun(scenario, how);
+  OwnRun actual = scenarioRun(scenario, how);
   f.where = explain(expected, actual, chain.size() > 1 ? chain[1].step - chain[0].step : 1);
   f.failureClass = f.where.failureClass;
   f.text += f.where.text;
@@ -106,7 +95,7 @@ void compareWithStored(const Scenario& scenario, const ExplainOptions& options, 
 void compareWithProgram(const Scenario& scenario, const ExplainOptions& options, const Execution& how,
                         Findings& f) {
   ProgramRun expected(options.with, scenario.file, [&] { return makeScenarioWorld(scenario, how); });
-  OwnRun actual = ownRun(scenario, how);
+  OwnRun actual = scenarioRun(scenario, how);
   f.where = explain(expected, actual, strideOf(options));
   f.failureClass = f.where.failureClass;
   f.text += f.where.text;

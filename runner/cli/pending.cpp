@@ -9,6 +9,7 @@
 #include "cli/pictures.h"
 #include "golden/accept.h"
 #include "simulation/world.h"
+#include "store/build_info.h"
 
 namespace morula::cli {
 
@@ -16,13 +17,44 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* extensions[] = {".golden", ".png", ".from"};
+
+/// …/build/release/pending for …/build/release/morula.
+fs::path pendingFolder() { return fs::path(ownProgram()).parent_path() / "pending"; }
+
 fs::path fileOf(const Scenario& scenario, const char* extension) {
   return pendingFolder() / (goldenName(scenario.file) + extension);
 }
 
-}  // namespace
+void removeAll(fs::path file) {
+  std::error_code ignored;
+  for (const char* extension : extensions) fs::remove(file.replace_extension(extension), ignored);
+}
 
-fs::path pendingFolder() { return fs::path(ownProgram()).parent_path() / "pending"; }
+/// What made a result: the lines of its .from.
+struct Origin {
+  std::string scenario, build;
+  friend bool operator==(const Origin&, const Origin&) = default;
+};
+
+Origin originOf(const Scenario& scenario) {
+  return {fs::absolute(scenario.file).lexically_normal().string(), buildId(buildInfo())};
+}
+
+Origin readOrigin(const fs::path& file) {
+  Origin origin;
+  std::ifstream lines(file);
+  std::getline(lines, origin.scenario);
+  std::getline(lines, origin.build);
+  return origin;
+}
+
+bool write(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  return static_cast<bool>((out << text).flush());
+}
+
+}  // namespace
 
 fs::path pendingPicture(const Scenario& scenario) { return fileOf(scenario, ".png"); }
 
@@ -30,9 +62,9 @@ void putPending(const Scenario& scenario, const Simulation& run, const GoldenDat
   const fs::path file = fileOf(scenario, ".golden");
   std::error_code problem;
   fs::create_directories(file.parent_path(), problem);
-  std::ofstream out(file, std::ios::binary);
-  const Golden pending{observed, "nobody", "pending", {}};
-  if (!(out << writeGolden(pending)).flush()) {
+  const Origin origin = originOf(scenario);
+  if (!write(file, writeGolden({observed, "nobody", "pending", {}})) ||
+      !write(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n')) {
     tell(file.string() + ": cannot be written: the result is not kept for a review", quiet);
     return;
   }
@@ -41,25 +73,28 @@ void putPending(const Scenario& scenario, const Simulation& run, const GoldenDat
   tell("kept for `morula review`: " + file.string(), quiet);
 }
 
-std::optional<Golden> findPending(const Scenario& scenario) {
+std::optional<GoldenData> findPending(const Scenario& scenario) {
   const fs::path file = fileOf(scenario, ".golden");
-  if (!fs::exists(file)) return std::nullopt;
-  return readGoldenFile(file);
+  if (!fs::exists(file) || readOrigin(fileOf(scenario, ".from")) != originOf(scenario)) return std::nullopt;
+  GoldenData data = readGoldenFile(file).data;
+  if (data.scenarioHash != scenario.meaning.text()) return std::nullopt;
+  return data;
 }
 
-void removePending(const Scenario& scenario) {
-  std::error_code ignored;
-  for (const char* extension : {".golden", ".png"}) fs::remove(fileOf(scenario, extension), ignored);
-}
+void removePending(const Scenario& scenario) { removeAll(fileOf(scenario, ".golden")); }
 
-std::vector<std::string> allPending() {
-  std::vector<std::string> names;
-  if (!fs::exists(pendingFolder())) return names;
+std::vector<fs::path> pendingScenarios() {
+  std::vector<fs::path> waiting, scenarios;
+  if (!fs::exists(pendingFolder())) return scenarios;
   for (const auto& entry : fs::recursive_directory_iterator(pendingFolder()))
-    if (entry.path().extension() == ".golden")
-      names.push_back(entry.path().lexically_relative(pendingFolder()).replace_extension().generic_string());
-  std::sort(names.begin(), names.end());
-  return names;
+    if (entry.path().extension() == ".golden") waiting.push_back(entry.path());
+  for (const fs::path& result : waiting) {
+    const fs::path scenario = readOrigin(fs::path(result).replace_extension(".from")).scenario;
+    if (scenario.empty() || !fs::exists(scenario)) removeAll(result);
+    else scenarios.push_back(scenario.lexically_proximate(fs::current_path()));
+  }
+  std::sort(scenarios.begin(), scenarios.end());
+  return scenarios;
 }
 
 }  // namespace morula::cli

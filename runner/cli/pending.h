@@ -1,6 +1,7 @@
 #pragma once
 // Results that differ from their goldens and wait for a review. They lie beside the program, never beside
-// sources.
+// sources: pending/<family>/<name>.golden, .png with the end, and .from with the scenario's file and the
+// build.
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -10,19 +11,17 @@
 
 namespace morula::cli {
 
-/// …/build/release/pending for …/build/release/morula.
-std::filesystem::path pendingFolder();
-
-/// Writes what a run showed, with a picture of its end, as pending/<family>/<name>.golden and .png. Where the
-/// folder cannot be written it says so and goes on: nothing is lost but the convenience.
+/// Keeps what a run showed. Where the folder cannot be written it says so and goes on: nothing is lost but
+/// the convenience.
 void putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, bool quiet);
-/// What waits for this scenario.
-std::optional<Golden> findPending(const Scenario& scenario);
+/// What waits for this scenario as it is now, if this build made it.
+std::optional<GoldenData> findPending(const Scenario& scenario);
 /// The picture that was written with it; the path may not exist.
 std::filesystem::path pendingPicture(const Scenario& scenario);
-/// Takes it away, accepted or rejected.
+/// Takes it away: accepted, rejected, or the golden is met again.
 void removePending(const Scenario& scenario);
-/// Names of the scenarios with results that wait, "thesis/unique-four", sorted.
-std::vector<std::string> allPending();
+/// Files of the scenarios with results that wait, sorted. What waits for a scenario that is gone is taken
+/// away.
+std::vector<std::filesystem::path> pendingScenarios();
 
 }  // namespace morula::cli

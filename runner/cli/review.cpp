@@ -30,17 +30,15 @@ struct ReviewOptions {
 /// What is to be looked at: the named scenarios, or those whose results wait.
 std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
   if (!options.scenarios.empty()) return options.scenarios;
-  std::vector<std::string> files;
-  for (const auto& name : allPending()) files.push_back("scenarios/" + name + ".yaml");
-  return files;
+  const auto waiting = pendingScenarios();
+  return {waiting.begin(), waiting.end()};
 }
 
-/// The result that waits, if it is of the scenario as it is now; else that of a run made for the purpose,
-/// which then waits if it differs. Nothing if the run was interrupted.
+/// The result that waits, or else that of a run made for the purpose, which then waits if it differs. Nothing
+/// if the run was interrupted.
 std::optional<GoldenData> resultToReview(const Scenario& scenario, const ReviewOptions& options,
                                          int& signal) {
-  if (auto pending = findPending(scenario); pending && pending->data.scenarioHash == scenario.meaning.text())
-    return std::move(pending->data);
+  if (auto pending = findPending(scenario)) return pending;
   Progress progress(scenario.scene.name, options.output.quiet);
   const auto run = simulate(makeScenarioWorld(scenario, execution(options.execution)),
                             recordingOf(scenario, true), progress);

@@ -7,7 +7,7 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/simulate.h"
+#include "cli/scenario_run.h"
 #include "cli/verbs.h"
 #include "explain/trail_text.h"
 #include "simulation/checkpoint.h"
@@ -27,8 +27,7 @@ struct TrailOptions {
 int act(const TrailOptions& options) {
   const Scenario scenario = loadScenario(options.scenario);
   const auto how = execution(options.execution);
-  OwnRun run(
-      "", [&] { return makeScenarioWorld(scenario, how); }, [](World& w) { step(w); });
+  OwnRun run = scenarioRun(scenario, how);
   if (!options.state.empty()) {
     const auto step = naturalOption("--state", options.state, 0, toTheEnd);
     const Trail there = run.trail(step, step, 1);

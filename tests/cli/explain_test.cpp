@@ -139,6 +139,19 @@ TEST_CASE("what differs waits for a review, beside the program, and is rejected 
   CHECK_FALSE((waits(".golden") || waits(".png")));
   CHECK_THAT(readWhole(golden), ContainsSubstring("why the first one"));
 
+  // Without a scenario's name what waits is found, wherever its scenario lies; what waits for none is not.
+  CHECK(launch({"check", scenario}).code == 1);
+  CHECK_THAT(launch({"review"}).out, ContainsSubstring(name + ": "));
+  writeWhole(scenario, divides);  // as it was accepted: nothing waits any more
+  CHECK(launch({"check", scenario}).code == 0);
+  CHECK_FALSE((waits(".golden") || waits(".png") || waits(".from")));
+  writeWhole(scenario, replaced(divides, "drag: 1", "drag: 1.5"));
+  CHECK(launch({"check", scenario}).code == 1);
+  fs::rename(scenario, scenario + ".gone");
+  CHECK_THAT(launch({"review"}).err, !ContainsSubstring("cannot be read"));
+  CHECK_FALSE((waits(".golden") || waits(".png") || waits(".from")));
+  fs::rename(scenario + ".gone", scenario);
+
   CHECK(launch({"check", scenario}).code == 1);
   const auto accepted =
       launch({"review", scenario, "--accept", "--by", "tests", "--why", "more drag"}, {{"CI", ""}});
