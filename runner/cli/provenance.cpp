@@ -2,17 +2,6 @@
 
 namespace morula::cli {
 
-namespace {
-
-std::string joined(const std::vector<std::pair<std::string, std::string>>& libraries) {
-  std::string text;
-  for (const auto& [library, version] : libraries)
-    text += (text.empty() ? "" : ", ") + library + " " + version;
-  return text;
-}
-
-}  // namespace
-
 std::vector<Item> compareIdentity(const RunRecord& a, const RunRecord& b) {
   return {{"scenario", a.scenarioHash, b.scenarioHash},
           {"seed", std::to_string(a.seed), std::to_string(b.seed)},
@@ -20,7 +9,7 @@ std::vector<Item> compareIdentity(const RunRecord& a, const RunRecord& b) {
           {"compiler", a.build.compiler, b.build.compiler},
           {"flags", a.build.flags, b.build.flags},
           {"target", a.build.target, b.build.target},
-          {"libraries", joined(a.build.libraries), joined(b.build.libraries)}};
+          {"libraries", librariesText(a.build), librariesText(b.build)}};
 }
 
 std::vector<Item> compareConditions(const RunRecord& a, const RunRecord& b) {

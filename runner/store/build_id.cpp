@@ -3,6 +3,13 @@
 
 namespace morula {
 
+std::string librariesText(const BuildInfo& build) {
+  std::string text;
+  for (const auto& [library, version] : build.libraries)
+    text += (text.empty() ? "" : "; ") + library + ' ' + version;
+  return text;
+}
+
 std::string buildId(const BuildInfo& build) {
   Hasher hasher;
   hasher.field("sources").add(build.sources);

@@ -23,6 +23,9 @@ const BuildInfo& buildInfo();
 /// are cut at 256 KiB, which their last line says.
 const std::string& buildDiff();
 
+/// "Eigen 3.4.0; SQLite 3.40.1".
+std::string librariesText(const BuildInfo& build);
+
 /// 32 hexadecimal digits over what can change a result: sources, compiler, flags, target, libraries. The
 /// commit is not in it: the same sources under another commit are the same program.
 std::string buildId(const BuildInfo& build);

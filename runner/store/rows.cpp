@@ -8,13 +8,6 @@ namespace morula {
 
 namespace {
 
-std::string joined(const std::vector<std::pair<std::string, std::string>>& libraries) {
-  std::string text;
-  for (const auto& [library, version] : libraries)
-    text += (text.empty() ? "" : "; ") + library + ' ' + version;
-  return text;
-}
-
 void insertDocuments(Database& db, const std::string& id, const std::vector<Document>& documents) {
   Statement content(db, "INSERT INTO document VALUES (?, ?) ON CONFLICT DO NOTHING");
   Statement use(db, "INSERT INTO run_document VALUES (?, ?, ?, ?, ?)");
@@ -109,8 +102,8 @@ void insertRun(Database& db, const std::string& id, const RunRecord& r, const st
       .run(id, r.scenario, r.seed, name(end ? end->status : RunStatus::running), hash, started, ended, steps,
            cells, time, failure, r.scenarioHash, buildId(r.build), r.build.version, r.build.sources,
            r.build.gitCommit, r.build.gitState, r.build.compiler, r.build.flags, r.build.target,
-           joined(r.build.libraries), r.machine.cpu, r.machine.kernel, r.isa, r.threads, r.command,
-           r.binaryHash, r.machine.fpEnvironment, r.machine.features);
+           librariesText(r.build), r.machine.cpu, r.machine.kernel, r.isa, r.threads, r.command, r.binaryHash,
+           r.machine.fpEnvironment, r.machine.features);
   insertDocuments(db, id, r.documents);
 }
 
