@@ -78,6 +78,11 @@ StabilityLimits measureLimits(const Bodies& b, int slot) {
       (b.parameters.integrator == Integrator::rungeKutta4 ? std::sqrt(8.0) : 2) / omega};
 }
 
+double dragLimit(Integrator integrator, double drag) {
+  if (integrator == Integrator::explicitEuler) return rungeKuttaLimit(1, 0, drag, 1);
+  return oscillatorLimit(integrator, 0, drag, 1);
+}
+
 double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass, double drag) {
   const double m = vertexMass / 10;
   if (integrator != Integrator::explicitEuler) return oscillatorLimit(integrator, stiffness, damping, m);

@@ -27,4 +27,7 @@ StabilityLimits measureLimits(const Bodies& bodies, int slot);
 double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass,
                     double drag = 0);
 
+/// Of drag alone: the same without a spring, 2/(s·drag) but for Runge–Kutta. Infinite without drag. [time]
+double dragLimit(Integrator integrator, double drag);
+
 }  // namespace morula

@@ -1,9 +1,49 @@
 // What makes the physics stop. A number that is finite and wrong is a failure too.
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.h"
+#include "base/maths.h"
 #include "base/number_text.h"
 #include "simulation/stages.h"
 
 namespace morula {
+
+namespace {
+
+/// How far a cell's fastest vertex is from where the list was built.
+double farthestMove(const World& world, int slot) {
+  const Bodies& b = *world.bodies;
+  double square = 0;
+  for (int v = 0; v < b.vertexCount(slot); ++v) {
+    const Vector move = b.vertex(slot, v) - b.read(world.contacts->list.reference, slot, v);
+    square = std::max(square, dot(move, move));
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+void checkReach(const World& world) {
+  const Contacts& c = *world.contacts;
+  const Bodies& b = *world.bodies;
+  if (!c.listIsValid) return;               // nobody has moved since cells were born
+  const double before = 0.5 * c.list.skin;  // or the list would have been built anew
+  for (int cell = 0; cell < b.count; ++cell) {
+    const int slot = b.slots[cell];
+    const double most = before + c.radius[slot];
+    if (!(c.farthest[slot / blockLanes] > most * most)) continue;
+    const double move = farthestMove(world, slot);
+    if (!(move > most && move < 1e300)) continue;  // another cell of its block, or checkBodies will see it
+    throw NumericalError(
+        world.cells.path[cell].text(), world.clock.step,
+        "a vertex moves by " + numberText(move) + " in one step, farther than the " +
+            numberText(c.radius[slot]) + " that contacts reach: cells would pass through each other",
+        "use physics.time_step: " +
+            exactText(powerOfTwoBelow(world.clock.timeStep * (c.radius[slot] / move))) +
+            ", or less, or lower what drives it: speeds (cells: velocity), physics.contact.friction");
+  }
+}
 
 void checkBodies(const World& world) {
   const Bodies& b = *world.bodies;

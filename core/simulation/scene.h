@@ -14,6 +14,7 @@
 #include "division/parameters.h"
 #include "mesh/mesh.h"
 #include "physics/parameters.h"
+#include "simulation/start_cells.h"
 
 namespace morula {
 
@@ -40,6 +41,7 @@ struct Scene {
   CycleParameters cycle;
   StopParameters stop;
   std::optional<MechanicsScene> mechanics;  // absent: lineage only
+  std::vector<StartCell> cells;             // that live at time 0; none: one egg at the origin
 };
 
 }  // namespace morula

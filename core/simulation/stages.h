@@ -15,6 +15,10 @@ void moveAndEvaluate(World& world, const PhysicsStages& stages, double timeStep)
 /// Throws NumericalError if a cell's volume is not a positive number below the largest sensible one.
 void checkBodies(const World& world);
 
+/// Throws NumericalError if a vertex has moved farther in this step than its contacts reach: cells could then
+/// pass through each other and never have touched. To be called with all snapshots, before the list follows.
+void checkReach(const World& world);
+
 /// Cells that grow or shrink. Returns at once where the scene has no growth.
 void growCells(World& world, double timeStep);
 

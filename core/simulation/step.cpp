@@ -42,7 +42,10 @@ void moveAndEvaluate(World& world, const PhysicsStages& stages, double timeStep)
   if (alone) return;
 
   if (world.connections) addConnectionForces(*world.connections, world.cells.path, bodies);
-  if (world.contacts) refreshList(*world.contacts, bodies, threads);
+  if (world.contacts) {
+    checkReach(world);
+    refreshList(*world.contacts, bodies, threads);
+  }
   parallelFor(blocks, threads, [&](int i) {
     if (world.contacts) addContactForces(*world.contacts, bodies, i, world.clock.timeStep);
     kick(stages, bodies, bodies.block(i, threadNumber()), timeStep);

@@ -13,7 +13,8 @@ namespace morula {
 
 namespace {
 
-constexpr double margin = 0.8;  // of a stability limit
+constexpr double margin = 0.8;      // of a stability limit
+constexpr double mostSteps = 1e12;  // more than a week of one small cell
 
 struct Limit {
   double spring, pressure, contact;  // [time]; contact is infinite without pair contact
@@ -63,12 +64,30 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
       "give the scene a physics.drag > 0, or use another physics.integrator");
 }
 
+/// Masses and stiffnesses may be such that no run comes to its end.
+void refuseEndless(const World& world, int cell, double timeStep) {
+  const auto end = plannedEnd(world.model);
+  if (!end || *end - world.clock.time <= mostSteps * timeStep) return;
+  throw NumericalError(
+      world.cells.path[cell].text(), world.clock.step,
+      "physics.time_step is " + numberText(timeStep) + " and time goes on to " + numberText(*end) +
+          ": more than " + numberText(mostSteps) + " steps",
+      "give cells more mass (physics.cell.mass, cells: scale), lower what is stiff "
+      "(physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness) or "
+      "stop earlier");
+}
+
+/// What an automatic step may be: drag is a mode of its own, that adds to none of the others' stiffness.
+double longest(double combined, const PhysicsParameters& p) {
+  return margin * std::min(combined, dragLimit(p.integrator, p.drag));
+}
+
 }  // namespace
 
 double timeStepLimit(const World& world) {
   double combined;
   tightestLimit(world, combined);
-  return margin * combined;
+  return longest(combined, world.bodies->parameters);
 }
 
 void chooseTimeStep(World& world) {
@@ -83,9 +102,11 @@ void chooseTimeStep(World& world) {
     refuseAbove(limit.spring, "springs", world, limit.cell, timeStep);
     refuseAbove(limit.pressure, "pressure", world, limit.cell, timeStep);
     refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
+    refuseAbove(dragLimit(p.integrator, p.drag), "drag", world, limit.cell, timeStep);
   } else {
-    timeStep = powerOfTwoBelow(margin * combined);
+    timeStep = powerOfTwoBelow(longest(combined, p));
   }
+  refuseEndless(world, limit.cell, timeStep);
   Clock& clock = world.clock;
   if (timeStep == clock.timeStep && !world.timeSteps.empty()) return;
   clock.timeStep = timeStep;

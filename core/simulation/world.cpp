@@ -26,19 +26,17 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   world.model = scene;
   world.execution = execution;
   world.biology = std::move(biology);
-  const StateId start = world.biology->startState();
-  world.cells = {{CellPath{}}, {start}, {0}, {0}, {0}};
-  world.lineage.entries.push_back({CellPath{}, 0, 0, 0, 0, Fate::alive, start});
-  world.clock.nextCycle = world.biology->cycleLength(start);
+  foundCells(world);
   if (!scene.mechanics) return world;
 
   const MechanicsScene& m = *scene.mechanics;
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed);
   world.stages = chooseStages(m.physics, execution.isa);
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
-  if (m.contact) world.contacts = makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision);
+  if (m.contact)
+    world.contacts = makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}};
-  setBodies(*world.bodies, {makeEgg(*world.bodies)});
+  setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
   try {
     beginWithBodies(world);
   } catch (const NumericalError& e) {

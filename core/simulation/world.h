@@ -67,7 +67,7 @@ struct World {
   std::vector<TimeStepChange> timeSteps;
 };
 
-/// Builds the world at time 0: one egg. Throws InputError if the scene cannot run, for example when its fixed
+/// Builds the world at time 0: one egg, or the scene's start cells. Throws InputError if the scene cannot run, for example when its fixed
 /// time step lies above the stability limit, which the text names.
 World makeWorld(const Scene& scene, const Execution& execution = {});
 

@@ -29,7 +29,8 @@ Life foretellLife(const Scene& scene, std::uint64_t most) {
   genes.mechanics.reset();
   World world = makeWorld(genes);
   Life life;
-  life.eras.push_back({0, 0, 1, 0});
+  const int founded = deepest(world.cells);  // start cells have paths, but are no parts of an egg
+  life.eras.push_back({0, 0, world.cells.path.size(), 0});
   const auto follow = [&] {
     while (!finished(world)) {
       if (life.cellsAsked >= most) {
@@ -41,7 +42,7 @@ Life foretellLife(const Scene& scene, std::uint64_t most) {
       step(world);
       if (world.lineage.entries.size() == everBefore && world.cells.path.size() == before) continue;
       life.eras.back().to = world.clock.time;
-      life.eras.push_back({world.clock.time, 0, world.cells.path.size(), deepest(world.cells)});
+      life.eras.push_back({world.clock.time, 0, world.cells.path.size(), deepest(world.cells) - founded});
     }
   };
   life.seconds = timeOf(ClockKind::cpu, follow);

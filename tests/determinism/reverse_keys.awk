@@ -2,7 +2,8 @@
 #
 #   awk -f reverse_keys.awk FILE
 #
-# Maps of the layout that scenarios have: keys at the margin and two columns in, maps on one line, blocks of text.
+# Maps of the layout that scenarios have: keys at the margin and two columns in, maps on one line, blocks of text, lists
+# of one map in each line.
 
 # Maps on one line that hold no other.
 function turned(line, rest, done, n, i, item, map) {
@@ -27,6 +28,7 @@ function turned(line, rest, done, n, i, item, map) {
   next
 }
 text { body[blocks] = body[blocks] "\n" $0; next }
+/^ +- / { body[blocks] = body[blocks] "\n" turned($0); next } # of a list, whose order means something
 /^  [^ ]/ { child = ++children; own[blocks, child] = turned($0); count[blocks] = children; next }
 { own[blocks, child] = own[blocks, child] "\n" turned($0) }
 

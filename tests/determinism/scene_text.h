@@ -81,9 +81,13 @@ inline auto fields(MechanicsScene& a) {
   auto& [physics, mesh, coarser, contact, division, connections] = a;
   return std::tie(physics, mesh, coarser, contact, division, connections);
 }
+inline auto fields(StartCell& a) {
+  auto& [at, velocity, scale, stretch, mass, substances] = a;
+  return std::tie(at, velocity, scale, stretch, mass, substances);
+}
 inline auto fields(Scene& a) {
-  auto& [name, seed, dna, cycle, stop, mechanics] = a;
-  return std::tie(name, seed, dna, cycle, stop, mechanics);
+  auto& [name, seed, dna, cycle, stop, mechanics, cells] = a;
+  return std::tie(name, seed, dna, cycle, stop, mechanics, cells);
 }
 
 struct Writer {

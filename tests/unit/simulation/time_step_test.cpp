@@ -33,6 +33,60 @@ TEST_CASE("auto is a power of two, changes at divisions and deaths only, and eac
   }
 }
 
+TEST_CASE("Drag alone has a limit too: a cell in thick medium comes to rest, and no step oversteps it") {
+  for (const Integrator integrator : {Integrator::velocityVerlet, Integrator::thesisVerlet})
+    for (const double drag : {200.0, 1e3, 1e6}) {
+      Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
+      scene.mechanics->physics.drag = drag;
+      scene.mechanics->physics.integrator = integrator;
+      scene.cells = {{.velocity = {1, 0, 0}, .stretch = {1.1, 1, 1}}};
+      World world = makeWorld(scene);
+      CHECK(world.clock.timeStep * drag <= 0.8 * (integrator == Integrator::velocityVerlet ? 1 : 2));
+      for (int i = 0; i < 2000; ++i) step(world);
+      CHECK(measureWorld(world).kineticEnergy < 0.01);
+      CHECK(std::abs(centreOf(world, "").x) < 2 / drag);
+      scene.mechanics->physics.timeStep = 2.5 / drag;
+      if (drag >= 1e3) CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("of its drag"));
+    }
+}
+
+TEST_CASE("A run that would never end is refused") {
+  Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
+  scene.cells = {{.scale = 1e-90}};
+  CHECK_THROWS_WITH(makeWorld(scene),
+                    ContainsSubstring("physics.time_step is") && ContainsSubstring("more than 1e+12 steps"));
+  scene.cells = {};
+  scene.mechanics->physics.timeStep = 1e-20;
+  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("more than 1e+12 steps"));
+}
+
+TEST_CASE("A vertex that outruns its contacts ends the run, and the step that it is told to take serves") {
+  Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
+  scene.mechanics->contact = scenes::pairContact;
+  scene.mechanics->contact->stiffness = 3;
+  scene.cells = {{.at = {-1.5, 0, 0}, .velocity = {300, 0, 0}}, {.at = {1.5, 0, 0}}};
+  World world = makeWorld(scene);
+  double told = 0;
+  try {
+    for (int i = 0; i < 5; ++i) step(world);
+  } catch (const NumericalError& e) {
+    CHECK(e.step == 1);
+    CHECK(e.cell == "A");
+    CHECK(e.quantity.find("contacts reach") != std::string::npos);
+    const std::string lead = "physics.time_step: ";
+    told = std::stod(e.remedy.substr(e.remedy.find(lead) + lead.size()));
+  }
+  REQUIRE(told > 0);
+  scene.mechanics->physics.timeStep = told;
+  World again = makeWorld(scene);
+  CHECK_NOTHROW(step(again));
+  // Without contact nobody is to be outrun.
+  scene.mechanics->contact.reset();
+  scene.mechanics->physics.timeStep.reset();
+  World alone = makeWorld(scene);
+  for (int i = 0; i < 5; ++i) CHECK_NOTHROW(step(alone));
+}
+
 TEST_CASE("When the small cells die the step may grow again") {
   World world =
       makeWorld(scenes::withBodies("START: "

@@ -1,0 +1,71 @@
+#include "simulation/start_cells.h"
+
+#include <algorithm>
+#include <span>
+
+#include "simulation/world.h"
+
+namespace morula {
+
+namespace {
+
+StateId stateOf(const StartCell& cell, BiologicalUnit& biology) {
+  if (!cell.substances) return biology.startState();
+  std::string description;
+  for (const std::string& name : *cell.substances) description += (description.empty() ? "" : " ") + name;
+  return biology.stateOf(description);
+}
+
+void addCell(World& world, const CellPath& path, StateId state) {
+  world.cells.path.push_back(path);
+  world.cells.state.push_back(state);
+  world.cells.lastCycle.push_back(0);
+  world.cells.growth.push_back(0);
+  world.cells.entry.push_back(static_cast<std::uint32_t>(world.lineage.entries.size()));
+  world.lineage.entries.push_back({path, 0, 0, 0, 0, Fate::alive, state});
+}
+
+/// A mother before her daughters, A before B: the order of births.
+void found(World& world, const CellPath& path, std::span<const StartCell> cells) {
+  if (cells.size() == 1) {
+    addCell(world, path, stateOf(cells[0], *world.biology));
+    return;
+  }
+  world.lineage.entries.push_back({path, 0, 0, 0, 0, Fate::divided, world.biology->startState()});
+  const std::size_t half = cells.size() - cells.size() / 2;
+  found(world, path.daughter(false), cells.first(half));
+  found(world, path.daughter(true), cells.subspan(half));
+}
+
+}  // namespace
+
+void foundCells(World& world) {
+  if (world.model.cells.empty()) addCell(world, CellPath{}, world.biology->startState());
+  else found(world, CellPath{}, world.model.cells);
+  world.clock.nextCycle = world.biology->cycleLength(world.cells.state[0]);
+  for (StateId state : world.cells.state)
+    world.clock.nextCycle = std::min(world.clock.nextCycle, world.biology->cycleLength(state));
+}
+
+Point placeVertex(const StartCell& cell, const Point& x) {
+  const Vector& s = cell.stretch;
+  return cell.at + cell.scale * Vector{s.x * x.x, s.y * x.y, s.z * x.z};
+}
+
+std::vector<Body> makeStartBodies(const Bodies& bodies, const std::vector<StartCell>& cells) {
+  if (cells.empty()) return {makeEgg(bodies)};
+  std::vector<Body> all;
+  for (const StartCell& cell : cells) {
+    const double contents = cell.scale * cell.scale * cell.scale;
+    Body body = makeEgg(bodies);
+    for (Point& x : body.position) x = placeVertex(cell, x);
+    for (Vector& u : body.velocity) u = cell.velocity;
+    body.mass = cell.mass.value_or(body.mass * contents);
+    body.restScale = cell.scale;
+    body.pressureConstant *= contents;
+    all.push_back(std::move(body));
+  }
+  return all;
+}
+
+}  // namespace morula
