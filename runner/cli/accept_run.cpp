@@ -23,6 +23,13 @@ std::vector<ToleranceRule> usualRules(const Scenario& scenario) {
                "usual rules")};
 }
 
+/// No result is worth keeping that breaks what the scenario itself demands.
+void refuseViolated(const Scenario& scenario, const Simulation& run, const Invariants& invariants) {
+  CheckReport report{goldenName(scenario.file), checkInvariants(scenario, run, invariants)};
+  if (!scenario.check.fails.empty()) report = checkStop(scenario, "");
+  if (!report.passed()) throw InputError(scenario.file + ": nothing accepted: " + describe(report));
+}
+
 /// The same again, by another way. With bodies its twin runs beside it.
 TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
   const SignalWatch signals;
@@ -62,9 +69,12 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
   const auto file = goldenFile(scenario);
   refuseWithinCi(file);
   Progress progress(scenario.scene.name, quiet);
-  const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
+  Invariants invariants(scenario.check);
+  const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress,
+                            [&](const World& world) { invariants.observe(world); });
   if (run.signal) return {false, run.signal, {}};
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
+  refuseViolated(scenario, run, invariants);
   const Execution other = otherExecution(how);
   TwinRun again;
   try {

@@ -36,9 +36,31 @@ Json toJson(const CheckReport& report, const CheckResult& r) {
 
 /// A run that could not end is a check that failed.
 CheckReport failed(const Scenario& scenario, const Simulation& run) {
+  if (!scenario.check.fails.empty()) return checkStop(scenario, run.end.failure);
   CheckResult result = failedCheck("run", "COMPUTATION", "done", name(run.end.status), run.end.failure);
   result.firstStep = run.end.steps;
   return {goldenName(scenario.file), {result}};
+}
+
+/// Runs the scenario and checks it. A result that differs is kept for a review.
+CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet, int& signal) {
+  std::optional<World> world;
+  try {
+    world = makeScenarioWorld(scenario, how);
+  } catch (const InputError& refused) {
+    if (scenario.check.fails.empty()) throw;
+    return checkStop(scenario, refused.what());
+  }
+  Progress progress(scenario.scene.name, quiet);
+  Invariants invariants(scenario.check);
+  const auto run = simulate(std::move(*world), recordingOf(scenario, true), progress,
+                            [&](const World& w) { invariants.observe(w); });
+  signal = run.signal;
+  if (run.end.status != RunStatus::done) return failed(scenario, run);
+  const CheckReport report = check(scenario, run, invariants, true);
+  if (report.passed()) removePending(scenario);
+  else if (scenario.check.fails.empty()) putPending(scenario, run, observe(scenario, run), quiet);
+  return report;
 }
 
 bool hasUnusableGolden(const CheckReport& report) {
@@ -82,15 +104,11 @@ int act(const CheckOptions& options) {
   std::vector<CheckReport> reports;
   int code = fine;
   for (const auto& scenario : scenarios) {
-    Progress progress(scenario.scene.name, options.output.quiet);
-    const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
-    if (run.signal) return signalled + run.signal;
-    const bool done = run.end.status == RunStatus::done;
-    const CheckReport report = done ? check(scenario, run, true) : failed(scenario, run);
+    int signal = 0;
+    const CheckReport report = checkOne(scenario, how, options.output.quiet, signal);
+    if (signal) return signalled + signal;
     if (hasUnusableGolden(report)) code = input;
     else if (!report.passed() && code == fine) code = differs;
-    if (report.passed()) removePending(scenario);
-    else if (done) putPending(scenario, run, observe(scenario, run), options.output.quiet);
     for (const auto& result : report.results) results.push_back(toJson(report, result));
     if (!options.output.json) print(describe(report));
     else if (!report.passed()) tell(describe(report), options.output.quiet);

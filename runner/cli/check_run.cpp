@@ -60,15 +60,29 @@ GoldenData observe(const Scenario& scenario, const Simulation& run) {
 
 std::filesystem::path goldenFile(const Scenario& scenario) { return goldenPath(scenario.file); }
 
-CheckReport check(const Scenario& scenario, const Simulation& run, bool needsGolden) {
+CheckReport check(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
+                  bool needsGolden) {
+  if (!scenario.check.fails.empty()) return checkStop(scenario, "");
   CheckReport report{goldenName(scenario.file), {}};
   const auto file = goldenFile(scenario);
   if (std::filesystem::exists(file))
     report = compareGoldenText(readGoldenText(file), file.string(), observe(scenario, run));
   else if (needsGolden) report.results.push_back(goldenMissing(file));
-  const auto& mechanics = scenario.scene.mechanics;
-  if (mechanics && mechanics->physics.shell) report.results.push_back(shellHolds(run.world));
+  for (auto& result : checkInvariants(scenario, run, invariants)) report.results.push_back(std::move(result));
   return report;
+}
+
+std::vector<CheckResult> checkInvariants(const Scenario& scenario, const Simulation& run,
+                                         const Invariants& invariants) {
+  std::vector<CheckResult> results;
+  const auto& mechanics = scenario.scene.mechanics;
+  if (mechanics && mechanics->physics.shell) results.push_back(shellHolds(run.world));
+  for (auto& result : invariants.results(run.world)) results.push_back(std::move(result));
+  return results;
+}
+
+CheckReport checkStop(const Scenario& scenario, const std::string& failure) {
+  return {goldenName(scenario.file), {stopsAsItMust(scenario.check.fails, failure)}};
 }
 
 }  // namespace morula::cli

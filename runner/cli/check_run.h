@@ -2,6 +2,7 @@
 // Holds a finished run against its golden file and against what must always hold.
 #include <string>
 
+#include "cli/invariants.h"
 #include "cli/simulate.h"
 #include "golden/check_result.h"
 #include "golden/golden.h"
@@ -14,8 +15,17 @@ GoldenData observe(const Scenario& scenario, const Simulation& run);
 /// The golden's file for the scenario; the path may not exist.
 std::filesystem::path goldenFile(const Scenario& scenario);
 
-/// All checks. With `needsGolden` a missing golden file is a failed check; otherwise only invariants are
-/// checked then.
-CheckReport check(const Scenario& scenario, const Simulation& run, bool needsGolden);
+/// All checks of a run that `invariants` has watched. With `needsGolden` a missing golden file is a failed
+/// check; otherwise only invariants are checked then.
+CheckReport check(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
+                  bool needsGolden);
+
+/// What must hold whatever the golden file says.
+std::vector<CheckResult> checkInvariants(const Scenario& scenario, const Simulation& run,
+                                         const Invariants& invariants);
+
+/// Of a scenario that must stop: whether it has, and has said why. `failure`: the reason; "" if it ended
+/// well.
+CheckReport checkStop(const Scenario& scenario, const std::string& failure);
 
 }  // namespace morula::cli

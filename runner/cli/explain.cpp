@@ -103,8 +103,14 @@ void compareWithProgram(const Scenario& scenario, const ExplainOptions& options,
 
 void compareWithGolden(const Scenario& scenario, const Execution& how, bool quiet, Findings& f) {
   Progress progress(scenario.scene.name, quiet);
-  const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress);
+  Invariants invariants(scenario.check);
+  const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress,
+                            [&](const World& world) { invariants.observe(world); });
   if (run.signal) throw Interrupted{run.signal};
+  if (run.end.status == RunStatus::failed && checkStop(scenario, run.end.failure).passed()) {
+    f.text += describe(checkStop(scenario, run.end.failure));
+    return;
+  }
   if (run.end.status != RunStatus::done) {
     f.failureClass = "COMPUTATION";
     f.where.step = run.end.steps;
@@ -112,7 +118,7 @@ void compareWithGolden(const Scenario& scenario, const Execution& how, bool quie
               run.end.failure + "\n";
     return;
   }
-  const CheckReport report = check(scenario, run, true);
+  const CheckReport report = check(scenario, run, invariants, true);
   f.checks = report.results;
   f.text += describe(report);
   const CheckResult* first = nullptr;  // the one that begins earliest, of the class that explains the others

@@ -6,6 +6,15 @@
 
 namespace morula::cli {
 
+namespace {
+
+std::string against(const Scenario& scenario) {
+  const auto golden = goldenFile(scenario);
+  return std::filesystem::exists(golden) ? " (" + golden.string() + ")" : "";
+}
+
+}  // namespace
+
 std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
   const auto& end = outcome.end;
   auto text = fmt::format("{}  seed {}: {}, {} cell{} at time {:.6g} after {} steps\n", scenario.scene.name,
@@ -15,8 +24,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   if (outcome.canBeResumed) text += "  go on    with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
   if (outcome.checks && outcome.checks->passed())
-    text += fmt::format("  checks   all {} pass ({})\n", outcome.checks->results.size(),
-                        goldenFile(scenario).string());
+    text += fmt::format("  checks   all {} pass{}\n", outcome.checks->results.size(), against(scenario));
   else if (!outcome.checks && end.status == RunStatus::done)
     text += "  checks   none: " + outcome.whyNotChecked + "\n";
   text += "  results  " + settings.database.string() + " (run " + outcome.id + ")\n";

@@ -35,11 +35,14 @@ bool willBeChecked(const Scenario& scenario, const RunSettings& settings) {
 }
 
 void checkOutcome(const Scenario& scenario, const RunSettings& settings, const Simulation& run,
-                  RunOutcome& outcome) {
+                  const Invariants& invariants, RunOutcome& outcome) {
   if (!settings.check) outcome.whyNotChecked = "as asked";
   else if (settings.changed) outcome.whyNotChecked = "the scene was changed by --set or --seed";
-  else if (!std::filesystem::exists(goldenFile(scenario))) outcome.whyNotChecked = "there is no golden file";
-  else outcome.checks = check(scenario, run, false);
+  else if (run.end.status == RunStatus::failed) {
+    if (!scenario.check.fails.empty()) outcome.checks = checkStop(scenario, run.end.failure);
+  } else if (!std::filesystem::exists(goldenFile(scenario)) && !Invariants::areGiven(scenario.check))
+    outcome.whyNotChecked = "there is no golden file";
+  else outcome.checks = check(scenario, run, invariants, false);
 }
 
 int exitCodeOf(const RunOutcome& outcome, int signal) {
@@ -67,8 +70,13 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
     tell(fmt::format("an earlier attempt was stopped at step {}: --resume goes on from there", *step),
          settings.quiet);
 
+  Invariants invariants(settings.check && !settings.changed ? scenario.check : CheckParameters{});
   const RunHooks hooks{
-      .watch = [&](const World& w) { frames.observe(w); },
+      .watch =
+          [&](const World& w) {
+            frames.observe(w);
+            invariants.observe(w);
+          },
       .keep =
           [&](const World& w, const Recorder& r) {
             outcome.canBeResumed = store.keepCheckpoint(
@@ -83,7 +91,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   outcome.end = run.end;
   outcome.canBeResumed = outcome.canBeResumed && run.end.status == RunStatus::killed;
   const bool done = run.end.status == RunStatus::done;
-  if (done) checkOutcome(scenario, settings, run, outcome);
+  if (run.end.status != RunStatus::killed) checkOutcome(scenario, settings, run, invariants, outcome);
   if (outcome.checks) run.results.checks = outcome.checks->results;
   store.finish(outcome.id, run.end, run.results);
   if (done && settings.draw) outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);

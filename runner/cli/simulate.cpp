@@ -26,8 +26,10 @@ RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
   return record;
 }
 
-Simulation simulate(World world, const RecordOptions& record, Progress& progress) {
-  return simulate(std::move(world), Recorder(record), progress, {}, false);
+Simulation simulate(World world, const RecordOptions& record, Progress& progress,
+                    std::function<void(const World&)> watch) {
+  return simulate(std::move(world), Recorder(record), progress, {.watch = std::move(watch), .keep = {}},
+                  false);
 }
 
 Simulation simulate(World world, Recorder recorder, Progress& progress, const RunHooks& hooks, bool resumed) {

@@ -25,7 +25,9 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution);
 RecordOptions recordingOf(const Scenario& scenario, bool hashes);
 
 /// Runs it and writes down what `record` says. A NumericalError is not thrown but told in `end.failure`.
-Simulation simulate(World world, const RecordOptions& record, Progress& progress);
+/// `watch`, if given, sees the world at the start and after every step.
+Simulation simulate(World world, const RecordOptions& record, Progress& progress,
+                    std::function<void(const World&)> watch = {});
 
 struct RunHooks {
   /// Sees the world at the start and after every step.

@@ -52,6 +52,35 @@ void checkShell(const PhysicsParameters& physics, Reading& reading, const Node& 
                          "needs at most its smallest semi-axis, " + formatReal(smallest) + " [length]");
 }
 
+/// (x/a)² + (y/b)² + (z/c)² of the start cell's vertex where it is largest.
+double outermostSquare(const StartCell& cell, const Mesh& egg, const double* axes) {
+  double outermost = 0;
+  for (const Point& vertex : egg.vertices) {
+    const Point p = placeVertex(cell, vertex);
+    const Vector q{p.x / axes[0], p.y / axes[1], p.z / axes[2]};
+    outermost = std::max(outermost, dot(q, q));
+  }
+  return outermost;
+}
+
+void checkStartCells(const Scenario& scenario, Reading& reading) {
+  constexpr double rounding = 1e-9;
+  const MechanicsScene& mechanics = *scenario.scene.mechanics;
+  if (!mechanics.physics.shell || reading.startCells.size() != scenario.scene.cells.size()) return;
+  for (std::size_t i = 0; i < scenario.scene.cells.size(); ++i)
+    if (outermostSquare(scenario.scene.cells[i], mechanics.mesh, mechanics.physics.shell->semiAxes) >
+        1 + rounding)
+      reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "]",
+                           "stands out of the shell", "move it inward, or make it or its stretch smaller");
+}
+
+/// Contents that nothing presses on have no volume at rest to measure their energy from.
+void checkEnergy(const Scenario& scenario, Reading& reading, const Node& root) {
+  if (scenario.check.energy && scenario.scene.mechanics->physics.pressure.outside == 0)
+    reading.problems.add(placeOf(root, "check.energy"), "check.energy",
+                         "cannot be told where physics.pressure.outside is 0", "remove this");
+}
+
 void checkCoarsening(const Scenario& scenario, Reading& reading, const Node& root) {
   const MechanicsScene& mechanics = *scenario.scene.mechanics;
   if (mechanics.physics.coarsen && scenario.mesh.icosphere && mechanics.coarser.empty())
@@ -64,12 +93,19 @@ void checkCoarsening(const Scenario& scenario, Reading& reading, const Node& roo
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkSubstances(scenario.scene.dna, reading);
   if (const auto& mechanics = scenario.scene.mechanics) {
-    checkShell(mechanics->physics, reading, root);
+    if (scenario.scene.cells.empty()) checkShell(mechanics->physics, reading, root);
+    else checkStartCells(scenario, reading);
+    checkEnergy(scenario, reading, root);
     checkCoarsening(scenario, reading, root);
   }
   if (scenario.record.pictures && !scenario.scene.mechanics)
     reading.problems.add(placeOf(root, "record.pictures"), "record.pictures",
                          "cells without bodies cannot be drawn", "add a physics block or remove this");
+  if (const CheckParameters& c = scenario.check;
+      !scenario.scene.mechanics &&
+      (c.volume || c.extent || c.energy || c.momentum || c.endVolume || c.endRoundness || c.endOverlap))
+    reading.problems.add(placeOf(root, "check"), "check", "cells without bodies have nothing to measure",
+                         "add a physics block, or check only fails");
 }
 
 }  // namespace morula::scenario

@@ -32,6 +32,7 @@ struct Reading {
   Problems& problems;
   std::vector<SubstanceUse> substances;
   DnaSource dna;
+  std::vector<Place> startCells;  // where each of `cells` stands
 };
 
 enum class Decides {

@@ -69,7 +69,7 @@ std::vector<Section> sections() {
        .meaning = "What cells may know of themselves and their neighbours. Takes no keys yet"},
       {.path = "record", .meaning = "What is written down while the scene runs"},
       {.path = "check",
-       .meaning = "What the result is held against besides its golden file. Takes no keys yet",
+       .meaning = "What must hold of the run besides its golden file",
        .decides = Decides::presentation},
   };
 }
@@ -96,6 +96,7 @@ std::vector<Parameter> parameters() {
       presentation(text("summary", "One line for people", AT(summary))),
       natural("seed", {}, "Chooses the random numbers; equal seeds give equal results", AT(scene.seed)),
       dna(),
+      startCells(),
       colourPerSubstance("colours", "Cells mix the colours of their substances; longer patterns win",
                          AT(colours)),
 
@@ -193,6 +194,31 @@ std::vector<Parameter> parameters() {
                    AT(record.every)),
       presentation(optionalReal("record.pictures", "time", positive, "", "one picture, of the end",
                                 "Time between pictures of a sequence", AT(record.pictures))),
+
+      optionalBounds("check.volume",
+                     "Always: of every cell, over that of its mesh at rest; positive is not inside out",
+                     AT(check.volume)),
+      presentation(optionalReal("check.extent", "length", positive, "", "not checked",
+                                "Always: the most that a vertex is away from the origin", AT(check.extent))),
+      presentation(optionalReal("check.energy", "force·length", positive, "", "not checked",
+                                "Always: the most that motion, membranes and contents hold over rest; needs "
+                                "pressure.outside > 0",
+                                AT(check.energy))),
+      presentation(optionalReal("check.momentum", "mass·length/time", notNegative, "", "not checked",
+                                "Always: the most that the momentum of all is off from that at the start",
+                                AT(check.momentum))),
+      optionalBounds("check.end-volume", "At the end: as volume", AT(check.endVolume)),
+      presentation(optionalReal("check.end-roundness", "", {0, 1}, "", "not checked",
+                                "At the end: the least sphericity of a cell; 1 is a sphere",
+                                AT(check.endRoundness))),
+      presentation(
+          optionalReal("check.end-overlap", "", {0, 1}, "", "not checked",
+                       "At the end: the most of a cell's volume that lies in another too, in the mean",
+                       AT(check.endOverlap))),
+      texts("check.fails",
+            "The run must stop with an error (exit 3 or 4) that names all of these; it then needs no golden "
+            "file",
+            AT(check.fails)),
   };
 }
 

@@ -54,7 +54,7 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
   if (root.kind == Node::Kind::broken) problems.throwIfAny();
   if (root.kind == Node::Kind::map) applyOverrides(root, overrides, problems);
 
-  Reading reading{problems, {}, {}};
+  Reading reading{problems, {}, {}, {}};
   readTable(root, result, reading);
   readReferences(result, reading, root, {folder, files});
   crossCheck(result, reading, root);

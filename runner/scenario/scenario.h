@@ -25,6 +25,25 @@ struct RecordParameters {
   std::optional<double> pictures;  // [time] between pictures of a sequence; absent: only the end is drawn
 };
 
+struct Bounds {
+  double least = 0, most = 0;
+};
+
+/// What must hold of a run besides its golden. Nothing here changes what the cells do; what is absent is not
+/// looked at.
+struct CheckParameters {
+  // At every step, of every cell
+  std::optional<Bounds> volume;    // [1] over the volume at rest: the egg's mesh with the cell's rest lengths
+  std::optional<double> extent;    // [length] of the vertex farthest from the origin
+  std::optional<double> energy;    // [force·length] kinetic and elastic, of all cells
+  std::optional<double> momentum;  // [mass·length/time] how far the sum of all may stray from the start's
+  // At the end
+  std::optional<Bounds> endVolume;     // [1] as volume
+  std::optional<double> endRoundness;  // [1] the least sphericity of a cell
+  std::optional<double> endOverlap;    // [1] mean share of a cell's volume that lies in another too
+  std::vector<std::string> fails;      // the run must stop, and all of these stand in the reason; or none
+};
+
 /// A file that a scenario names.
 struct NamedFile {
   std::string role;  // "dna" or "mesh"
@@ -40,6 +59,7 @@ struct Scenario {
   /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
   RecordParameters record;
+  CheckParameters check;
 
   std::vector<NamedFile> files;
   /// Where each value was written, for messages about them: "file:line:column" or "--set path", by path.

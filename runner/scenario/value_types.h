@@ -32,6 +32,10 @@ Parameter timePerSubstance(std::string path, std::string meaning, Field<std::map
 Parameter colourPerSubstance(std::string path, std::string meaning,
                              Field<std::map<std::string, std::string>> field);
 
+Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field);
+/// A list of texts; none: not given.
+Parameter texts(std::string path, std::string meaning, Field<std::vector<std::string>> field);
+
 /// An enumeration whose values count from 0.
 Parameter choiceOf(std::string path, std::vector<std::string> names, std::string meaning,
                    std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set);
@@ -48,6 +52,7 @@ Parameter dna();
 Parameter shellSphere();
 Parameter shellEllipsoid();
 Parameter divisionPlane();
+Parameter startCells();
 
 // For the kinds themselves.
 std::string numberAllowed(const Range& range, const std::string& unit);

@@ -47,7 +47,11 @@ division: {plane: {axis: [0, 1, -1]}}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5}
 senses: {}
 record: {every: 0.25, pictures: 0.5}
-check: {}
+check: {volume: [0.5, 2], extent: 9, energy: 100, momentum: 0.5, end-volume: [0.9, 1.1], end-roundness: 0.75,
+  end-overlap: 0.125, fails: [springs, physics.time_step]}
+cells:
+  - {at: [0.4, 0, 0.25], velocity: [0, 2, 0], scale: 0.5, stretch: [1, 2, 1], mass: 3, substances: [a0, A]}
+  - {at: [-0.4, 0, 0]}
 )";
 
 inline Scenario read(const std::string& text, const std::vector<Override>& overrides = {}) {

@@ -22,7 +22,7 @@ TEST_CASE("comments, layout, spelling of numbers and key order mean nothing") {
   const auto meaning = read(everyPart).meaning;
   auto text = "# hello\n" + replaced(everyPart, "seed: 7\n", "");
   text = replaced(text, "drag: 0.25", "drag: 2.5e-1   # slow");
-  text = replaced(text, "check: {}\n", "check: {}\n\n\nseed: +7\n");
+  text += "\n\nseed: +7\n";
   CHECK(read(text).meaning == meaning);
 }
 
@@ -32,6 +32,8 @@ TEST_CASE("names, colours and pictures mean nothing for the results") {
   CHECK(read(replaced(everyPart, "summary: All keys at once", "summary: x")).meaning == meaning);
   CHECK(read(replaced(everyPart, "#102030", "#102031")).meaning == meaning);
   CHECK(read(replaced(everyPart, "pictures: 0.5", "pictures: 0.25")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "extent: 9", "extent: 8")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "[springs, physics.time_step]", "[pressure]")).meaning == meaning);
 }
 
 TEST_CASE("every other parameter changes the meaning") {
@@ -44,6 +46,15 @@ TEST_CASE("every other parameter changes the meaning") {
       {"stop.cycles", "4"},
       {"stop.time", "9"},
       {"stop.cells", "5"},
+      {"cells", "[{at: [1, 0, 0]}]"},
+      {"cells", "[{at: [1, 0, 0]}, {at: [-1, 0, 0]}]"},
+      {"cells", "[{at: [-1, 0, 0]}, {at: [1, 0, 0]}]"},
+      {"cells", "[{at: [1, 0, 0], velocity: [1, 0, 0]}]"},
+      {"cells", "[{at: [1, 0, 0], scale: 0.75}]"},
+      {"cells", "[{at: [1, 0, 0], stretch: [0.75, 1, 1]}]"},
+      {"cells", "[{at: [1, 0, 0], mass: 1}]"},
+      {"cells", "[{at: [1, 0, 0], substances: [a0]}]"},
+      {"cells", "[{at: [1, 0, 0], substances: []}]"},
       {"physics.time_step", "auto"},
       {"physics.integrator", "velocity-verlet"},
       {"physics.drag", "0.125"},

@@ -51,6 +51,25 @@ TEST_CASE("every key arrives in its field") {
   CHECK(scene.mechanics->connections->onDivision == ConnectionsOnDivision::both);
   CHECK(scene.mechanics->connections->strength == 0.4);
   CHECK(scene.mechanics->connections->releaseDistance == 1.5);
+  REQUIRE(scene.cells.size() == 2);
+  CHECK(scene.cells[0].at == Point{0.4, 0, 0.25});
+  CHECK(scene.cells[0].velocity == Vector{0, 2, 0});
+  CHECK(scene.cells[0].scale == 0.5);
+  CHECK(scene.cells[0].stretch == Vector{1, 2, 1});
+  CHECK(scene.cells[0].mass == 3.0);
+  CHECK(scene.cells[0].substances == std::vector<std::string>{"A", "a0"});
+  CHECK(scene.cells[1].at == Point{-0.4, 0, 0});
+  CHECK(scene.cells[1].scale == 1);
+  CHECK(scene.cells[1].stretch == Vector{1, 1, 1});
+  CHECK((!scene.cells[1].mass && !scene.cells[1].substances));
+  CHECK((s.check.volume->least == 0.5 && s.check.volume->most == 2));
+  CHECK(s.check.extent == 9.0);
+  CHECK(s.check.energy == 100.0);
+  CHECK(s.check.momentum == 0.5);
+  CHECK((s.check.endVolume->least == 0.9 && s.check.endVolume->most == 1.1));
+  CHECK(s.check.endRoundness == 0.75);
+  CHECK(s.check.endOverlap == 0.125);
+  CHECK(s.check.fails == std::vector<std::string>{"springs", "physics.time_step"});
   // The mesh is scaled to the cell's radius.
   REQUIRE(scene.mechanics->mesh.vertices.size() == 642);
   REQUIRE(scene.mechanics->coarser.size() == 1);
@@ -98,6 +117,8 @@ TEST_CASE("parts that are not named do not exist") {
   CHECK(!t.scene.mechanics->connections);
   CHECK(!t.scene.mechanics->physics.shell);
   CHECK(!t.scene.mechanics->physics.growth);
+  CHECK(t.scene.cells.empty());
+  CHECK((!t.check.volume && !t.check.energy && t.check.fails.empty()));
 }
 
 TEST_CASE("CRLF, a byte order mark and a document marker are no mistakes") {
