@@ -25,8 +25,10 @@ struct Limit {
 /// 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
   if (integrator == Integrator::explicitEuler) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact);
-  return 1 /
-         std::sqrt(1 / (l.spring * l.spring) + 1 / (l.pressure * l.pressure) + 1 / (l.contact * l.contact));
+  const double least = std::min({l.spring, l.pressure, l.contact});
+  if (!(least < INFINITY)) return INFINITY;
+  const double a = least / l.spring, b = least / l.pressure, c = least / l.contact;  // no square is too small
+  return least / std::sqrt(a * a + b * b + c * c);
 }
 
 /// The limits of the cell with the smallest combined one.
@@ -95,7 +97,7 @@ void chooseTimeStep(World& world) {
   const PhysicsParameters& p = world.bodies->parameters;
   double combined;
   const Limit limit = tightestLimit(world, combined);
-  if (!(combined > 0)) refuseUndamped(world, limit.cell);
+  if (p.integrator == Integrator::explicitEuler && !(combined > 0)) refuseUndamped(world, limit.cell);
   double timeStep;
   if (p.timeStep) {
     timeStep = *p.timeStep;
