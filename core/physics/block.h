@@ -64,6 +64,7 @@ struct KernelParameters {
   double outsidePressure;
   double drag;
   double semiAxes[3];  // shell
+  int substeps;        // XPBD only: of a time step
 };
 
 }  // namespace morula

@@ -88,7 +88,8 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                         parameters.membrane.damping,
                         parameters.pressure.outside,
                         parameters.drag,
-                        {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1}};
+                        {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1},
+                        static_cast<int>(parameters.substeps.value_or(1))};
   for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps}) *a = Reals(parameters.precision);
   b.scratch.assign(threads,
                    {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});

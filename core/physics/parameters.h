@@ -1,6 +1,7 @@
 #pragma once
 // What a scenario may say about one cell's mechanics. Units are the scene's own: a length, a mass and a time.
 // Every field here changes results.
+#include <cstdint>
 #include <optional>
 
 #include "base/precision.h"
@@ -13,6 +14,7 @@ enum class Integrator {
   explicitEuler,    // first order, and gains energy: stable only where drag takes it [Nilsson 2008, eq. 3.12]
   symplecticEuler,  // first order
   rungeKutta4,      // fourth order, four evaluations of the forces per step
+  xpbd,             // first order, stable with any time step but for contacts
 };
 
 struct CellParameters {
@@ -49,6 +51,7 @@ struct PhysicsParameters {
                                    // edge at rest is no longer; absent: every cell has the egg's mesh
   std::optional<double> timeStep;  // [time]; absent: auto, dyadic, from the stability limits
   Integrator integrator = Integrator::velocityVerlet;
+  std::optional<std::uint64_t> substeps;  // XPBD only: of a time step; more: more exact and slower; absent: 1
   Precision precision =
       Precision::binary64;  // of positions, velocities and forces; a cell's own numbers are doubles
   CellParameters cell;

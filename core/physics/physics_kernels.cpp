@@ -7,6 +7,7 @@
 #include "physics/runge_kutta_kernel.h"
 #include "physics/spring_kernel.h"
 #include "physics/verlet_kernel.h"
+#include "physics/xpbd_kernel.h"
 
 namespace morula::MORULA_ISA {
 
@@ -26,14 +27,20 @@ const PhysicsKernels physics = {
       driftRungeKutta<3, ShellShape::sphere>, driftRungeKutta<4, ShellShape::sphere>},
      {driftRungeKutta<1, ShellShape::ellipsoid>, driftRungeKutta<2, ShellShape::ellipsoid>,
       driftRungeKutta<3, ShellShape::ellipsoid>, driftRungeKutta<4, ShellShape::ellipsoid>}},
+    {{driftXpbd<false, ShellShape::none>, driftXpbd<false, ShellShape::sphere>,
+      driftXpbd<false, ShellShape::ellipsoid>},
+     {driftXpbd<true, ShellShape::none>, driftXpbd<true, ShellShape::sphere>,
+      driftXpbd<true, ShellShape::ellipsoid>}},
     {kick<Kick::none, false>, kick<Kick::none, true>},
     {kick<Kick::half, false>, kick<Kick::half, true>},
     {kick<Kick::whole, false>, kick<Kick::whole, true>},
     findSpringCoefficients<false>,
     findSpringCoefficients<true>,
-    gatherRings,
+    gatherRings<true>,
+    gatherRings<false>,
     addPressureForces<false>,
     addPressureForces<true>,
+    findPressure,
 };
 
 }  // namespace morula::MORULA_ISA

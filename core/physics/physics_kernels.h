@@ -13,10 +13,11 @@ struct PhysicsKernels {
   TimedStage driftVelocityVerlet[3], driftThesisVerlet[3];                     // [ShellShape]
   TimedStage driftExplicitEuler[3], driftSymplecticEuler[3];                   // [ShellShape]
   TimedStage driftRungeKutta[3][4];                                            // [ShellShape][evaluation]
+  TimedStage driftXpbd[2][3];                                                  // [damped][ShellShape]
   TimedStage endEvaluation[2], kickVelocityVerlet[2], kickSymplecticEuler[2];  // [is there a shell]
   Stage findSpringCoefficients, findDampedSpringCoefficients;
-  Stage gatherRings;
-  Stage addPressureForces, addPressureAndDragForces;
+  Stage gatherRings, gatherRingsWithoutSprings;
+  Stage addPressureForces, addPressureAndDragForces, findPressure;
 };
 
 const PhysicsKernels& physicsKernels(Isa isa, Precision precision = Precision::binary64);

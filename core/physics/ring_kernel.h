@@ -19,6 +19,7 @@ namespace morula::MORULA_ISA {
 // memory.
 constexpr int unrolled = width == 8 ? 3 : 1;
 
+template <bool springs>
 MORULA_INLINE void gatherRing(const Real* __restrict position, const Real* __restrict coefficient,
                               const RingStep* ring, int steps, const Vec& x, Vec& force, Vec& gradient) {
   force = gradient = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
@@ -26,14 +27,15 @@ MORULA_INLINE void gatherRing(const Real* __restrict position, const Real* __res
   for (int k = 0; k < steps; k += 2) {
     const Real* even = position + ring[k].vertexOffset;
     const Real* next = position + ring[k + 2 < steps ? k + 2 : 0].vertexOffset;
-    force += load(coefficient + ring[k].edgeOffset) * (loadVec(even) - x);
+    if constexpr (springs) force += load(coefficient + ring[k].edgeOffset) * (loadVec(even) - x);
     const Vec odd = loadVec(position + ring[k + 1].vertexOffset) - x;
-    force += load(coefficient + ring[k + 1].edgeOffset) * odd;
+    if constexpr (springs) force += load(coefficient + ring[k + 1].edgeOffset) * odd;
     gradient += cross(odd, loadVec(next) - loadVec(even));
   }
 }
 
-/// acceleration ← spring force, gradient ← 6∇V, volume ← V.
+/// acceleration ← spring force, or 0 without springs; gradient ← 6∇V, volume ← V.
+template <bool springs>
 inline void gatherRings(const TemplateView& mesh, const BlockView& b, const KernelParameters&) {
   const Real* __restrict position = b.position;
   const Real* __restrict coefficient = b.coefficient;
@@ -48,8 +50,8 @@ inline void gatherRings(const TemplateView& mesh, const BlockView& b, const Kern
     for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
       const Vec x = loadVec(position, v, lane);
       Vec force, gradient;
-      if (steps == 6) gatherRing(position + lane, coefficient + lane, ring, 6, x, force, gradient);
-      else gatherRing(position + lane, coefficient + lane, ring, steps, x, force, gradient);
+      if (steps == 6) gatherRing<springs>(position + lane, coefficient + lane, ring, 6, x, force, gradient);
+      else gatherRing<springs>(position + lane, coefficient + lane, ring, steps, x, force, gradient);
       storeVec(forces, v, lane, force);
       storeVec(gradients, v, lane, gradient);
       volume[group] += dot(gradient, x - loadVec(position, 0, lane));

@@ -72,6 +72,7 @@ StabilityLimits measureLimits(const Bodies& b, int slot) {
   const double fourPi = 12.566370614359172, volume = b.volume[slot];
   const double radius = cubeRoot(3 * volume / fourPi), area = fourPi * radius * radius;
   const double omega = std::sqrt(b.pressureConstant[slot] / b.mass(slot)) / volume * area;
+  if (b.parameters.integrator == Integrator::xpbd) return {INFINITY, INFINITY};
   if (b.parameters.integrator == Integrator::explicitEuler) return limitsByDamping(b, slot, radius, omega);
   return {
       oscillatorLimit(b.parameters.integrator, membrane.stiffness, membrane.damping, b.vertexMass[slot] / 6),
@@ -79,6 +80,7 @@ StabilityLimits measureLimits(const Bodies& b, int slot) {
 }
 
 double dragLimit(Integrator integrator, double drag) {
+  if (integrator == Integrator::xpbd) return INFINITY;
   if (integrator == Integrator::explicitEuler) return rungeKuttaLimit(1, 0, drag, 1);
   return oscillatorLimit(integrator, 0, drag, 1);
 }

@@ -18,16 +18,20 @@ struct StabilityLimits {
 /// Springs damp only along the edges, so a membrane under tension swings undamped across them unless there is
 /// drag: without drag both limits are 0. With it they are those of modes damped by k_d and drag, and by drag
 /// alone for breathing and for the swinging across edges with k_s (1 − L0/L) of the sphere that holds V.
+///
+/// XPBD has none: both are infinite.
 StabilityLimits measureLimits(const Bodies& bodies, int slot);
 
 /// Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the
 /// usual density of vertices, where the weights of a vertex sum up to 5, and both sides move. K Δt² + 2s C Δt
 /// − 4 m/10 = 0. `drag` [1/time] is explicit Euler's only damping along surfaces; without it the limit is 0.
+/// XPBD takes contact forces as impulses, once per time step: s = 1.
 /// [time]
 double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass,
                     double drag = 0);
 
-/// Of drag alone: the same without a spring, 2/(s·drag) but for Runge–Kutta. Infinite without drag. [time]
+/// Of drag alone: the same without a spring, 2/(s·drag) but for Runge–Kutta. Infinite without drag, and with
+/// XPBD. [time]
 double dragLimit(Integrator integrator, double drag);
 
 }  // namespace morula

@@ -16,8 +16,8 @@ struct Movement {
   std::span<const PhysicsKernels::TimedStage> furtherDrifts;
 };
 
-Movement movementOf(const PhysicsKernels& k, Integrator integrator, int shape) {
-  switch (integrator) {
+Movement movementOf(const PhysicsKernels& k, const PhysicsParameters& p, int shape) {
+  switch (p.integrator) {
     case Integrator::velocityVerlet:
       return {k.driftVelocityVerlet[shape], k.kickVelocityVerlet, {}};
     case Integrator::thesisVerlet:
@@ -28,15 +28,21 @@ Movement movementOf(const PhysicsKernels& k, Integrator integrator, int shape) {
       return {k.driftSymplecticEuler[shape], k.kickSymplecticEuler, {}};
     case Integrator::rungeKutta4:
       return {k.driftRungeKutta[shape][0], k.endEvaluation, std::span(k.driftRungeKutta[shape]).subspan(1)};
+    case Integrator::xpbd:
+      return {k.driftXpbd[p.membrane.damping > 0][shape], k.endEvaluation, {}};
   }
   return {};
 }
+
+void nothing(const TemplateView&, const BlockView&, const KernelParameters&) {}
 
 }  // namespace
 
 PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa) {
   const PhysicsKernels& k = physicsKernels(isa, p.precision);
-  const Movement move = movementOf(k, p.integrator, static_cast<int>(shapeOf(p.shell)));
+  const Movement move = movementOf(k, p, static_cast<int>(shapeOf(p.shell)));
+  if (p.integrator == Integrator::xpbd)  // its drift moves springs and contents
+    return {move.drift, move.kick[p.shell.has_value()], {}, nothing, k.gatherRingsWithoutSprings, k.findPressure};
   return {
       move.drift,         move.kick[p.shell.has_value()],
       move.furtherDrifts, p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,

@@ -43,6 +43,7 @@ std::string hashOf(std::uint64_t seed) {
 std::string hashOf(const PhysicsParameters& p) {
   Hasher h;
   h.field("physics").add(number(p.integrator)).add(number(p.precision)).add(p.drag);
+  if (p.substeps) h.field("substeps").add(*p.substeps);
   add(h, p.coarsen);
   add(h, p.timeStep);
   h.field("cell").add(p.cell.radius).add(p.cell.mass);

@@ -33,7 +33,7 @@ double combine(Integrator integrator, const Limit& l) {
 
 /// The limits of the cell with the smallest combined one.
 Limit tightestLimit(const World& world, double& combined) {
-  Limit tightest{};
+  Limit tightest{INFINITY, INFINITY, INFINITY, 0};
   combined = INFINITY;
   for (int cell = 0; cell < world.bodies->count; ++cell) {
     const int slot = world.bodies->slots[cell];
@@ -64,6 +64,15 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
       world.cells.path[cell].text(), world.clock.step,
       "physics.integrator explicit-euler is stable with no time step where nothing damps the motion",
       "give the scene a physics.drag > 0, or use another physics.integrator");
+}
+
+/// XPBD without pair contact.
+[[noreturn]] void refuseUnbounded(const World& world) {
+  throw NumericalError(
+      world.cells.path[0].text(), world.clock.step,
+      "physics.time_step auto goes by stability limits, and physics.integrator xpbd has none but that of pair "
+      "contacts",
+      "give physics.time_step a number");
 }
 
 /// Masses and stiffnesses may be such that no run comes to its end.
@@ -106,6 +115,7 @@ void chooseTimeStep(World& world) {
     refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
     refuseAbove(dragLimit(p.integrator, p.drag), "drag", world, limit.cell, timeStep);
   } else {
+    if (p.integrator == Integrator::xpbd && std::isinf(limit.contact)) refuseUnbounded(world);
     timeStep = powerOfTwoBelow(longest(combined, p));
   }
   refuseEndless(world, limit.cell, timeStep);

@@ -123,6 +123,7 @@ class Experiment {
   Converged converge(Integrator integrator) const {
     Setting s = usual_;
     s.integrator = integrator;
+    if (s.substeps) s.substeps = 1;
     s.precision = Precision::binary64;
     s.timeStep = std::ldexp(longest_, -options_.halvings - finer);
     options_.tell(fmt::format("reference by {}, time step {}", name(integrator), numberText(s.timeStep)));
@@ -168,7 +169,13 @@ class Experiment {
       change(s);
       if (seriesName(s, usual_) != report_.usual) addSeries(list, s);
     };
-    for (const Integrator i : options_.integrators) vary([&](Setting& s) { s.integrator = i; });
+    for (const Integrator i : options_.integrators) {
+      vary([&](Setting& s) {
+        s.integrator = i;
+        if (s.substeps) s.substeps = 1;
+      });
+      if (i == Integrator::xpbd) vary([](Setting& s) { s.integrator = Integrator::xpbd, s.substeps = 4; });
+    }
     if (usual_.level)
       for (const std::uint64_t level : options_.levels) vary([&](Setting& s) { s.level = level; });
     if (options_.otherPrecision)

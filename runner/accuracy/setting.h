@@ -17,18 +17,19 @@ struct Setting {
   Precision precision = Precision::binary64;
   std::optional<std::uint64_t> level;  // of the icosphere; absent: the scene's mesh comes from a file
   std::optional<ContactLaw> law;       // absent: cells cannot touch
+  std::optional<std::uint64_t> substeps;  // of XPBD; absent: 1
 };
 
 inline constexpr Integrator allIntegrators[] = {Integrator::velocityVerlet, Integrator::thesisVerlet,
                                                 Integrator::explicitEuler, Integrator::symplecticEuler,
-                                                Integrator::rungeKutta4};
+                                                Integrator::rungeKutta4,    Integrator::xpbd};
 
 /// As scenarios call it.
 const char* name(Integrator integrator);
 /// What theory says for a smooth scene.
 double orderOf(Integrator integrator);
-/// Of the forces, in each time step.
-int evaluationsPerStep(Integrator integrator);
+/// Of the forces, in each time step: XPBD's sub-steps count.
+std::uint64_t evaluationsPerStep(const Setting& setting);
 
 /// The scenario's own way, with another time step.
 Setting settingOf(const Scenario& scenario, double timeStep);

@@ -15,11 +15,11 @@ constexpr double slack = 1e-9;  // of a time: sums of time steps may miss it by 
 
 /// Steps until the time is reached and adds up what that costs.
 void goTo(World& world, double time, Trial& trial, double& seconds) {
-  const double perStep = evaluationsPerStep(trial.setting.integrator);
+  const std::uint64_t perStep = evaluationsPerStep(trial.setting);
   while (world.clock.time < time * (1 - slack) && !world.cells.path.empty()) {
     trial.vertexSteps += static_cast<std::uint64_t>(world.bodies->livingVertices);
     ++trial.steps;
-    trial.forceEvaluations += static_cast<std::uint64_t>(perStep);
+    trial.forceEvaluations += perStep;
     seconds += timeOf(ClockKind::process, [&] { step(world); });
   }
 }

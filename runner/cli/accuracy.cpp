@@ -39,7 +39,7 @@ std::vector<Integrator> integrators(const std::vector<std::string>& words) {
     if (found == std::end(allIntegrators))
       throw UsageError("--integrator: '" + word +
                        "' is no integrator; needs velocity-verlet, thesis-verlet, explicit-euler, "
-                       "symplectic-euler or rk4");
+                       "symplectic-euler, rk4 or xpbd");
     list.push_back(*found);
   }
   return list;
@@ -73,6 +73,7 @@ Json toJson(const Setting& s) {
   return {{"integrator", name(s.integrator)},
           {"time_step", s.timeStep},
           {"icosphere", orNull(s.level)},
+          {"substeps", s.substeps.value_or(1)},
           {"precision", s.precision == Precision::binary64 ? "double" : "single"},
           {"contact_law", s.law ? Json(*s.law == ContactLaw::pair ? "pair" : "thesis") : Json()},
           {"set", changesFor(s)}};

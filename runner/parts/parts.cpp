@@ -48,6 +48,8 @@ const char* integratorText(Integrator integrator) {
       return "symplectic Euler";
     case Integrator::rungeKutta4:
       return "Runge-Kutta of fourth order";
+    case Integrator::xpbd:
+      return "position-based dynamics";
   }
   return "";
 }
@@ -75,8 +77,9 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
   parts.push_back(p.drag > 0 ? Part{"drag", true, "", why.of({"physics.drag"})}
                              : absent("drag", "physics.drag > 0"));
   parts.push_back({"integration", true,
-                   fmt::format("{}, {}", integratorText(p.integrator),
-                               p.timeStep ? "fixed time step" : "automatic time step"),
+                   fmt::format("{}, {}{}", integratorText(p.integrator),
+                               p.timeStep ? "fixed time step" : "automatic time step",
+                               p.substeps.value_or(1) > 1 ? fmt::format(" in {} sub-steps", *p.substeps) : ""),
                    why.of({"physics.integrator", "physics.time_step"})});
   parts.push_back(p.growth ? Part{"growth", true, "", why.of({"physics.growth"})}
                            : absent("growth", "physics.growth"));

@@ -88,6 +88,19 @@ void checkCoarsening(const Scenario& scenario, Reading& reading, const Node& roo
                          "the egg's mesh is already the coarsest", "needs icosphere 3 or 4, or remove this");
 }
 
+void checkIntegrator(const PhysicsParameters& physics, bool hasPairContact, Reading& reading,
+                     const Node& root) {
+  const bool xpbd = physics.integrator == Integrator::xpbd;
+  if (!xpbd && physics.substeps.value_or(1) > 1)
+    reading.problems.add(placeOf(root, "physics.substeps"), "physics.substeps",
+                         "is for physics.integrator xpbd: others evaluate forces once per time step",
+                         "remove this, or give integrator: xpbd");
+  if (xpbd && !physics.timeStep && !hasPairContact)
+    reading.problems.add(placeOf(root, "physics.time_step"), "physics.time_step",
+                         "auto goes by stability limits, and integrator xpbd has none but that of pair contacts",
+                         "needs a number > 0 [time]");
+}
+
 }  // namespace
 
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
@@ -97,6 +110,8 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     else checkStartCells(scenario, reading);
     checkEnergy(scenario, reading, root);
     checkCoarsening(scenario, reading, root);
+    checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law == ContactLaw::pair,
+                    reading, root);
   }
   if (scenario.record.pictures && !scenario.scene.mechanics)
     reading.problems.add(placeOf(root, "record.pictures"), "record.pictures",

@@ -116,10 +116,14 @@ std::vector<Parameter> parameters() {
                    PHYSICS(timeStep)),
       choice(
           "physics.integrator",
-          {"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4"},
+          {"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4", "xpbd"},
           "Second order; first order as the thesis starts it [Nilsson 2008, eq. 4.6, 4.7]; first order, "
-          "explicit [eq. 3.12, needs drag] or symplectic; fourth order with four evaluations of the forces",
+          "explicit [eq. 3.12, needs drag] or symplectic; fourth order with four evaluations of the forces; "
+          "first order and stable with any time step but for contacts",
           PHYSICS(integrator)),
+      optionalNatural("physics.substeps", {1, 10'000}, "1",
+                      "Of a time step, with integrator xpbd only; more: more exact and slower",
+                      PHYSICS(substeps)),
       choice("physics.precision", {"double", "single"},
              "Of the numbers that physics computes with: 16 digits, or 7 at half the memory and up to twice "
              "the speed",

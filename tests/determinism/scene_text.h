@@ -62,8 +62,9 @@ inline auto fields(ShellParameters& a) {
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
 }
 inline auto fields(PhysicsParameters& a) {
-  auto& [coarsen, timeStep, integrator, precision, cell, membrane, pressure, drag, growth, shell] = a;
-  return std::tie(coarsen, timeStep, integrator, precision, cell, membrane, pressure, drag, growth, shell);
+  auto& [coarsen, timeStep, integrator, substeps, precision, cell, membrane, pressure, drag, growth, shell] = a;
+  return std::tie(coarsen, timeStep, integrator, substeps, precision, cell, membrane, pressure, drag, growth,
+                  shell);
 }
 inline auto fields(ContactParameters& a) {
   auto& [law, stiffness, damping, friction, slipSpeed, radius] = a;

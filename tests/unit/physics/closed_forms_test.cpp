@@ -10,7 +10,7 @@ using namespace morula;
 namespace {
 
 constexpr Integrator all[] = {Integrator::velocityVerlet, Integrator::thesisVerlet, Integrator::explicitEuler,
-                              Integrator::symplecticEuler, Integrator::rungeKutta4};
+                              Integrator::symplecticEuler, Integrator::rungeKutta4,  Integrator::xpbd};
 
 double meanRadius(const Lab& lab) {
   double sum = 0;

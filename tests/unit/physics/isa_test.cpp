@@ -15,6 +15,7 @@ std::vector<Variant> variants() {
   const PhysicsParameters plain = softCell();
   PhysicsParameters undamped = plain, thesis = plain, sphere = plain, ellipsoid = plain;
   PhysicsParameters explicitEuler = plain, symplecticEuler = plain, rungeKutta = plain, kuttaInShell = plain;
+  PhysicsParameters xpbd = plain, xpbdInShell = plain, xpbdInEllipsoid = plain;
   undamped.membrane.damping = 0;
   thesis.integrator = Integrator::thesisVerlet;
   thesis.drag = 0.1;
@@ -28,6 +29,12 @@ std::vector<Variant> variants() {
   rungeKutta.integrator = kuttaInShell.integrator = Integrator::rungeKutta4;
   kuttaInShell.shell = ShellParameters{{1.1, 1, 0.9}};
   kuttaInShell.drag = 0.2;
+  for (PhysicsParameters* p : {&xpbd, &xpbdInShell, &xpbdInEllipsoid}) p->integrator = Integrator::xpbd;
+  xpbdInShell.substeps = 3;
+  xpbdInShell.membrane.damping = 0;
+  xpbdInShell.shell = ShellParameters{{1, 1, 1}};
+  xpbdInEllipsoid.shell = ShellParameters{{1.1, 1, 0.9}};
+  xpbdInEllipsoid.drag = 0.2;
   return {{"plain", plain},
           {"undamped", undamped},
           {"thesis", thesis},
@@ -36,7 +43,10 @@ std::vector<Variant> variants() {
           {"explicit Euler", explicitEuler},
           {"symplectic Euler", symplecticEuler},
           {"Runge-Kutta", rungeKutta},
-          {"Runge-Kutta in an ellipsoid", kuttaInShell}};
+          {"Runge-Kutta in an ellipsoid", kuttaInShell},
+          {"XPBD", xpbd},
+          {"XPBD, undamped, in three sub-steps, in a sphere", xpbdInShell},
+          {"XPBD in an ellipsoid", xpbdInEllipsoid}};
 }
 
 std::vector<Body> crowd(const Mesh& mesh, int count) {

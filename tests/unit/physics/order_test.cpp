@@ -64,6 +64,11 @@ TEST_CASE("Both Euler methods are first order, Runge-Kutta is of fourth order") 
   }
 }
 
+TEST_CASE("Position-based dynamics are of first order") {
+  for (double drag : {0.0, 0.5})
+    for (double order : observedOrders(Integrator::xpbd, drag, 512)) CHECK(order == Approx(1).margin(0.2));
+}
+
 TEST_CASE("Velocity Verlet and Runge-Kutta go to one and the same place") {
   const auto byVerlet = released(Integrator::velocityVerlet, 1 << 15, 0.5);
   CHECK(distance(byVerlet, released(Integrator::rungeKutta4, 1 << 12, 0.5)) < 2e-7);

@@ -18,6 +18,12 @@ std::vector<Scene> allScenes() {
                             scenes::thesis(), scenes::coarsening(), scenes::lineageOnly(scenes::eventful, 6)};
   scenes.push_back(scenes::ellipsoid());
   scenes.back().mechanics->physics.integrator = Integrator::rungeKutta4;
+  for (Scene byPositions : {scenes::ellipsoid(), scenes::coarsening()}) {
+    byPositions.name += " by XPBD";
+    byPositions.mechanics->physics.integrator = Integrator::xpbd;
+    byPositions.mechanics->physics.substeps = 2;
+    scenes.push_back(byPositions);
+  }
   Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
   ring.name = "life of a torus in single precision";
   ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};

@@ -55,12 +55,13 @@ TEST_CASE("Two to eight cells collide, with friction, and their momentum drifts 
 
 TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
   for (Integrator integrator : {Integrator::thesisVerlet, Integrator::explicitEuler,
-                                Integrator::symplecticEuler, Integrator::rungeKutta4}) {
+                                Integrator::symplecticEuler, Integrator::rungeKutta4, Integrator::xpbd}) {
     Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
     scene.mechanics->contact = scenes::pairContactWithFriction;
     scene.mechanics->physics.integrator = integrator;
     // Explicit Euler is refused without drag, and drag takes momentum: the forces alone are looked at here.
     scene.mechanics->physics.drag = integrator == Integrator::explicitEuler ? 1e-13 : 0;
+    if (integrator == Integrator::xpbd) scene.mechanics->physics.substeps = 3;
     World world = worldOf(scene, flyingCells(scene.mechanics->mesh, 3, 2.3, 1), {bestIsa(), 1});
     world.clock.timeStep = 0x1p-11;
     const Vector before = momentum(world), alone = momentumOf(*world.bodies, 0);

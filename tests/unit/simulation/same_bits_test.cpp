@@ -22,10 +22,12 @@ std::vector<Scene> allScenes() {
   }
   for (auto [integrator, name] : {std::pair{Integrator::explicitEuler, "explicit Euler"},
                                   {Integrator::symplecticEuler, "symplectic Euler"},
-                                  {Integrator::rungeKutta4, "Runge-Kutta"}}) {
+                                  {Integrator::rungeKutta4, "Runge-Kutta"},
+                                  {Integrator::xpbd, "XPBD"}}) {
     Scene other = scenes::ellipsoid();
     other.name += std::string(" by ") + name;
     other.mechanics->physics.integrator = integrator;
+    if (integrator == Integrator::xpbd) other.mechanics->physics.substeps = 3;
     other.mechanics->physics.drag = 5;  // or explicit Euler's steps are tiny
     other.stop.time = integrator == Integrator::explicitEuler ? 3.1 : 3.5;
     scenes.push_back(other);

@@ -2,6 +2,7 @@
 #include "base/maths.h"
 #include "base/number_text.h"
 #include "catch.h"
+#include "physics/stability.h"
 #include "worlds.h"
 
 using namespace morula;
@@ -229,4 +230,50 @@ TEST_CASE("A fixed step that only the daughters do not bear stops the run at the
     CHECK(world.cells.path.size() >= 2);
     CHECK_THAT(e.what(), ContainsSubstring("stability limit"));
   }
+}
+
+TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there is none") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
+  PhysicsParameters& p = scene.mechanics->physics;
+  p.integrator = Integrator::xpbd;
+  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("xpbd has none") &&
+                                          ContainsSubstring("give physics.time_step a number"));
+  p.timeStep = 10;  // any other integrator is refused
+  CHECK_NOTHROW(makeWorld(scene));
+  p.timeStep.reset();
+  scene.mechanics->contact = scenes::thesisContact;
+  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("xpbd has none"));
+  scene.mechanics->contact = scenes::pairContact;
+  World world = makeWorld(scene, {bestIsa(), 1});
+  const double limit = contactLimit(Integrator::xpbd, scenes::pairContact.stiffness,
+                                    scenes::pairContact.damping, world.bodies->vertexMass[0]);
+  CHECK(world.clock.timeStep == powerOfTwoBelow(0.8 * limit));
+  while (!finished(world)) step(world);
+  CHECK(world.cells.path.size() == 8);
+  p.timeStep = 0.9 * limit;
+  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("of its contacts"));
+}
+
+TEST_CASE("With XPBD contacts swing and explode where their limit says, with sub-steps or without") {
+  // Two cells pressed into each other's surface for good by adhesion: what the contact lets grow shows.
+  for (const std::uint64_t substeps : {1, 2, 8})
+    for (const double damping : {0.0, 0.02}) {
+      Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1, makeIcosphere(2));
+      scene.mechanics->physics.integrator = Integrator::xpbd;
+      scene.mechanics->physics.substeps = substeps;
+      scene.mechanics->contact = scenes::pairContact;
+      scene.mechanics->contact->stiffness = 300;
+      scene.mechanics->contact->damping = damping;
+      scene.cells = {{.at = {-0.97, 0, 0}, .velocity = {1, 0, 0}}, {.at = {0.97, 0, 0}, .velocity = {-1, 0, 0}}};
+      World world = makeWorld(scene, {bestIsa(), 1});
+      world.clock.timeStep = 0.95 * contactLimit(Integrator::xpbd, 300, damping, world.bodies->vertexMass[0]);
+      const double before = measureWorld(world).kineticEnergy;
+      Worst largest;
+      for (int i = 0; i < 500; ++i) {
+        step(world);
+        largest.see(measureWorld(world).kineticEnergy);
+      }
+      CAPTURE(substeps, damping, world.clock.timeStep, before);
+      CHECK(largest < 1.2 * before);
+    }
 }

@@ -1,0 +1,192 @@
+#pragma once
+// Extended position-based dynamics [Macklin, Müller, Chentanez 2016], in N sub-steps h = Δt/N of one sweep each
+// [Macklin et al. 2019]: every spring, and then the contents, by itself in backward Euler's closed form, one
+// after the other. First order, and stable with any time step.
+//
+//   1. v ← (v + I)/(1 + h·drag),  x ← x + h v     I: the impulse Δt·a of all outer forces (contacts,
+//                                                 connections) in the first sub-step, 0 in the others. Spread
+//                                                 over the sub-steps it would feed a contact's oscillation.
+//   2. edges, in the mesh's order: along an edge of length l = |d| an impulse h f changes stretch and rate by
+//      −2h² f/m and −2h f/m, so f = k_s (l − L0) + k_d l' after it is
+//        f/m = (k_s (l − L0) + k_d l') / (m + 2h (h k_s + k_d)) before it.
+//   3. contents: with ∇V = G/6 at x and c = h² Σ|∇V|²/m, a pressure p moves the volume to V' = V + c p. That it
+//      is the gas' own, p = k_p/V' − P_0, makes it the larger root of
+//        c p² + (V + c P_0) p + P_0 V − k_p = 0, and V' > 0 whatever V.
+//      They come last: a sweep over stiff edges that are far from rest may halve a volume.
+//   4. angular momentum: with x = x₀ + h v it is Σ m x₀ × v, and an edge that does not point where it did at
+//      x₀ has changed it. A turn ω about the centre takes the change back:
+//        Σ m x₀ × (ω × r) = J ω with J = tr(M) − M, M = Σ m r x₀ᵀ.
+//      Without it spinning cells would slow down, and the order of edges would make resting ones spin.
+//   5. the shell keeps what would leave it.
+//
+// Impulses change v by what they change x/h, so v need not be taken from differences of positions, whose
+// rounding a short step magnifies. All of them are inner: momentum stays.
+#include "physics/ring_kernel.h"
+#include "physics/shell_kernel.h"
+
+namespace morula::MORULA_ISA {
+
+/// Of each cell, for the time of a sub-step.
+struct Spin {
+  Vec origin[blockLanes / width];   // x₀ of the first vertex
+  Vec angular[blockLanes / width];  // Σ (x₀ − origin) × v before the inner forces: angular momentum over m
+};
+
+/// 1.
+inline void predictMotion(const TemplateView& mesh, const BlockView& b, double kept, double impulse, double h,
+                          Spin& spin) {
+  const Lanes share = kept, time = impulse, step = h;
+  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+    spin.origin[group] = loadVec(b.position, 0, lane);
+    spin.angular[group] = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+  }
+  for (int v = 0; v < mesh.vertexCount; ++v)
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+      const Vec x = loadVec(b.position, v, lane);
+      const Vec velocity =
+          share * (loadVec(b.velocity, v, lane) + time * loadVec(b.acceleration, v, lane));
+      spin.angular[group] += cross(x - spin.origin[group], velocity);
+      storeVec(b.velocity, v, lane, velocity);
+      storeVec(b.position, v, lane, x + step * velocity);
+    }
+}
+
+/// 2.
+template <bool damped>
+inline void solveEdges(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
+  const Lanes stiffness = p.stiffness, damping = p.damping, step = h;
+  Lanes perTension[blockLanes / width];  // velocity over k_s (l − L0) + k_d l'
+  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
+    perTension[group] = step / (load(b.vertexMass + lane) + Lanes(2 * h * (h * p.stiffness + p.damping)));
+  for (int e = 0; e < mesh.edgeCount; ++e) {
+    const int first = mesh.edges[2 * e], second = mesh.edges[2 * e + 1];
+    const Lanes templateLength = mesh.restLengths[e];
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+      const Vec x = loadVec(b.position, first, lane), y = loadVec(b.position, second, lane), d = y - x;
+      const Vec v = loadVec(b.velocity, first, lane), w = loadVec(b.velocity, second, lane);
+      const Lanes length = squareRoot(dot(d, d) + nothing);
+      const Lanes inverse = 1.0 / length;
+      Lanes tension = stiffness * (length - templateLength * load(b.restScale + lane));
+      if constexpr (damped) tension += damping * (dot(w - v, d) * inverse);
+      const Vec change = (perTension[group] * tension * inverse) * d, move = step * change;
+      storeVec(b.velocity, first, lane, v + change);
+      storeVec(b.velocity, second, lane, w - change);
+      storeVec(b.position, first, lane, x + move);
+      storeVec(b.position, second, lane, y - move);
+    }
+  }
+}
+
+/// The larger root of c p² + (V + c P_0) p + P_0 V − k_p = 0, in the form that does not cancel.
+MORULA_INLINE Lanes implicitPressure(Lanes volume, Lanes c, Lanes constant, Lanes outside) {
+  const Lanes b = volume + c * outside, u = volume - c * outside;
+  const Lanes root = squareRoot(u * u + 4.0 * c * constant);  // = √(b² − 4c (P_0 V − k_p))
+  const Lanes alike = 2.0 * (constant - outside * volume) / (b + root), opposite = (root - b) / (2.0 * c);
+  return select(b > Lanes(0.0), alike, opposite);
+}
+
+/// 3.
+inline void solveContents(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
+  gatherRings<false>(mesh, b, p);
+  Lanes square[blockLanes / width];
+  for (Lanes& s : square) s = Lanes(0.0);
+  for (int v = 0; v < mesh.vertexCount; ++v)
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+      const Vec gradient = loadVec(b.gradient, v, lane);
+      square[group] += dot(gradient, gradient);
+    }
+  Lanes perGradient[blockLanes / width];  // velocity over 6∇V
+  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+    const Lanes mass = load(b.vertexMass + lane), c = Lanes(h * h / 36) * square[group] / mass;
+    const Lanes pressure =
+        implicitPressure(load(b.volume + lane), c, load(b.pressureConstant + lane), p.outsidePressure);
+    perGradient[group] = Lanes(h / 6) * pressure / mass;
+  }
+  const Lanes step = h;
+  for (int v = 0; v < mesh.vertexCount; ++v)
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+      const Vec change = perGradient[group] * loadVec(b.gradient, v, lane);
+      storeVec(b.velocity, v, lane, loadVec(b.velocity, v, lane) + change);
+      storeVec(b.position, v, lane, loadVec(b.position, v, lane) + step * change);
+    }
+}
+
+/// A cell that turns by more in a sub-step keeps what it has: J has no inverse near a quarter of a turn.
+constexpr double mostTurn = 0.5;  // [rad]
+
+/// The sums over a cell that tell how it has turned.
+struct Turn {
+  Vec angular, x, s;  // Σ s × v, Σ x, Σ s with s = x₀, x from the first vertex each
+  Vec products[3];    // Σ x_i s
+};
+
+/// ω, and in `x` the mean of x.
+MORULA_INLINE Vec findTurn(Turn& t, const Vec& angular, double vertices, double h) {
+  t.x = Lanes(1 / vertices) * t.x;
+  const Vec m[3] = {t.products[0] - t.x.x * t.s, t.products[1] - t.x.y * t.s, t.products[2] - t.x.z * t.s};
+  const Lanes trace = m[0].x + m[1].y + m[2].z;
+  const Vec a{trace - m[0].x, -m[0].y, -m[0].z}, c{-m[1].x, trace - m[1].y, -m[1].z},
+      e{-m[2].x, -m[2].y, trace - m[2].z};  // the rows of J
+  const Vec first = cross(c, e), second = cross(e, a), third = cross(a, c), lost = t.angular - angular;
+  const Vec omega = (1.0 / dot(a, first)) * (lost.x * first + lost.y * second + lost.z * third);
+  const Mask sound = dot(omega, omega) < Lanes(mostTurn * mostTurn / (h * h));
+  const Lanes none = 0.0;
+  return {select(sound, omega.x, none), select(sound, omega.y, none), select(sound, omega.z, none)};
+}
+
+/// 4.
+inline void keepAngularMomentum(const TemplateView& mesh, const BlockView& b, double h, const Spin& spin) {
+  const Lanes step = h;
+  const Vec zero{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+    const Vec first = loadVec(b.position, 0, lane);
+    Turn t{zero, zero, zero, {zero, zero, zero}};
+    for (int v = 0; v < mesh.vertexCount; ++v) {
+      const Vec position = loadVec(b.position, v, lane), velocity = loadVec(b.velocity, v, lane);
+      const Vec x = position - first, s = (position - step * velocity) - spin.origin[group];
+      t.angular += cross(s, velocity);
+      t.x += x, t.s += s;
+      t.products[0] += x.x * s, t.products[1] += x.y * s, t.products[2] += x.z * s;
+    }
+    const Vec omega = findTurn(t, spin.angular[group], mesh.vertexCount, h), centre = first + t.x;
+    for (int v = 0; v < mesh.vertexCount; ++v) {
+      const Vec x = loadVec(b.position, v, lane), change = cross(x - centre, omega);
+      storeVec(b.velocity, v, lane, loadVec(b.velocity, v, lane) + change);
+      storeVec(b.position, v, lane, x + step * change);
+    }
+  }
+}
+
+/// 5. predicted ← velocity.
+template <ShellShape shell>
+inline void endSubstep(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
+  const ShellSlope slope(p);
+  for (int v = 0; v < mesh.vertexCount; ++v)
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      Vec velocity = loadVec(b.velocity, v, lane), predicted = velocity;
+      if constexpr (shell != ShellShape::none) {
+        Vec x = loadVec(b.position, v, lane);
+        keepInShell<shell>(slope, x, velocity, predicted);
+        storeVec(b.position, v, lane, x);
+        storeVec(b.velocity, v, lane, velocity);
+      }
+      storeVec(b.predicted, v, lane, predicted);
+    }
+}
+
+/// x ← x', velocity and predicted ← v'. The kick only ends the evaluation. A step of 0 moves nothing.
+template <bool damped, ShellShape shell>
+inline void driftXpbd(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  const double h = dt / p.substeps, kept = 1 / (1 + h * p.drag);
+  for (int i = 0; i < p.substeps && dt > 0; ++i) {
+    Spin spin;
+    predictMotion(mesh, b, kept, i == 0 ? dt : 0, h, spin);
+    solveEdges<damped>(mesh, b, p, h);
+    solveContents(mesh, b, p, h);
+    keepAngularMomentum(mesh, b, h, spin);
+    if (i + 1 < p.substeps) endSubstep<shell>(mesh, b, p);
+  }
+  endSubstep<shell>(mesh, b, p);
+}
+
+}  // namespace morula::MORULA_ISA
