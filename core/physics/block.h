@@ -31,6 +31,10 @@ struct TemplateView {
   const double* restLengths;      // [edge] of the template, at scale 1
   const std::int32_t* ringStart;  // [vertex + 1] into ring
   const RingStep* ring;
+  // Shape matching only, at scale 1
+  const double* restShape;    // [vertex][3] from the mean of the vertices
+  const double* restInverse;  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz
+  double restVolume;
 };
 
 /// Where a block's numbers lie. Lengths: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].
@@ -63,8 +67,9 @@ struct KernelParameters {
   double stiffness, damping;  // springs
   double outsidePressure;
   double drag;
-  double semiAxes[3];  // shell
-  int substeps;        // XPBD only: of a time step
+  double semiAxes[3];                                // shell
+  int substeps;                                      // XPBD only: of a time step
+  double shapeStiffness, shapeLinear, shapeDamping;  // shape matching only
 };
 
 }  // namespace morula

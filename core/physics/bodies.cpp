@@ -89,7 +89,14 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                         parameters.pressure.outside,
                         parameters.drag,
                         {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1},
-                        static_cast<int>(parameters.substeps.value_or(1))};
+                        static_cast<int>(parameters.substeps.value_or(1)),
+                        parameters.shapeMatching.stiffness,
+                        parameters.shapeMatching.linear,
+                        parameters.shapeMatching.damping};
+  if (parameters.cell.model == CellModel::shapeMatching) {
+    b.mesh.rest = makeRestShape(b.mesh.mesh);
+    for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);
+  }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps}) *a = Reals(parameters.precision);
   b.scratch.assign(threads,
                    {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});

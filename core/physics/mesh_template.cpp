@@ -1,11 +1,13 @@
 #include "physics/mesh_template.h"
 
 #include "mesh/connectivity.h"
+#include "mesh/measures.h"
 
 namespace morula {
 
 TemplateView MeshTemplate::view() const {
-  return {vertexCount(), edgeCount(), edges.data(), restLengths.data(), ringStart.data(), ring.data()};
+  return {vertexCount(), edgeCount(),          edges.data(),        restLengths.data(), ringStart.data(),
+          ring.data(),   rest.vertices.data(), rest.inverse.data(), rest.volume};
 }
 
 MeshTemplate makeTemplate(const Mesh& mesh) {
@@ -29,6 +31,24 @@ MeshTemplate makeTemplate(const Mesh& mesh) {
   }
   t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
   return t;
+}
+
+RestShape makeRestShape(const Mesh& mesh) {
+  RestShape rest;
+  rest.volume = measureVolume(mesh.vertices, mesh.faces);
+  const Point centre = measureCentroid(mesh.vertices);
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  for (const Point& x : mesh.vertices) {
+    const Vector q = x - centre;
+    rest.vertices.insert(rest.vertices.end(), {q.x, q.y, q.z});
+    xx += q.x * q.x, xy += q.x * q.y, xz += q.x * q.z;
+    yy += q.y * q.y, yz += q.y * q.z, zz += q.z * q.z;
+  }
+  const double a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy;
+  const double determinant = xx * a + xy * b + xz * c;
+  rest.inverse = {a, b, c, xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+  for (double& cofactor : rest.inverse) cofactor /= determinant;
+  return rest;
 }
 
 }  // namespace morula

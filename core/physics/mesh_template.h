@@ -1,5 +1,6 @@
 #pragma once
 // What all cells of a scene share: connectivity and rest lengths, laid out for the kernels.
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -7,6 +8,13 @@
 #include "physics/block.h"
 
 namespace morula {
+
+/// What shape matching wants to know of the mesh at rest.
+struct RestShape {
+  std::vector<double> vertices;     // [vertex][xyz] from their mean [length]
+  std::array<double, 6> inverse{};  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz [1/length²]
+  double volume = 0;                // [length³]
+};
 
 struct MeshTemplate {
   Mesh mesh;  // the egg as loaded, in its size: what rest lengths refer to
@@ -16,6 +24,7 @@ struct MeshTemplate {
   std::vector<std::int32_t> ringStart;
   std::vector<RingStep> ring;
   double meanRestLength = 0;  // [length]
+  RestShape rest;             // empty where no body is made by shape matching
 
   int vertexCount() const { return static_cast<int>(mesh.vertices.size()); }
   int edgeCount() const { return static_cast<int>(edges.size() / 2); }
@@ -24,5 +33,8 @@ struct MeshTemplate {
 
 /// Expects a closed manifold (checkClosedManifold).
 MeshTemplate makeTemplate(const Mesh& mesh);
+
+/// The mesh encloses a volume.
+RestShape makeRestShape(const Mesh& mesh);
 
 }  // namespace morula

@@ -17,9 +17,16 @@ enum class Integrator {
   xpbd,             // first order, stable with any time step but for contacts
 };
 
+/// What keeps a cell in shape.
+enum class CellModel {
+  shell,          // a membrane of springs around contents under pressure [Nilsson 2008, §4.2]; the default
+  shapeMatching,  // each vertex is drawn to its place in the shape at rest [Müller et al. 2005]; no pressure
+};
+
 struct CellParameters {
   double radius = 1;  // [length] of the egg: the mesh's farthest vertex from its centre
   double mass = 1;    // [mass] of the egg, spread evenly over the vertices [Nilsson 2008, eq. 4.1]
+  CellModel model = CellModel::shell;
 };
 
 /// Every mesh edge is a damped spring [Nilsson 2008, eq. 4.2].
@@ -35,6 +42,14 @@ struct PressureParameters {
   double constant =
       200;  // k_p [force·length], nRT of the egg; daughters share it by volume; higher: stiffer contents
   double outside = 48;  // P_0 [force/length²]; k_p/P_0 is the volume that the cell is at rest with
+};
+
+/// a = −k (x − goal), with goals that move and turn with the cell (shape_kernel.h); instead of membrane and
+/// pressure.
+struct ShapeMatchingParameters {
+  double stiffness = 400;  // k [1/time²]; a cell rings √k/2π times per time; higher: firmer, shorter steps
+  double linear = 0;       // β, 0 to 1: how far goals follow linear deformations at the volume at rest
+  double damping = 4;      // κ [1/time] of all motion but the cell's rigid one; 2√k is critical
 };
 
 /// How fast a cell grows or shrinks while its biology wants to.
@@ -57,6 +72,7 @@ struct PhysicsParameters {
   CellParameters cell;
   MembraneParameters membrane;
   PressureParameters pressure;
+  ShapeMatchingParameters shapeMatching;
   double drag = 0;  // [1/time] acceleration −drag·v from the medium
   std::optional<GrowthParameters> growth;
   std::optional<ShellParameters> shell;

@@ -5,6 +5,7 @@
 #include "physics/pressure_kernel.h"
 #include "physics/ring_kernel.h"
 #include "physics/runge_kutta_kernel.h"
+#include "physics/shape_kernel.h"
 #include "physics/spring_kernel.h"
 #include "physics/verlet_kernel.h"
 #include "physics/xpbd_kernel.h"
@@ -41,6 +42,8 @@ const PhysicsKernels physics = {
     addPressureForces<false>,
     addPressureForces<true>,
     findPressure,
+    {{findShapeForces<false, false>, findShapeForces<false, true>},
+     {findShapeForces<true, false>, findShapeForces<true, true>}},
 };
 
 }  // namespace morula::MORULA_ISA

@@ -18,6 +18,7 @@ struct PhysicsKernels {
   Stage findSpringCoefficients, findDampedSpringCoefficients;
   Stage gatherRings, gatherRingsWithoutSprings;
   Stage addPressureForces, addPressureAndDragForces, findPressure;
+  Stage findShapeForces[2][2];  // [damped or dragged][volumes too]
 };
 
 const PhysicsKernels& physicsKernels(Isa isa, Precision precision = Precision::binary64);

@@ -25,8 +25,7 @@ inline void addPressureForces(const TemplateView& mesh, const BlockView& b, cons
 /// pressure ← P alone, where another stage moves the contents.
 inline void findPressure(const TemplateView&, const BlockView& b, const KernelParameters& p) {
   for (int lane = 0; lane < b.liveLanes; lane += width)
-    store(b.pressure + lane,
-          load(b.pressureConstant + lane) / load(b.volume + lane) - p.outsidePressure);
+    store(b.pressure + lane, load(b.pressureConstant + lane) / load(b.volume + lane) - p.outsidePressure);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -65,9 +65,20 @@ StabilityLimits limitsByDamping(const Bodies& b, int slot, double radius, double
           drag > 0 ? rungeKuttaLimit(1, omega * omega, drag, 1) : 0};
 }
 
+/// The stiffest mode swings fastest; where much is damped the softest, in the direction of β, creeps back
+/// fastest.
+double shapeLimit(const PhysicsParameters& p) {
+  const double k = p.shapeMatching.stiffness, soft = (1 - p.shapeMatching.linear) * k;
+  const double c = p.shapeMatching.damping + p.drag;
+  if (p.integrator != Integrator::explicitEuler)
+    return std::min(oscillatorLimit(p.integrator, k, c, 1), oscillatorLimit(p.integrator, soft, c, 1));
+  return c > 0 ? std::min(rungeKuttaLimit(1, k, c, 1), rungeKuttaLimit(1, soft, c, 1)) : 0;
+}
+
 }  // namespace
 
 StabilityLimits measureLimits(const Bodies& b, int slot) {
+  if (b.parameters.cell.model == CellModel::shapeMatching) return {shapeLimit(b.parameters), INFINITY};
   const auto& membrane = b.parameters.membrane;
   const double fourPi = 12.566370614359172, volume = b.volume[slot];
   const double radius = cubeRoot(3 * volume / fourPi), area = fourPi * radius * radius;

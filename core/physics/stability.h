@@ -5,7 +5,7 @@
 namespace morula {
 
 struct StabilityLimits {
-  double spring = 0;    // [time] all springs of a vertex against its mass
+  double spring = 0;    // [time] all springs of a vertex against its mass, or its goal's pull
   double pressure = 0;  // [time] breathing: the whole shell against the gas
 };
 
@@ -20,6 +20,10 @@ struct StabilityLimits {
 /// alone for breathing and for the swinging across edges with k_s (1 − L0/L) of the sphere that holds V.
 ///
 /// XPBD has none: both are infinite.
+///
+/// Shape matching: in place of the springs' that of a vertex against a goal that rests, ω² = k, damped by κ +
+/// drag: no mode is stiffer. Linear deformations have (1 − β) k, and the smaller limit of the two counts.
+/// There is no gas.
 StabilityLimits measureLimits(const Bodies& bodies, int slot);
 
 /// Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the

@@ -38,11 +38,21 @@ void nothing(const TemplateView&, const BlockView&, const KernelParameters&) {}
 
 }  // namespace
 
-PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa) {
+PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
   const PhysicsKernels& k = physicsKernels(isa, p.precision);
   const Movement move = movementOf(k, p, static_cast<int>(shapeOf(p.shell)));
   if (p.integrator == Integrator::xpbd)  // its drift moves springs and contents
-    return {move.drift, move.kick[p.shell.has_value()], {}, nothing, k.gatherRingsWithoutSprings, k.findPressure};
+    return {move.drift, move.kick[p.shell.has_value()], {},
+            nothing,    k.gatherRingsWithoutSprings,    k.findPressure};
+  if (p.cell.model == CellModel::shapeMatching) {
+    const bool resisted = p.shapeMatching.damping > 0 || p.drag > 0;
+    return {move.drift,
+            move.kick[p.shell.has_value()],
+            move.furtherDrifts,
+            nothing,
+            surfaces ? k.gatherRingsWithoutSprings : nothing,
+            k.findShapeForces[resisted][!surfaces]};
+  }
   return {
       move.drift,         move.kick[p.shell.has_value()],
       move.furtherDrifts, p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,

@@ -15,7 +15,9 @@ struct PhysicsStages {
   PhysicsKernels::Stage findSpringCoefficients, gatherRings, addPressureForces;
 };
 
-PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa);
+/// `surfaces`: whether somebody, contacts, needs the vertices' area vectors of each evaluation. Springs with
+/// gas have them anyway.
+PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa, bool surfaces = true);
 
 /// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`. 0 only
 /// evaluates.

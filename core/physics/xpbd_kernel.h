@@ -1,7 +1,7 @@
 #pragma once
-// Extended position-based dynamics [Macklin, Müller, Chentanez 2016], in N sub-steps h = Δt/N of one sweep each
-// [Macklin et al. 2019]: every spring, and then the contents, by itself in backward Euler's closed form, one
-// after the other. First order, and stable with any time step.
+// Extended position-based dynamics [Macklin, Müller, Chentanez 2016], in N sub-steps h = Δt/N of one sweep
+// each [Macklin et al. 2019]: every spring, and then the contents, by itself in backward Euler's closed form,
+// one after the other. First order, and stable with any time step.
 //
 //   1. v ← (v + I)/(1 + h·drag),  x ← x + h v     I: the impulse Δt·a of all outer forces (contacts,
 //                                                 connections) in the first sub-step, 0 in the others. Spread
@@ -9,9 +9,9 @@
 //   2. edges, in the mesh's order: along an edge of length l = |d| an impulse h f changes stretch and rate by
 //      −2h² f/m and −2h f/m, so f = k_s (l − L0) + k_d l' after it is
 //        f/m = (k_s (l − L0) + k_d l') / (m + 2h (h k_s + k_d)) before it.
-//   3. contents: with ∇V = G/6 at x and c = h² Σ|∇V|²/m, a pressure p moves the volume to V' = V + c p. That it
-//      is the gas' own, p = k_p/V' − P_0, makes it the larger root of
-//        c p² + (V + c P_0) p + P_0 V − k_p = 0, and V' > 0 whatever V.
+//   3. contents: with ∇V = G/6 at x and c = h² Σ|∇V|²/m, a pressure p moves the volume to V' = V + c p. The
+//      gas' own pressure there, p = k_p/V' − P_0, is the larger root of
+//        c p² + (V + c P_0) p + P_0 V − k_p = 0, and makes V' > 0 whatever V.
 //      They come last: a sweep over stiff edges that are far from rest may halve a volume.
 //   4. angular momentum: with x = x₀ + h v it is Σ m x₀ × v, and an edge that does not point where it did at
 //      x₀ has changed it. A turn ω about the centre takes the change back:
@@ -21,6 +21,7 @@
 //
 // Impulses change v by what they change x/h, so v need not be taken from differences of positions, whose
 // rounding a short step magnifies. All of them are inner: momentum stays.
+#include "physics/lane_matrix.h"
 #include "physics/ring_kernel.h"
 #include "physics/shell_kernel.h"
 
@@ -28,7 +29,7 @@ namespace morula::MORULA_ISA {
 
 /// Of each cell, for the time of a sub-step.
 struct Spin {
-  Vec origin[blockLanes / width];   // x₀ of the first vertex
+  Vec origin[blockLanes / width];  // x₀ of the first vertex
   Vec angular[blockLanes / width];  // Σ (x₀ − origin) × v before the inner forces: angular momentum over m
 };
 
@@ -38,13 +39,12 @@ inline void predictMotion(const TemplateView& mesh, const BlockView& b, double k
   const Lanes share = kept, time = impulse, step = h;
   for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
     spin.origin[group] = loadVec(b.position, 0, lane);
-    spin.angular[group] = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+    spin.angular[group] = zeroVec();
   }
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       const Vec x = loadVec(b.position, v, lane);
-      const Vec velocity =
-          share * (loadVec(b.velocity, v, lane) + time * loadVec(b.acceleration, v, lane));
+      const Vec velocity = share * (loadVec(b.velocity, v, lane) + time * loadVec(b.acceleration, v, lane));
       spin.angular[group] += cross(x - spin.origin[group], velocity);
       storeVec(b.velocity, v, lane, velocity);
       storeVec(b.position, v, lane, x + step * velocity);
@@ -117,18 +117,13 @@ constexpr double mostTurn = 0.5;  // [rad]
 /// The sums over a cell that tell how it has turned.
 struct Turn {
   Vec angular, x, s;  // Σ s × v, Σ x, Σ s with s = x₀, x from the first vertex each
-  Vec products[3];    // Σ x_i s
+  Matrix products;    // Σ x sᵀ
 };
 
 /// ω, and in `x` the mean of x.
 MORULA_INLINE Vec findTurn(Turn& t, const Vec& angular, double vertices, double h) {
   t.x = Lanes(1 / vertices) * t.x;
-  const Vec m[3] = {t.products[0] - t.x.x * t.s, t.products[1] - t.x.y * t.s, t.products[2] - t.x.z * t.s};
-  const Lanes trace = m[0].x + m[1].y + m[2].z;
-  const Vec a{trace - m[0].x, -m[0].y, -m[0].z}, c{-m[1].x, trace - m[1].y, -m[1].z},
-      e{-m[2].x, -m[2].y, trace - m[2].z};  // the rows of J
-  const Vec first = cross(c, e), second = cross(e, a), third = cross(a, c), lost = t.angular - angular;
-  const Vec omega = (1.0 / dot(a, first)) * (lost.x * first + lost.y * second + lost.z * third);
+  const Vec omega = solve(inertiaOf(t.products - outer(t.x, t.s)), t.angular - angular);
   const Mask sound = dot(omega, omega) < Lanes(mostTurn * mostTurn / (h * h));
   const Lanes none = 0.0;
   return {select(sound, omega.x, none), select(sound, omega.y, none), select(sound, omega.z, none)};
@@ -137,16 +132,15 @@ MORULA_INLINE Vec findTurn(Turn& t, const Vec& angular, double vertices, double 
 /// 4.
 inline void keepAngularMomentum(const TemplateView& mesh, const BlockView& b, double h, const Spin& spin) {
   const Lanes step = h;
-  const Vec zero{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
   for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
     const Vec first = loadVec(b.position, 0, lane);
-    Turn t{zero, zero, zero, {zero, zero, zero}};
+    Turn t{zeroVec(), zeroVec(), zeroVec(), zeroMatrix()};
     for (int v = 0; v < mesh.vertexCount; ++v) {
       const Vec position = loadVec(b.position, v, lane), velocity = loadVec(b.velocity, v, lane);
       const Vec x = position - first, s = (position - step * velocity) - spin.origin[group];
       t.angular += cross(s, velocity);
       t.x += x, t.s += s;
-      t.products[0] += x.x * s, t.products[1] += x.y * s, t.products[2] += x.z * s;
+      t.products = t.products + outer(x, s);
     }
     const Vec omega = findTurn(t, spin.angular[group], mesh.vertexCount, h), centre = first + t.x;
     for (int v = 0; v < mesh.vertexCount; ++v) {

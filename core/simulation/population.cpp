@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/maths.h"
 #include "division/coarsen.h"
 #include "division/cut.h"
 #include "simulation/stages.h"
@@ -22,6 +23,9 @@ Daughters divide(const World& world, std::size_t i) {
         world.cells.path[i].text(), world.clock.step, "it cannot divide: " + cut.failure,
         "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
   auto& [a, b] = cut.daughters;
+  if (world.bodies->parameters.cell.model == CellModel::shapeMatching)  // a volume at rest, and no membrane
+    for (Body* daughter : {&a, &b})
+      daughter->restScale = mother.restScale * cubeRoot(daughter->mass / mother.mass);
   return {coarsen(*world.bodies, std::move(a)), coarsen(*world.bodies, std::move(b))};
 }
 

@@ -48,6 +48,11 @@ std::string hashOf(const PhysicsParameters& p) {
   add(h, p.timeStep);
   h.field("cell").add(p.cell.radius).add(p.cell.mass);
   h.field("membrane").add(p.membrane.stiffness).add(p.membrane.damping).add(p.membrane.production);
+  if (p.cell.model == CellModel::shapeMatching)
+    h.field("shape matching")
+        .add(p.shapeMatching.stiffness)
+        .add(p.shapeMatching.linear)
+        .add(p.shapeMatching.damping);
   h.field("pressure").add(p.pressure.constant).add(p.pressure.outside);
   h.field("growth").add(p.growth.has_value()).add(p.growth ? p.growth->rate : 0);
   h.field("shell").add(p.shell.has_value());

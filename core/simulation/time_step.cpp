@@ -68,11 +68,11 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
 
 /// XPBD without pair contact.
 [[noreturn]] void refuseUnbounded(const World& world) {
-  throw NumericalError(
-      world.cells.path[0].text(), world.clock.step,
-      "physics.time_step auto goes by stability limits, and physics.integrator xpbd has none but that of pair "
-      "contacts",
-      "give physics.time_step a number");
+  throw NumericalError(world.cells.path[0].text(), world.clock.step,
+                       "physics.time_step auto goes by stability limits, and physics.integrator xpbd has "
+                       "none but that of pair "
+                       "contacts",
+                       "give physics.time_step a number");
 }
 
 /// Masses and stiffnesses may be such that no run comes to its end.
@@ -110,7 +110,8 @@ void chooseTimeStep(World& world) {
   double timeStep;
   if (p.timeStep) {
     timeStep = *p.timeStep;
-    refuseAbove(limit.spring, "springs", world, limit.cell, timeStep);
+    refuseAbove(limit.spring, p.cell.model == CellModel::shell ? "springs" : "shape-matching", world,
+                limit.cell, timeStep);
     refuseAbove(limit.pressure, "pressure", world, limit.cell, timeStep);
     refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
     refuseAbove(dragLimit(p.integrator, p.drag), "drag", world, limit.cell, timeStep);

@@ -31,7 +31,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
 
   const MechanicsScene& m = *scene.mechanics;
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed);
-  world.stages = chooseStages(m.physics, execution.isa);
+  world.stages = chooseStages(m.physics, execution.isa, m.contact.has_value());
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
     world.contacts = makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision);

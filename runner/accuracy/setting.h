@@ -15,13 +15,13 @@ struct Setting {
   Integrator integrator = Integrator::velocityVerlet;
   double timeStep = 0;
   Precision precision = Precision::binary64;
-  std::optional<std::uint64_t> level;  // of the icosphere; absent: the scene's mesh comes from a file
-  std::optional<ContactLaw> law;       // absent: cells cannot touch
+  std::optional<std::uint64_t> level;     // of the icosphere; absent: the scene's mesh comes from a file
+  std::optional<ContactLaw> law;          // absent: cells cannot touch
   std::optional<std::uint64_t> substeps;  // of XPBD; absent: 1
 };
 
 inline constexpr Integrator allIntegrators[] = {Integrator::velocityVerlet, Integrator::thesisVerlet,
-                                                Integrator::explicitEuler, Integrator::symplecticEuler,
+                                                Integrator::explicitEuler,  Integrator::symplecticEuler,
                                                 Integrator::rungeKutta4,    Integrator::xpbd};
 
 /// As scenarios call it.

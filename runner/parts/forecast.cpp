@@ -100,6 +100,7 @@ Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, doubl
   costs["springs"].seconds = rates.springs * lanes;
   costs["damping"].seconds = rates.damping * lanes;
   costs["pressure"].seconds = rates.pressure * lanes;
+  costs["shape-matching"].seconds = rates.shapeMatching * lanes;
   costs["drag"].seconds = rates.drag * lanes;
   costs["integration"].seconds = rates.integration * lanes;
   costs["shell"].seconds = rates.shell * lanes;

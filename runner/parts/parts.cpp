@@ -56,10 +56,24 @@ const char* integratorText(Integrator integrator) {
 
 Part absent(const char* name, const std::string& key) { return {name, false, "", key}; }
 
+void addModel(std::vector<Part>& parts, const PhysicsParameters& p, const Reasons& why) {
+  if (p.cell.model == CellModel::shapeMatching) {
+    for (const char* name : {"springs", "damping", "pressure"})
+      parts.push_back(absent(name, "physics.cell.model: shell"));
+    parts.push_back({"shape-matching", true, "", why.of({"physics.cell.model"})});
+    return;
+  }
+  parts.push_back({"springs", true, "", why.of({"physics.membrane.stiffness"})});
+  parts.push_back(p.membrane.damping > 0 ? Part{"damping", true, "", why.of({"physics.membrane.damping"})}
+                                         : absent("damping", "physics.membrane.damping > 0"));
+  parts.push_back({"pressure", true, "", why.of({"physics.pressure"})});
+  parts.push_back(absent("shape-matching", "physics.cell.model: shape-matching"));
+}
+
 void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons& why) {
   if (!scenario.scene.mechanics) {
-    for (const char* name :
-         {"bodies", "springs", "damping", "pressure", "drag", "integration", "growth", "shell"})
+    for (const char* name : {"bodies", "springs", "damping", "pressure", "shape-matching", "drag",
+                             "integration", "growth", "shell"})
       parts.push_back(absent(name, "physics"));
     return;
   }
@@ -70,17 +84,15 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
        fmt::format("{} vertices each{}{}", m.mesh.vertices.size(), p.coarsen ? ", fewer when small" : "",
                    p.precision == Precision::binary32 ? ", in single precision" : ""),
        why.of({"physics.mesh", "physics"})});
-  parts.push_back({"springs", true, "", why.of({"physics.membrane.stiffness"})});
-  parts.push_back(p.membrane.damping > 0 ? Part{"damping", true, "", why.of({"physics.membrane.damping"})}
-                                         : absent("damping", "physics.membrane.damping > 0"));
-  parts.push_back({"pressure", true, "", why.of({"physics.pressure"})});
+  addModel(parts, p, why);
   parts.push_back(p.drag > 0 ? Part{"drag", true, "", why.of({"physics.drag"})}
                              : absent("drag", "physics.drag > 0"));
-  parts.push_back({"integration", true,
-                   fmt::format("{}, {}{}", integratorText(p.integrator),
-                               p.timeStep ? "fixed time step" : "automatic time step",
-                               p.substeps.value_or(1) > 1 ? fmt::format(" in {} sub-steps", *p.substeps) : ""),
-                   why.of({"physics.integrator", "physics.time_step"})});
+  parts.push_back(
+      {"integration", true,
+       fmt::format("{}, {}{}", integratorText(p.integrator),
+                   p.timeStep ? "fixed time step" : "automatic time step",
+                   p.substeps.value_or(1) > 1 ? fmt::format(" in {} sub-steps", *p.substeps) : ""),
+       why.of({"physics.integrator", "physics.time_step"})});
   parts.push_back(p.growth ? Part{"growth", true, "", why.of({"physics.growth"})}
                            : absent("growth", "physics.growth"));
   if (!p.shell) {

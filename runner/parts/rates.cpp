@@ -140,7 +140,7 @@ double timeOwnStep(World& world, Trial& trial, const PhysicsParameters& paramete
   const KernelParameters before = b.kernelParameters;
   b.kernelParameters.damping = parameters.membrane.damping;
   b.kernelParameters.drag = parameters.drag;
-  const PhysicsStages stages = chooseStages(parameters, world.execution.isa);
+  const PhysicsStages stages = chooseStages(parameters, world.execution.isa, world.contacts.has_value());
   const double time = trial.time([&](const BlockView& block, int) {
     advance(stages, b, block, world.clock.timeStep);
     kick(stages, b, block, world.clock.timeStep);
@@ -161,7 +161,8 @@ void measureOwnStep(World& world, OtherMemory& memory, StepRates& rates) {
     leaveOut(less);
     return std::max(whole - timeOwnStep(world, trial, less), 0.0);
   };
-  rates.damping = without(all.membrane.damping > 0, [](auto& p) { p.membrane.damping = 0; });
+  const bool shells = all.cell.model == CellModel::shell;
+  rates.damping = without(shells && all.membrane.damping > 0, [](auto& p) { p.membrane.damping = 0; });
   rates.drag = without(all.drag > 0, [](auto& p) { p.drag = 0; });
   rates.shell = without(all.shell.has_value(), [](auto& p) { p.shell.reset(); });
   // Its two halves come first in their passes, and bring what all others then find near.
@@ -179,6 +180,10 @@ void measureOwnStep(World& world, OtherMemory& memory, StepRates& rates) {
   const double inOnePass = trial.time([&](const BlockView& block, int i) { drift(block, i), end(block, i); });
   // Springs and pressure share a walk around each vertex; they are told apart by counting.
   const double rest = std::max(whole - rates.damping - rates.drag - rates.shell - inOnePass, 0.0);
+  if (!shells) {
+    rates.shapeMatching = rest;
+    return;
+  }
   PhysicsParameters plain = all;
   plain.membrane.damping = plain.drag = 0;
   const double share = springShare(b.mesh, plain);
@@ -252,8 +257,8 @@ StepRates measureRates(World& world, double bytes) {
       borrowContact(world, memory, rates);
     }
   }
-  for (double* rate :
-       {&rates.springs, &rates.damping, &rates.pressure, &rates.drag, &rates.integration, &rates.shell})
+  for (double* rate : {&rates.springs, &rates.damping, &rates.pressure, &rates.shapeMatching, &rates.drag,
+                       &rates.integration, &rates.shell})
     *rate /= share;
   if (world.connections) {
     Trial trial(world);

@@ -7,7 +7,7 @@ namespace morula {
 
 /// [s] for one vertex and evaluation of the forces, by the clock of one thread. What the scene lacks costs 0.
 struct StepRates {
-  double springs = 0, damping = 0, pressure = 0, drag = 0;
+  double springs = 0, damping = 0, pressure = 0, shapeMatching = 0, drag = 0;
   double integration = 0, shell = 0;
   double snapshots = 0;
   double pair = 0, frictionOfPair = 0;  // for one evaluation of a vertex and a neighbour

@@ -29,6 +29,19 @@ void checkSubstances(const Dna& dna, Reading& reading) {
   }
 }
 
+/// The parameter's value, or else null.
+const Node* given(const Node& root, const std::string& path) {
+  const Node* node = &root;
+  for (std::size_t begin = 0; begin < path.size();) {
+    const auto end = std::min(path.find('.', begin), path.size());
+    const auto* member = node->find(path.substr(begin, end - begin));
+    if (!member) return nullptr;
+    node = &member->value;
+    begin = end + 1;
+  }
+  return node;
+}
+
 /// The place of a parameter's value, or of the innermost map that is given.
 Place placeOf(const Node& root, const std::string& path) {
   const Node* node = &root;
@@ -96,9 +109,33 @@ void checkIntegrator(const PhysicsParameters& physics, bool hasPairContact, Read
                          "is for physics.integrator xpbd: others evaluate forces once per time step",
                          "remove this, or give integrator: xpbd");
   if (xpbd && !physics.timeStep && !hasPairContact)
-    reading.problems.add(placeOf(root, "physics.time_step"), "physics.time_step",
-                         "auto goes by stability limits, and integrator xpbd has none but that of pair contacts",
-                         "needs a number > 0 [time]");
+    reading.problems.add(
+        placeOf(root, "physics.time_step"), "physics.time_step",
+        "auto goes by stability limits, and integrator xpbd has none but that of pair contacts",
+        "needs a number > 0 [time]");
+}
+
+/// What a body is not made of has no parameters.
+void checkModel(const Scenario& scenario, Reading& reading, const Node& root) {
+  const PhysicsParameters& physics = scenario.scene.mechanics->physics;
+  const auto refuse = [&](const std::string& path, const std::string& wrong, const std::string& right) {
+    if (const Node* node = given(root, path)) reading.problems.add(node->place, path, wrong, right);
+  };
+  if (physics.cell.model == CellModel::shell) {
+    refuse("physics.shape-matching", "is for physics.cell.model shape-matching",
+           "remove this, or give cell: {model: shape-matching}");
+    return;
+  }
+  for (const char* path : {"physics.membrane", "physics.pressure"})
+    refuse(path, "is for physics.cell.model shell: cells made by shape matching have none",
+           "remove this; see physics.shape-matching");
+  if (physics.integrator == Integrator::xpbd)
+    refuse("physics.integrator",
+           "xpbd solves membranes and contents, and physics.cell.model shape-matching has none",
+           "needs another integrator");
+  if (scenario.check.energy)
+    refuse("check.energy", "is of membranes and contents, and physics.cell.model shape-matching has none",
+           "remove this");
 }
 
 }  // namespace
@@ -110,6 +147,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     else checkStartCells(scenario, reading);
     checkEnergy(scenario, reading, root);
     checkCoarsening(scenario, reading, root);
+    checkModel(scenario, reading, root);
     checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law == ContactLaw::pair,
                     reading, root);
   }

@@ -12,6 +12,10 @@ namespace {
 #define MECHANICS(expression) AT(scene.mechanics->expression)
 #define PHYSICS(expression) AT(scene.mechanics->physics.expression)
 
+bool hasShells(const Scenario& s) {
+  return s.scene.mechanics && s.scene.mechanics->physics.cell.model == CellModel::shell;
+}
+
 std::vector<Section> sections() {
   using enum Section::Members;
   return {
@@ -37,8 +41,20 @@ std::vector<Section> sections() {
              s.mesh = {std::nullopt, std::nullopt};
            }},
       {.path = "physics.cell", .meaning = "The egg; each division halves volume and mass"},
-      {.path = "physics.membrane", .meaning = "Every mesh edge is a damped spring [Nilsson 2008, eq. 4.2]"},
-      {.path = "physics.pressure", .meaning = "P = constant / V − outside [Nilsson 2008, eq. 4.3]"},
+      {.path = "physics.membrane",
+       .meaning = "With cell.model shell: every mesh edge is a damped spring [Nilsson 2008, eq. 4.2]",
+       .exists = hasShells},
+      {.path = "physics.pressure",
+       .meaning = "With cell.model shell: P = constant / V − outside [Nilsson 2008, eq. 4.3]",
+       .exists = hasShells},
+      {.path = "physics.shape-matching",
+       .meaning = "With cell.model shape-matching: every vertex is drawn to its place in the shape at rest "
+                  "[Müller et "
+                  "al. 2005]",
+       .exists =
+           [](const Scenario& s) {
+             return s.scene.mechanics && s.scene.mechanics->physics.cell.model == CellModel::shapeMatching;
+           }},
       {.path = "physics.growth",
        .meaning = "What cells do while their genes produce grow or shrink",
        .absent = "cells keep their size",
@@ -76,6 +92,16 @@ std::vector<Section> sections() {
 
 Parameter required(Parameter p) {
   p.required = true;
+  return p;
+}
+
+/// The first of a choice's names goes without saying.
+Parameter quiet(Parameter p) {
+  p.absent = p.schema["enum"][0];
+  p.write = [write = p.write, usual = p.absent](const Scenario& s) {
+    Json value = write(s);
+    return value == usual ? Json() : value;
+  };
   return p;
 }
 
@@ -148,6 +174,12 @@ std::vector<Parameter> parameters() {
       real("physics.cell.mass", "mass", positive,
            "Of the egg, spread evenly over the vertices [Nilsson 2008, eq. 4.1]", PHYSICS(cell.mass)),
 
+      quiet(choice("physics.cell.model", {"shell", "shape-matching"},
+                   "A membrane around contents under pressure; or vertices drawn to the shape at rest, which "
+                   "is cheaper "
+                   "and knows no pressure",
+                   PHYSICS(cell.model))),
+
       real("physics.membrane.stiffness", "force/length", positive,
            "k_s; higher: rounder cells, shorter time steps", PHYSICS(membrane.stiffness)),
       real("physics.membrane.damping", "force·time/length", notNegative, "k_d, along the edge",
@@ -159,6 +191,17 @@ std::vector<Parameter> parameters() {
       real("physics.pressure.constant", "force·length", notNegative,
            "k_p of the egg; daughters share it by volume", PHYSICS(pressure.constant)),
       real("physics.pressure.outside", "force/length²", notNegative, "P_0", PHYSICS(pressure.outside)),
+
+      real("physics.shape-matching.stiffness", "1/time²", positive,
+           "k of a = −k (x − goal): a cell rings √k/2π times per time; higher: firmer, shorter time steps",
+           PHYSICS(shapeMatching.stiffness)),
+      real("physics.shape-matching.linear", "", {0, 1},
+           "β: how far goals follow stretching and shear at the volume at rest; 1: nothing but volume is "
+           "restored",
+           PHYSICS(shapeMatching.linear)),
+      real("physics.shape-matching.damping", "1/time", notNegative,
+           "κ, of all motion but the cell's flight and spin; 2√k: no swinging",
+           PHYSICS(shapeMatching.damping)),
 
       real("physics.growth.rate", "1/time", positive,
            "Relative change of mass and k_p; lengths follow with a third", PHYSICS(growth->rate)),

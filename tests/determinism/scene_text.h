@@ -42,8 +42,12 @@ inline auto fields(StopParameters& a) {
   return std::tie(cycles, time, cells);
 }
 inline auto fields(CellParameters& a) {
-  auto& [radius, mass] = a;
-  return std::tie(radius, mass);
+  auto& [radius, mass, model] = a;
+  return std::tie(radius, mass, model);
+}
+inline auto fields(ShapeMatchingParameters& a) {
+  auto& [stiffness, linear, damping] = a;
+  return std::tie(stiffness, linear, damping);
 }
 inline auto fields(MembraneParameters& a) {
   auto& [stiffness, damping, production] = a;
@@ -62,9 +66,10 @@ inline auto fields(ShellParameters& a) {
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
 }
 inline auto fields(PhysicsParameters& a) {
-  auto& [coarsen, timeStep, integrator, substeps, precision, cell, membrane, pressure, drag, growth, shell] = a;
-  return std::tie(coarsen, timeStep, integrator, substeps, precision, cell, membrane, pressure, drag, growth,
-                  shell);
+  auto& [coarsen, timeStep, integrator, substeps, precision, cell, membrane, pressure, shapeMatching, drag,
+         growth, shell] = a;
+  return std::tie(coarsen, timeStep, integrator, substeps, precision, cell, membrane, pressure, shapeMatching,
+                  drag, growth, shell);
 }
 inline auto fields(ContactParameters& a) {
   auto& [law, stiffness, damping, friction, slipSpeed, radius] = a;

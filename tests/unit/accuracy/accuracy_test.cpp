@@ -53,10 +53,12 @@ TEST_CASE("Every setting is read back by a scenario as what it is") {
   for (Integrator integrator : allIntegrators)
     for (Precision precision : {Precision::binary64, Precision::binary32})
       for (ContactLaw law : {ContactLaw::pair, ContactLaw::thesis}) {
-        const Setting setting{integrator, 0x1p-9, precision, 2, law};
+        Setting setting{integrator, 0x1p-9, precision, 2, law, {}};
+        if (integrator == Integrator::xpbd) setting.substeps = 3;
         const Scenario scenario = reader(swinging + "  contact: {}\n")(changesFor(setting));
         const Setting back = settingOf(scenario, 0x1p-9);
         CHECK(back.integrator == integrator);
+        CHECK(back.substeps == setting.substeps);
         CHECK(back.precision == precision);
         CHECK(back.law == law);
         CHECK(back.level == 2u);
@@ -116,7 +118,7 @@ TEST_CASE("A smooth scene: every integrator has its order, and the reference its
   CHECK(report.reference.setting.integrator == Integrator::rungeKutta4);
   CHECK(report.times.back() == 1);
   CHECK_FALSE(report.horizon->parted);
-  REQUIRE(report.rows.size() == 5 * 7);
+  REQUIRE(report.rows.size() == 5 * 9);
   double smallest = 1;
   for (const AccuracyRow& r : report.rows)
     if (r.error && r.resolved) smallest = std::min(smallest, *r.error);
@@ -126,6 +128,7 @@ TEST_CASE("A smooth scene: every integrator has its order, and the reference its
   CHECK(orderIn(report, "rk4").observed->slope == Approx(4).margin(0.2));
   CHECK(orderIn(report, "symplectic-euler").observed->slope == Approx(1).margin(0.2));
   CHECK(orderIn(report, "thesis-verlet").observed->slope == Approx(1).margin(0.2));
+  CHECK(orderIn(report, "xpbd, 4 sub-steps").observed->slope == Approx(1).margin(0.2));
   // A coarser mesh is another cell: no time step makes up for that.
   CHECK(std::abs(orderIn(report, "velocity-verlet, icosphere 0").observed->slope) < 0.5);
   for (const AccuracyRow& r : report.rows) {
@@ -135,7 +138,8 @@ TEST_CASE("A smooth scene: every integrator has its order, and the reference its
       continue;
     }
     CHECK(r.steps == static_cast<std::uint64_t>(1 / r.setting.timeStep));
-    CHECK(r.forceEvaluations == r.steps * (r.setting.integrator == Integrator::rungeKutta4 ? 4 : 1));
+    const bool four = r.setting.integrator == Integrator::rungeKutta4 || r.setting.substeps == 4u;
+    CHECK(r.forceEvaluations == r.steps * (four ? 4 : 1));
     CHECK(r.vertexSteps == r.steps * (r.setting.level == 0u ? 12 : 42));
     CHECK(r.cpuSeconds > 0);
   }

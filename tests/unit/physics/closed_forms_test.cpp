@@ -9,8 +9,9 @@ using namespace morula;
 
 namespace {
 
-constexpr Integrator all[] = {Integrator::velocityVerlet, Integrator::thesisVerlet, Integrator::explicitEuler,
-                              Integrator::symplecticEuler, Integrator::rungeKutta4,  Integrator::xpbd};
+constexpr Integrator all[] = {Integrator::velocityVerlet, Integrator::thesisVerlet,
+                              Integrator::explicitEuler,  Integrator::symplecticEuler,
+                              Integrator::rungeKutta4,    Integrator::xpbd};
 
 double meanRadius(const Lab& lab) {
   double sum = 0;

@@ -35,6 +35,11 @@ std::vector<Variant> variants() {
   xpbdInShell.shell = ShellParameters{{1, 1, 1}};
   xpbdInEllipsoid.shell = ShellParameters{{1.1, 1, 0.9}};
   xpbdInEllipsoid.drag = 0.2;
+  PhysicsParameters shapes = plain, dampedShapes = plain;
+  shapes.cell.model = dampedShapes.cell.model = CellModel::shapeMatching;
+  shapes.shapeMatching = {400, 0, 0};
+  dampedShapes.shapeMatching = {400, 0.5, 4};
+  dampedShapes.drag = 0.2;
   return {{"plain", plain},
           {"undamped", undamped},
           {"thesis", thesis},
@@ -46,7 +51,9 @@ std::vector<Variant> variants() {
           {"Runge-Kutta in an ellipsoid", kuttaInShell},
           {"XPBD", xpbd},
           {"XPBD, undamped, in three sub-steps, in a sphere", xpbdInShell},
-          {"XPBD in an ellipsoid", xpbdInEllipsoid}};
+          {"XPBD in an ellipsoid", xpbdInEllipsoid},
+          {"shape matching", shapes},
+          {"shape matching, linear, damped", dampedShapes}};
 }
 
 std::vector<Body> crowd(const Mesh& mesh, int count) {

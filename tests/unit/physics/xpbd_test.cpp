@@ -1,4 +1,5 @@
-// Position-based dynamics: what its closed forms say, what it keeps, and that no time step is too long for it.
+// Position-based dynamics: what its closed forms say, what it keeps, and that no time step is too long for
+// it.
 #include <algorithm>
 
 #include "base/maths.h"
@@ -218,8 +219,9 @@ TEST_CASE("A spinning cell spins on, also where it turns too far in a step to be
 }
 
 TEST_CASE("The cell of 642 vertices rests at its radius as sub-steps grow short") {
-  // 1.053101148 where forces balance at one moment. Here they act one after the other within a sub-step and see
-  // what those before them have moved: a stretch of the order of h², a rate, which damping sees, of that of h.
+  // 1.053101148 where forces balance at one moment. Here they act one after the other within a sub-step and
+  // see what those before them have moved: a stretch of the order of h², a rate, which damping sees, of that
+  // of h.
   const auto deviation = [](std::uint64_t substeps, double damping) {
     PhysicsParameters p = byPositions(substeps);
     p.membrane = {10, damping, 1.26};
@@ -237,8 +239,8 @@ TEST_CASE("The cell of 642 vertices rests at its radius as sub-steps grow short"
     CHECK(fastest < 1e-6);
     return sum / 642 - 1.053101148;
   };
-  const double one = deviation(1, 0), two = deviation(2, 0), four = deviation(4, 0), damped = deviation(4, 0.05),
-               dampedToo = deviation(8, 0.05);
+  const double one = deviation(1, 0), two = deviation(2, 0), four = deviation(4, 0),
+               damped = deviation(4, 0.05), dampedToo = deviation(8, 0.05);
   CAPTURE(one, two, four, damped, dampedToo);
   CHECK(std::abs(four) < 4e-4);
   CHECK(std::log2(one / two) == Approx(2).margin(0.2));
@@ -256,8 +258,8 @@ TEST_CASE("No time step is too long: stiff, at a hundred times the others' limit
     Vector by;
     double mostEnergy;  // over that at the start
   };
-  // One sweep over edges that are far from rest may leave them with a fifth more energy; the next ones take it.
-  // Soft edges around stiff contents are nothing to the energy of a volume that is a little off.
+  // One sweep over edges that are far from rest may leave them with a fifth more energy; the next ones take
+  // it. Soft edges around stiff contents are nothing to the energy of a volume that is a little off.
   for (const auto& [stiffness, gas, by, mostEnergy] :
        {Case{10, 200, little, 1}, Case{10, 200, much, 1.01}, Case{10, 200, needle, 1.2},
         Case{10, 200, pancake, 1.1}, Case{10e4, 200e4, little, 1}, Case{10e4, 200e4, much, 1.01},
@@ -291,5 +293,6 @@ TEST_CASE("XPBD has no limit but that of contacts") {
   CHECK(limits.spring == INFINITY);
   CHECK(limits.pressure == INFINITY);
   CHECK(dragLimit(Integrator::xpbd, 100) == INFINITY);
-  CHECK(contactLimit(Integrator::xpbd, 30, 0.02, 1) == contactLimit(Integrator::symplecticEuler, 30, 0.02, 1));
+  CHECK(contactLimit(Integrator::xpbd, 30, 0.02, 1) ==
+        contactLimit(Integrator::symplecticEuler, 30, 0.02, 1));
 }

@@ -101,3 +101,36 @@ TEST_CASE("a sphere is an ellipsoid with equal axes") {
   const auto ellipsoid = read(replaced(everyPart, "[3, 2, 1]", "[2, 2.0, 2e0]"));
   CHECK(sphere.meaning == ellipsoid.meaning);
 }
+
+TEST_CASE("what cells are not made of is not resolved, and the usual model goes without saying") {
+  const std::string shells =
+      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\nphysics: {cell: {mass: 1}}\n";
+  const auto usual = read(shells);
+  CHECK(read(replaced(shells, "mass: 1", "mass: 1, model: shell")).meaning == usual.meaning);
+  CHECK(usual.resolved.find("model") == std::string::npos);
+  CHECK(usual.resolved.find("shape-matching") == std::string::npos);
+
+  const std::string shapes = replaced(shells, "mass: 1", "mass: 1, model: shape-matching");
+  const auto matched = read(shapes);
+  CHECK(matched.resolved.find("membrane") == std::string::npos);
+  CHECK(matched.resolved.find("pressure") == std::string::npos);
+  CHECK(read(matched.resolved).meaning == matched.meaning);
+  std::vector<Hash> seen{usual.meaning, matched.meaning};
+  for (const char* change : {"stiffness=100", "linear=0.25", "damping=7"}) {
+    const auto equals = std::string(change).find('=');
+    const std::string path = "physics.shape-matching." + std::string(change).substr(0, equals);
+    const auto changed =
+        read(shapes, {{path, std::string(change).substr(equals + 1), "--set " + path}}).meaning;
+    CHECK(std::find(seen.begin(), seen.end(), changed) == seen.end());
+    seen.push_back(changed);
+  }
+}
+
+TEST_CASE("sub-steps change the meaning, and one of another integrator is all that it takes") {
+  const std::string text =
+      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\nphysics: {time_step: 0.01, integrator: "
+      "xpbd}\n";
+  CHECK(read(replaced(text, "xpbd", "xpbd, substeps: 3")).meaning != read(text).meaning);
+  CHECK(complaints(replaced(text, "xpbd", "rk4, substeps: 1")) == "");
+  CHECK_FALSE(complaints(replaced(text, "xpbd", "rk4, substeps: 2")) == "");
+}

@@ -55,7 +55,7 @@ TEST_CASE("ranges, names and defaults stand in the schema") {
   CHECK(physics["drag"]["default"] == 0);
   CHECK(physics["cell"]["properties"]["radius"]["exclusiveMinimum"] == 0);
   CHECK(physics["integrator"]["enum"] ==
-        Json{"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4"});
+        Json{"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4", "xpbd"});
   CHECK(physics["integrator"]["default"] == "velocity-verlet");
   CHECK(physics["mesh"]["properties"]["icosphere"]["maximum"] == 4);
   CHECK(physics["mesh"]["oneOf"] == Json::parse(R"([{"required": ["icosphere"]}, {"required": ["file"]}])"));

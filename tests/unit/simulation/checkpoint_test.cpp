@@ -24,6 +24,12 @@ std::vector<Scene> allScenes() {
     byPositions.mechanics->physics.substeps = 2;
     scenes.push_back(byPositions);
   }
+  for (Scene shapes : {scenes::life(), scenes::coarsening()}) {
+    shapes.name += " by shape matching";
+    shapes.mechanics->physics.cell.model = CellModel::shapeMatching;
+    shapes.mechanics->physics.shapeMatching = {400, 0.5, 4};
+    scenes.push_back(shapes);
+  }
   Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
   ring.name = "life of a torus in single precision";
   ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};

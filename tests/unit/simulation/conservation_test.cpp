@@ -115,3 +115,24 @@ TEST_CASE("A collision takes energy and never gives any") {
   CHECK(measureWorld(world).kineticEnergy < before);
   CHECK(largest < 1.1 * before);  // some is lent by gas and springs, which begin close to rest
 }
+
+TEST_CASE("Cells made by shape matching keep their momentum through collisions and divisions") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
+  scene.mechanics->physics.cell.model = CellModel::shapeMatching;
+  scene.mechanics->physics.shapeMatching = {400, 0.5, 4};
+  scene.mechanics->contact = scenes::pairContactWithFriction;
+  scene.mechanics->division.plane = DivisionPlane::random;
+  scene.mechanics->connections = ConnectionParameters{};
+  scene.cells = {{.at = {-1, 0.1, 0}, .velocity = {0.5, 0, 0}},
+                 {.at = {1, 0, 0}, .velocity = {-0.25, 0.1, 0}}};
+  World world = makeWorld(scene, {bestIsa(), 1});
+  const Vector before = momentum(world);
+  Worst drift;
+  while (!finished(world)) {
+    step(world);
+    drift.see(norm(momentum(world) - before));
+  }
+  CHECK(world.cells.path.size() == 16);
+  CHECK(norm(before) > 0.2);
+  CHECK(drift <= 1e-12);
+}

@@ -154,3 +154,34 @@ TEST_CASE("A cell turned inside out stops the run and is named") {
   broken.bodies->velocity[broken.bodies->at(1, 3)] = std::nan("");
   CHECK_THROWS_AS(step(broken), NumericalError);
 }
+
+TEST_CASE("A daughter made by shape matching rounds off to the egg's shape at her share of its volume") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 1);
+  scene.mechanics->physics.cell.model = CellModel::shapeMatching;
+  scene.mechanics->physics.shapeMatching = {400, 0, 20};
+  scene.mechanics->division = {DivisionPlane::axis, {1, 2, 3}};
+  scene.stop = {};
+  scene.stop.time = 3;
+  scene.cycle.length = 1;
+  scene.cycle.perSubstance = {};
+  World world = makeWorld(scene, {bestIsa(), 1});
+  while (world.cells.path.size() < 2) step(world);
+  const Bodies& b = *world.bodies;
+  const double egg = measureVolume(b.mesh.mesh.vertices, b.mesh.mesh.faces);
+  double atRest = 0;
+  for (int slot : b.slots) {
+    CHECK(b.restScale[slot] == Approx(cubeRoot(b.mass(slot))).epsilon(1e-14));  // the egg's mass is 1
+    atRest += b.restScale[slot] * b.restScale[slot] * b.restScale[slot];
+  }
+  CHECK(atRest == Approx(1).epsilon(1e-14));
+  const double atBirth = sphericity(b.volume[0], measureArea(takeBody(b, 0).position, b.mesh.mesh.faces));
+  CHECK(atBirth < 0.9);
+  while (world.clock.time < 1.9) step(world);
+  for (int slot : b.slots) {
+    const double area = measureArea(takeBody(b, slot).position, b.mesh.mesh.faces);
+    CHECK(b.volume[slot] == Approx(b.mass(slot) * egg).epsilon(1e-6));
+    CHECK(sphericity(b.volume[slot], area) ==
+          Approx(sphericity(egg, measureArea(b.mesh.mesh.vertices, b.mesh.mesh.faces))).epsilon(1e-6));
+    CHECK(b.pressure[slot] == 0);
+  }
+}

@@ -20,6 +20,12 @@ std::vector<Scene> allScenes() {
     single.mechanics->physics.precision = Precision::binary32;
     scenes.push_back(single);
   }
+  for (Scene shapes : {scenes::life(), scenes::ellipsoid(), scenes::coarsening()}) {
+    shapes.name += " by shape matching";
+    shapes.mechanics->physics.cell.model = CellModel::shapeMatching;
+    shapes.mechanics->physics.shapeMatching = {400, 0.5, 4};
+    scenes.push_back(shapes);
+  }
   for (auto [integrator, name] : {std::pair{Integrator::explicitEuler, "explicit Euler"},
                                   {Integrator::symplecticEuler, "symplectic Euler"},
                                   {Integrator::rungeKutta4, "Runge-Kutta"},

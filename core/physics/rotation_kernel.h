@@ -1,0 +1,73 @@
+#pragma once
+// The rotation nearest to a matrix: R that makes tr(Rᵀ M) largest, which for det M > 0 is the one of its
+// polar decomposition M = R S. [Horn 1987]: of a unit quaternion q the trace is qᵀ N q, so the largest
+// eigenvector of a symmetric 4 × 4 matrix N is wanted. That is a proper rotation for mirrored and flat
+// matrices too.
+//
+// Jacobi's method turns N into a diagonal, one plane after the other in a fixed order: square roots, no
+// branches, and after so many rounds as here nothing is left of what was off the diagonal but rounding.
+#include "physics/lane_matrix.h"
+
+namespace morula::MORULA_ISA {
+
+constexpr int jacobiRounds = single ? 5 : 6;
+
+/// A symmetric matrix (both halves are kept), and the eigenvectors found so far, one in each column.
+struct Diagonalisation {
+  Lanes n[4][4], vectors[4][4];
+};
+
+/// Turns the plane of axes p and q so that n[p][q] becomes 0. [Golub, Van Loan, §8.5]
+template <int p, int q>
+MORULA_INLINE void turnPlane(Diagonalisation& d) {
+  const Lanes off = d.n[p][q], apart = d.n[q][q] - d.n[p][p];
+  const Lanes size = larger(apart, -apart), twice = 2.0 * select(apart < Lanes(0.0), -off, off);
+  const Lanes tangent = twice / (size + squareRoot(apart * apart + 4.0 * off * off) + nothing);
+  const Lanes cosine = 1.0 / squareRoot(1.0 + tangent * tangent), sine = tangent * cosine;
+  d.n[p][p] = d.n[p][p] - tangent * off;
+  d.n[q][q] = d.n[q][q] + tangent * off;
+  d.n[p][q] = d.n[q][p] = Lanes(0.0);
+  for (int r = 0; r < 4; ++r) {
+    if (r != p && r != q) {
+      const Lanes a = d.n[r][p], b = d.n[r][q];
+      d.n[r][p] = d.n[p][r] = cosine * a - sine * b;
+      d.n[r][q] = d.n[q][r] = sine * a + cosine * b;
+    }
+    const Lanes a = d.vectors[r][p], b = d.vectors[r][q];
+    d.vectors[r][p] = cosine * a - sine * b;
+    d.vectors[r][q] = sine * a + cosine * b;
+  }
+}
+
+/// `m` in any scale that its squares can be told in.
+MORULA_INLINE Matrix nearestRotation(const Matrix& m) {
+  const Lanes a = m.z.y - m.y.z, b = m.x.z - m.z.x, c = m.y.x - m.x.y;
+  const Lanes d = m.x.y + m.y.x, e = m.x.z + m.z.x, f = m.y.z + m.z.y, none = 0.0, one = 1.0;
+  Diagonalisation t{
+      {{m.x.x + m.y.y + m.z.z, a, b, c},
+       {a, m.x.x - m.y.y - m.z.z, d, e},
+       {b, d, m.y.y - m.x.x - m.z.z, f},
+       {c, e, f, m.z.z - m.x.x - m.y.y}},
+      {{one, none, none, none}, {none, one, none, none}, {none, none, one, none}, {none, none, none, one}}};
+  for (int round = 0; round < jacobiRounds; ++round) {
+    turnPlane<0, 1>(t);
+    turnPlane<2, 3>(t);
+    turnPlane<0, 2>(t);
+    turnPlane<1, 3>(t);
+    turnPlane<0, 3>(t);
+    turnPlane<1, 2>(t);
+  }
+  Lanes largest = t.n[0][0], w = t.vectors[0][0], x = t.vectors[1][0], y = t.vectors[2][0],
+        z = t.vectors[3][0];
+  for (int k = 1; k < 4; ++k) {
+    const Mask better = t.n[k][k] > largest;
+    largest = select(better, t.n[k][k], largest);
+    w = select(better, t.vectors[0][k], w), x = select(better, t.vectors[1][k], x);
+    y = select(better, t.vectors[2][k], y), z = select(better, t.vectors[3][k], z);
+  }
+  return {{1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)},
+          {2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)},
+          {2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)}};
+}
+
+}  // namespace morula::MORULA_ISA
