@@ -62,11 +62,12 @@ void place(Bodies& b, int slot, const Body& cell, double vertexMass) {
 /// A resting cell of the egg's size with one of the scene's meshes.
 Body makeEgg(const Bodies& b, int coarseness) {
   const Mesh& mesh = b.meshAt(coarseness).mesh;
+  const bool underPressure = b.parameters.cell.model == CellModel::shell;
   return {mesh.vertices,
           std::vector<Vector>(mesh.vertices.size()),
           b.parameters.cell.mass,
           1,
-          b.parameters.pressure.constant,
+          underPressure ? b.parameters.pressure.constant : 0,
           coarseness};
 }
 

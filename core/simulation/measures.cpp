@@ -74,7 +74,8 @@ std::vector<CellMeasures> measureCells(const World& world) {
     m.state = world.cells.state[cell];
     m.volume = measureVolume(vertices, faces);
     m.area = measureArea(vertices, faces);
-    m.pressure = b.pressureConstant[slot] / m.volume - b.parameters.pressure.outside;
+    if (b.parameters.cell.model == CellModel::shell)
+      m.pressure = b.pressureConstant[slot] / m.volume - b.parameters.pressure.outside;
     m.centroid = measureCentroid(vertices);
     m.sphericity = sphericity(m.volume, m.area);
     all.push_back(m);

@@ -73,6 +73,23 @@ TEST_CASE("For every choice of blocks: the parts that are told are those that ma
   CHECK(different.size() == 96);
 }
 
+TEST_CASE("Cells by shape matching have no springs and no pressure, and walk rings for contacts only") {
+  for (const bool touch : {false, true})
+    for (const bool resisted : {false, true}) {
+      const Scenario scenario =
+          read(genes + "physics:\n  mesh: {icosphere: 0}\n  cell: {model: shape-matching}\n" +
+               (resisted ? "" : "  shape-matching: {damping: 0}\n") + (touch ? "  contact: {}\n" : ""));
+      const World world = makeWorld(scenario.scene);
+      const PhysicsKernels& kernels = physicsKernels(world.execution.isa);
+      auto parts = byName(scenario);
+      CHECK(parts["shape-matching"].engaged);
+      for (const char* name : {"springs", "damping", "pressure"}) CHECK_FALSE(parts[name].engaged);
+      CHECK(world.stages.addPressureForces == kernels.findShapeForces[resisted][!touch]);
+      CHECK((world.stages.gatherRings == kernels.gatherRingsWithoutSprings) == touch);
+    }
+  CHECK_FALSE(byName(read(sceneOf(0)))["shape-matching"].engaged);
+}
+
 TEST_CASE("Without physics there are genes, and nothing that needs a body") {
   const Scenario scenario = read(genes);
   const World world = makeWorld(scenario.scene);

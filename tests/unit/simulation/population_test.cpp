@@ -1,4 +1,5 @@
 // Births and deaths: what is kept, what is recorded, and what a failure leaves behind.
+#include "base/maths.h"
 #include "catch.h"
 #include "worlds.h"
 
@@ -158,7 +159,7 @@ TEST_CASE("A cell turned inside out stops the run and is named") {
 TEST_CASE("A daughter made by shape matching rounds off to the egg's shape at her share of its volume") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 1);
   scene.mechanics->physics.cell.model = CellModel::shapeMatching;
-  scene.mechanics->physics.shapeMatching = {400, 0, 20};
+  scene.mechanics->physics.shapeMatching = {1600, 0, 80};
   scene.mechanics->division = {DivisionPlane::axis, {1, 2, 3}};
   scene.stop = {};
   scene.stop.time = 3;
@@ -184,4 +185,6 @@ TEST_CASE("A daughter made by shape matching rounds off to the egg's shape at he
           Approx(sphericity(egg, measureArea(b.mesh.mesh.vertices, b.mesh.mesh.faces))).epsilon(1e-6));
     CHECK(b.pressure[slot] == 0);
   }
+  for (const CellMeasures& cell : measureCells(world)) CHECK(cell.pressure == 0);
+  CHECK(measureWorld(world).meanPressure == 0);
 }
