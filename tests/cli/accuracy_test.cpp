@@ -38,7 +38,7 @@ TEST_CASE("accuracy --json: rows, orders and speeds as the contract says, and a 
   CHECK(json["reference"]["agrees"] == true);
   CHECK(readWhole(json["picture"]).substr(1, 3) == "PNG");
   std::size_t failed = 0;
-  REQUIRE(json["rows"].size() == 35);
+  REQUIRE(json["rows"].size() == 45);
   for (const auto& row : json["rows"]) {
     CAPTURE(row.dump());
     CHECK(row["engine"] == "morula");

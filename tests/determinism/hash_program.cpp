@@ -34,6 +34,22 @@ Scene cubes() {
   return scene;
 }
 
+Scene byPositions() {
+  Scene scene = scenes::ellipsoid();
+  scene.name = "ellipsoid-xpbd";
+  scene.mechanics->physics.integrator = Integrator::xpbd;
+  scene.mechanics->physics.substeps = 3;
+  return scene;
+}
+
+Scene byShapes() {
+  Scene scene = scenes::life();
+  scene.name = "life-shape-matching";
+  scene.mechanics->physics.cell.model = CellModel::shapeMatching;
+  scene.mechanics->physics.shapeMatching = {400, 0.5, 4};
+  return scene;
+}
+
 /// The same with floats.
 Scene inSingle(Scene scene) {
   scene.name += "-single";
@@ -73,6 +89,7 @@ int main(int argc, char** argv) {
   for (const Scene& scene :
        {packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), cubes(),
         scenes::lineageOnly(scenes::eventful, 12), inSingle(packed()), inSingle(scenes::ellipsoid()),
-        inSingle(scenes::thesis()), inSingle(scenes::life())})
+        inSingle(scenes::thesis()), inSingle(scenes::life()), byPositions(), byShapes(),
+        inSingle(byPositions()), inSingle(byShapes())})
     run(scene, execution);
 }
