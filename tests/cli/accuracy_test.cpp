@@ -51,7 +51,7 @@ TEST_CASE("accuracy --json: rows, orders and speeds as the contract says, and a 
     CHECK(row["force_evaluations"].is_number_unsigned());
   }
   CHECK(failed > 0);
-  CHECK(json["orders"].size() == 7);
+  CHECK(json["orders"].size() == 9);
   CHECK_FALSE(json["speed_at_error"].empty());
   for (const auto& s : json["speed_at_error"]) CHECK(s["cpu_seconds"] > 0);
 

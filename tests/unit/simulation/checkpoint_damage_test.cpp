@@ -165,3 +165,24 @@ TEST_CASE("A state that does not hang together is refused") {
   refused("a connection of", [](SavedState& s) { std::swap(s.connections.a[0], s.connections.b[0]); });
   refused("a connection of", [](SavedState& s) { s.connections.released[0] = -1; });
 }
+
+TEST_CASE("A checkpoint knows sub-steps and what keeps its cells in shape") {
+  Scene scene = scenes::life();
+  scene.mechanics->physics.integrator = Integrator::xpbd;
+  scene.mechanics->physics.substeps = 2;
+  Scene shapes = scenes::life();
+  shapes.mechanics->physics.cell.model = CellModel::shapeMatching;
+  const std::string bySteps = saveState(makeWorld(scene)), byShapes = saveState(makeWorld(shapes));
+  const auto differs = [](const std::string& saved, Scene other,
+                          const std::function<void(PhysicsParameters&)>& change) {
+    change(other.mechanics->physics);
+    CHECK_THAT(complaint(saved, other), ContainsSubstring("another scene; this one differs in: physics"));
+  };
+  CHECK(complaint(bySteps, scene) == "");
+  CHECK(complaint(byShapes, shapes) == "");
+  differs(bySteps, scene, [](PhysicsParameters& p) { p.substeps = 3; });
+  differs(byShapes, shapes, [](PhysicsParameters& p) { p.cell.model = CellModel::shell; });
+  differs(byShapes, shapes, [](PhysicsParameters& p) { p.shapeMatching.stiffness = 401; });
+  differs(byShapes, shapes, [](PhysicsParameters& p) { p.shapeMatching.linear = 0.25; });
+  differs(byShapes, shapes, [](PhysicsParameters& p) { p.shapeMatching.damping = 5; });
+}
