@@ -29,7 +29,7 @@ StabilityLimits measureLimits(const Bodies& bodies, int slot);
 /// Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the
 /// usual density of vertices, where the weights of a vertex sum up to 5, and both sides move. K Δt² + 2s C Δt
 /// − 4 m/10 = 0. `drag` [1/time] is explicit Euler's only damping along surfaces; without it the limit is 0.
-/// XPBD takes contact forces as impulses, once per time step: s = 1.
+/// XPBD takes contact forces once per time step: s = 1, whatever its sub-steps.
 /// [time]
 double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass,
                     double drag = 0);

@@ -256,7 +256,8 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
 }
 
 TEST_CASE(
-    "With XPBD contacts gain no energy up to their limit, with sub-steps or without, and much beyond it") {
+    "With XPBD contacts gain no energy up to their limit, with sub-steps or without, and without much "
+    "beyond") {
   const auto mostEnergy = [](std::uint64_t substeps, double damping, double times) -> double {
     Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1, makeIcosphere(2));
     scene.mechanics->physics.integrator = Integrator::xpbd;
@@ -283,6 +284,6 @@ TEST_CASE(
     for (const double damping : {0.0, 0.02}) {
       CAPTURE(substeps, damping);
       CHECK(mostEnergy(substeps, damping, 0.95) < 1.01);  // they come with 1
-      CHECK(mostEnergy(substeps, damping, 4) > 2);
+      if (substeps == 1) CHECK(mostEnergy(substeps, damping, 4) > 2);
     }
 }
