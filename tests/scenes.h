@@ -134,6 +134,23 @@ inline Scene life(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   return s;
 }
 
+/// Sixteen spheres in an ellipsoid that holds them closely, with friction, drag and connections.
+inline Scene spheres() {
+  Scene s = withBodies(everybodyDivides, 5);
+  s.name = "spheres";
+  PhysicsParameters& p = s.mechanics->physics;
+  p.cell = {0.9, 1, CellModel::sphere};
+  p.timeStep = 0x1p-8;
+  p.drag = 2;
+  p.shell = ShellParameters{{1.2, 1, 0.96}};
+  s.mechanics->contact = pairContactWithFriction;
+  s.mechanics->division.plane = DivisionPlane::random;
+  s.mechanics->connections =
+      ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, 1.6};
+  s.stop.time = 4.5;
+  return s;
+}
+
 /// For cells put together by hand: those with the mesh of 162 vertices may touch those with 42.
 inline Scene mixedMeshes() {
   Scene s = withBodies(uniqueFour, 1, makeIcosphere(2));

@@ -39,6 +39,13 @@ VertexPlace placeOf(const Bodies& b, VertexNumber g) {
   return {line - b.blocks[block].firstLine, block * blockLanes + g % blockLanes};
 }
 
+/// [slot] the number of its cell.
+std::vector<int> cellsOf(const Bodies& b) {
+  std::vector<int> cells(b.blocks.size() * blockLanes);
+  for (int cell = 0; cell < b.count; ++cell) cells[b.slots[cell]] = cell;
+  return cells;
+}
+
 /// The slot that vertex g touches, or −1.
 int touchedSlot(const Contacts& c, const Bodies& b, const NeighbourSlice& slice, int lane) {
   const SnapshotRow i = readRow(c.rows[slice.vertex[lane]], b.parameters.precision);
@@ -61,17 +68,46 @@ int touchedSlot(const Contacts& c, const Bodies& b, const NeighbourSlice& slice,
   return touched;
 }
 
+/// Of the disc in which two spheres' surfaces meet; 0 if they do not. [length²]
+double discArea(const SnapshotRow& i, double ri, const SnapshotRow& j, double rj) {
+  const Vector apart{i.x - j.x, i.y - j.y, i.z - j.z};
+  const double square = dot(apart, apart), distance = std::sqrt(square);
+  if (!(distance > 0 && distance < ri + rj)) return 0;
+  const double along = (square + ri * ri - rj * rj) / (2 * distance);  // from i to the disc's plane
+  return 3.141592653589793 * std::max(ri * ri - along * along, 0.0);   // 0: one is inside the other
+}
+
+std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
+  std::vector<ContactArea> pairs;
+  const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
+  const std::vector<int> cellOf = cellsOf(b);
+  for (const NeighbourSlice& slice : c.list.slices)
+    for (int lane = 0; lane < blockLanes; ++lane)
+      for (int k = 0; slice.vertex[lane] != far && k < slice.length; ++k) {
+        const VertexNumber g = slice.vertex[lane], h = c.list.indices[(slice.start + k) * blockLanes + lane];
+        if (h == far) break;
+        if (h < g) continue;  // each pair stands in both lists
+        const int slotG = placeOf(b, g).slot, slotH = placeOf(b, h).slot;
+        const double area = discArea(readRow(c.rows[g], b.parameters.precision), 0.5 * c.radius[slotG],
+                                     readRow(c.rows[h], b.parameters.precision), 0.5 * c.radius[slotH]);
+        const auto [first, second] = std::minmax(cellOf[slotG], cellOf[slotH]);
+        if (area > 0) pairs.push_back({first, second, area});
+      }
+  std::sort(pairs.begin(), pairs.end(), [](const ContactArea& p, const ContactArea& q) {
+    return std::tie(p.a, p.b) < std::tie(q.a, q.b);
+  });
+  return pairs;
+}
+
 }  // namespace
 
 std::vector<ContactArea> measureContactAreas(const Contacts& c, const Bodies& b) {
+  if (b.areSpheres()) return sphereContacts(c, b);
   std::vector<Side> sides;  // the same pair may occur many times
   const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
-  std::vector<std::vector<double>> areas;                 // [cell][vertex]
-  std::vector<int> cellOf(b.blocks.size() * blockLanes);  // [slot]
-  for (int cell = 0; cell < b.count; ++cell) {
-    areas.push_back(vertexAreas(b, b.slots[cell]));
-    cellOf[b.slots[cell]] = cell;
-  }
+  std::vector<std::vector<double>> areas;  // [cell][vertex]
+  for (int slot : b.slots) areas.push_back(vertexAreas(b, slot));
+  const std::vector<int> cellOf = cellsOf(b);
   for (const NeighbourSlice& slice : c.list.slices)
     for (int lane = 0; lane < blockLanes; ++lane) {
       const VertexNumber g = slice.vertex[lane];

@@ -15,14 +15,21 @@ constexpr double gripShare = 0.1;
 }  // namespace
 
 Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search,
-                      Precision precision) {
+                      Precision precision, CellModel model) {
   Contacts c;
   c.parameters = parameters;
   c.skinShare = search.skinShare;
   c.list = makeNeighbourList(search.method, isa);
   c.kernels = &contactKernels(isa, precision);
+  const bool rubs = parameters.friction > 0;
+  if (model == CellModel::sphere) {
+    c.takeSnapshot = c.kernels->takeSphereSnapshot;
+    c.addForces = rubs ? c.kernels->addSphereForcesWithFriction : c.kernels->addSphereForces;
+    return c;
+  }
+  c.takeSnapshot = c.kernels->takeSnapshot;
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
-                : parameters.friction > 0            ? c.kernels->addPairForcesWithFriction
+                : rubs                               ? c.kernels->addPairForcesWithFriction
                                                      : c.kernels->addPairForces;
   return c;
 }
@@ -61,7 +68,7 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
   const std::size_t lines = bodies.blocks[index].firstLine;
-  c.farthest[index] = c.kernels->takeSnapshot(
+  c.farthest[index] = c.takeSnapshot(
       bodies.meshAt(block.coarseness).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
       c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes]);
 }

@@ -17,7 +17,8 @@ struct Contacts {
   // Constant
   ContactParameters parameters;
   const ContactKernels* kernels = nullptr;
-  ContactKernels::AddForces addForces = nullptr;  // of the scene's law
+  ContactKernels::TakeSnapshot takeSnapshot = nullptr;  // of the scene's cell model
+  ContactKernels::AddForces addForces = nullptr;        // of the scene's cell model and law
   double lightestVertex = 0;                      // [mass] now, where there is friction
   double skinShare = 0;                           // [SearchSettings]
 
@@ -35,7 +36,7 @@ struct Contacts {
 };
 
 Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search = {},
-                      Precision precision = Precision::binary64);
+                      Precision precision = Precision::binary64, CellModel model = CellModel::shell);
 
 /// To be called when the set of cells has changed: new radii, room for the rows, and the list is void.
 void resetContacts(Contacts& contacts, const Bodies& bodies);
@@ -62,7 +63,8 @@ struct ContactArea {
 
 /// A vertex touches the cell of its nearest facing neighbour within reach when its gap to it is below a
 /// quarter of the influence radius; it stands for a third of the area of its faces. Area of a pair: the mean
-/// of the two sides. From the last snapshot; by (a, b).
+/// of the two sides. Two spheres that overlap touch over the disc in which their surfaces meet. From the last
+/// snapshot; by (a, b).
 std::vector<ContactArea> measureContactAreas(const Contacts& contacts, const Bodies& bodies);
 
 }  // namespace morula

@@ -3,11 +3,18 @@
 
 #include "contacts/pair_law_kernel.h"
 #include "contacts/rows_kernel.h"
+#include "contacts/sphere_law_kernel.h"
 #include "contacts/thesis_law_kernel.h"
 
 namespace morula::MORULA_ISA {
 
 extern const ContactKernels contacts;
-const ContactKernels contacts = {takeSnapshot, addPairForces<false>, addPairForces<true>, addThesisForces};
+const ContactKernels contacts = {takeSnapshot,
+                                 takeSphereSnapshot,
+                                 addPairForces<false>,
+                                 addPairForces<true>,
+                                 addThesisForces,
+                                 addSphereForces<false>,
+                                 addSphereForces<true>};
 
 }  // namespace morula::MORULA_ISA

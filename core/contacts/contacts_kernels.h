@@ -30,14 +30,16 @@ struct ContactConstants {
 struct ContactKernels {
   /// Writes the rows of a block's vertices from position, predicted and gradient. Returns the largest squared
   /// distance of a vertex from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
-  double (*takeSnapshot)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
-                         RealPointer reference, RowMemory* rows);
+  using TakeSnapshot = double (*)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
+                                  RealPointer reference, RowMemory* rows);
+  TakeSnapshot takeSnapshot, takeSphereSnapshot;
   /// force += contact forces, for a range of one block's slices. `force` [all blocks]: vertex g at
   /// (g / 8)·24 + g % 8. `vertexMass` [lane] of the block.
   using AddForces = void (*)(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
                              const RowMemory* rows, const ContactConstants&, const double* vertexMass,
                              RealPointer force);
   AddForces addPairForces, addPairForcesWithFriction, addThesisForces;
+  AddForces addSphereForces, addSphereForcesWithFriction;
 };
 
 const ContactKernels& contactKernels(Isa isa, Precision precision = Precision::binary64);

@@ -42,4 +42,18 @@ CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double 
   return result;
 }
 
+Daughters halveSphere(const Body& mother, double radius, const Vector& normal) {
+  Daughters d{mother, mother};
+  const double shrinkage = cubeRoot(0.5);
+  for (Body* daughter : {&d.a, &d.b}) {
+    daughter->restScale *= shrinkage;
+    daughter->mass *= 0.5;
+    daughter->pressureConstant *= 0.5;
+  }
+  const Vector aside = (radius * (1 - shrinkage)) * normal;
+  d.a.position[0] += aside;
+  d.b.position[0] -= aside;
+  return d;
+}
+
 }  // namespace morula

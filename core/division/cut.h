@@ -27,4 +27,9 @@ struct CutResult {
 /// a daughter would get less than a tenth of the volume: such a body never was one piece on either side.
 CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double production);
 
+/// A sphere of that radius becomes two of half its volume and mass within its outline, side by side along
+/// `normal`, touching it from inside, so that nobody else is pushed in that moment. They overlap, and contact
+/// parts them.
+Daughters halveSphere(const Body& mother, double radius, const Vector& normal);
+
 }  // namespace morula

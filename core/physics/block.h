@@ -60,7 +60,7 @@ struct BlockView {
   RealPointer substeps;
 };
 
-enum class ShellShape { none, sphere, ellipsoid };
+enum class ShellShape { none, sphere, ellipsoid, aroundSpheres };
 
 /// The constants of a scene, as the kernels need them.
 struct KernelParameters {
@@ -70,6 +70,7 @@ struct KernelParameters {
   double semiAxes[3];                                // shell
   int substeps;                                      // XPBD only: of a time step
   double shapeStiffness, shapeLinear, shapeDamping;  // shape matching only
+  double radius;                                     // spheres only: at scale 1
 };
 
 }  // namespace morula

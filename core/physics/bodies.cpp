@@ -77,7 +77,8 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                   const std::vector<Mesh>& coarser) {
   Bodies b;
   b.parameters = parameters;
-  b.mesh = makeTemplate(egg);
+  b.mesh = b.areSpheres() ? makeCentre(2 * parameters.cell.radius) : makeTemplate(egg);
+  if (b.areSpheres()) b.surface = egg;
   for (const Mesh& mesh : coarser) {
     const Mesh& finer = b.meshAt(static_cast<int>(b.coarser.size())).mesh;
     CoarserMesh next{makeTemplate(withVolume(mesh, measureVolume(finer.vertices, finer.faces))), {}};
@@ -93,7 +94,8 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                         static_cast<int>(parameters.substeps.value_or(1)),
                         parameters.shapeMatching.stiffness,
                         parameters.shapeMatching.linear,
-                        parameters.shapeMatching.damping};
+                        parameters.shapeMatching.damping,
+                        parameters.cell.radius};
   if (parameters.cell.model == CellModel::shapeMatching) {
     b.mesh.rest = makeRestShape(b.mesh.mesh);
     for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);
@@ -154,6 +156,17 @@ Body takeBody(const Bodies& b, int slot) {
     cell.velocity.push_back(b.read(b.velocity, slot, v));
   }
   return cell;
+}
+
+Mesh takeSurface(const Bodies& b, int slot) {
+  if (b.areSpheres()) {
+    Mesh ball = b.surface;
+    for (Point& x : ball.vertices) x = b.vertex(slot, 0) + b.restScale[slot] * x;
+    return ball;
+  }
+  Mesh mesh{std::vector<Point>(b.vertexCount(slot)), b.meshOf(slot).mesh.faces};
+  for (int v = 0; v < b.vertexCount(slot); ++v) mesh.vertices[v] = b.vertex(slot, v);
+  return mesh;
 }
 
 Point measureCentre(const Bodies& b, int slot) {

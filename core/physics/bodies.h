@@ -43,7 +43,8 @@ struct Bodies {
   // Constant
   PhysicsParameters parameters;
   KernelParameters kernelParameters;
-  MeshTemplate mesh;                 // the egg's
+  MeshTemplate mesh;                 // the egg's; a sphere's is its centre
+  Mesh surface;                      // what a sphere is seen as, at scale 1; empty with other models
   std::vector<CoarserMesh> coarser;  // finer ones first; empty: all cells have the egg's mesh
 
   // Where cells are
@@ -87,6 +88,7 @@ struct Bodies {
   std::size_t at(int slot, int vertex) const {
     return std::size_t(blocks[slot / blockLanes].firstLine + vertex) * vertexStride + slot % blockLanes;
   }
+  bool areSpheres() const { return parameters.cell.model == CellModel::sphere; }
   Point vertex(int slot, int v) const { return read(position, slot, v); }
   Vector read(const Reals& a, int slot, int v) const {
     const std::size_t i = at(slot, v);
@@ -109,6 +111,9 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
 Body makeEgg(const Bodies& bodies);
 
 Body takeBody(const Bodies& bodies, int slot);
+
+/// A cell as others see it. [length]
+Mesh takeSurface(const Bodies& bodies, int slot);
 
 /// The mean of a cell's vertices, which carry its mass. [length]
 Point measureCentre(const Bodies& bodies, int slot);

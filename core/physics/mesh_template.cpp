@@ -51,4 +51,13 @@ RestShape makeRestShape(const Mesh& mesh) {
   return rest;
 }
 
+MeshTemplate makeCentre(double diameter) {
+  MeshTemplate t;
+  t.mesh.vertices = {Point{}};
+  t.restLengths = {0};
+  t.ringStart = {0, 0};
+  t.meanRestLength = diameter;
+  return t;
+}
+
 }  // namespace morula

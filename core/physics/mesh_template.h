@@ -37,4 +37,8 @@ MeshTemplate makeTemplate(const Mesh& mesh);
 /// The mesh encloses a volume.
 RestShape makeRestShape(const Mesh& mesh);
 
+/// A sphere's: its centre. Mean rest length: the diameter, so that spheres touch at the mean of theirs, as
+/// vertices at the mean of their influence radii.
+MeshTemplate makeCentre(double diameter);
+
 }  // namespace morula

@@ -21,6 +21,7 @@ enum class Integrator {
 enum class CellModel {
   shell,          // a membrane of springs around contents under pressure [Nilsson 2008, §4.2]; the default
   shapeMatching,  // each vertex is drawn to its place in the shape at rest [Müller et al. 2005]; no pressure
+  sphere,         // a point with a radius: a ball that keeps its shape
 };
 
 struct CellParameters {

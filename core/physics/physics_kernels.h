@@ -6,19 +6,23 @@
 
 namespace morula {
 
+/// What a kick must know of the shell.
+enum class KickShell { none, anyShape, aroundSpheres };
+
 struct PhysicsKernels {
   using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
   using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&,
                               double timeStep);
-  TimedStage driftVelocityVerlet[3], driftThesisVerlet[3];                     // [ShellShape]
-  TimedStage driftExplicitEuler[3], driftSymplecticEuler[3];                   // [ShellShape]
-  TimedStage driftRungeKutta[3][4];                                            // [ShellShape][evaluation]
-  TimedStage driftXpbd[2][3];                                                  // [damped][ShellShape]
-  TimedStage endEvaluation[2], kickVelocityVerlet[2], kickSymplecticEuler[2];  // [is there a shell]
+  TimedStage driftVelocityVerlet[4], driftThesisVerlet[4];    // [ShellShape]
+  TimedStage driftExplicitEuler[4], driftSymplecticEuler[4];  // [ShellShape]
+  TimedStage driftRungeKutta[4][4];                           // [ShellShape][evaluation]
+  TimedStage driftXpbd[2][3];                                 // [damped][ShellShape], not around spheres
+  TimedStage endEvaluation[3], kickVelocityVerlet[3], kickSymplecticEuler[3];  // [KickShell]
   Stage findSpringCoefficients, findDampedSpringCoefficients;
   Stage gatherRings, gatherRingsWithoutSprings;
   Stage addPressureForces, addPressureAndDragForces, findPressure;
   Stage findShapeForces[2][2];  // [damped or dragged][volumes too]
+  Stage measureSpheres, measureDraggedSpheres;
 };
 
 const PhysicsKernels& physicsKernels(Isa isa, Precision precision = Precision::binary64);

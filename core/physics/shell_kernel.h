@@ -28,8 +28,8 @@ MORULA_INLINE void removeOutward(Vec& u, const Vec& slope, Mask where) {
 }
 
 /// One vertex after the drift.
-template <ShellShape shape>
-MORULA_INLINE void keepInShell(const ShellSlope& slope, Vec& x, Vec& velocity, Vec& predicted) {
+template <ShellShape shape, class Slope>
+MORULA_INLINE void keepInShell(const Slope& slope, Vec& x, Vec& velocity, Vec& predicted) {
   const Mask outside = dot(x, slope(x)) > Lanes(1.0);
   if (!any(outside)) return;
   Vec y = x, s = slope(x);
@@ -49,7 +49,8 @@ MORULA_INLINE void keepInShell(const ShellSlope& slope, Vec& x, Vec& velocity, V
 constexpr double onShellWithin = single ? 1e-6 : 1e-12;
 
 /// One vertex after the kick.
-MORULA_INLINE void slideOnShell(const ShellSlope& slope, const Vec& x, Vec& velocity, Vec& acceleration) {
+template <class Slope>
+MORULA_INLINE void slideOnShell(const Slope& slope, const Vec& x, Vec& velocity, Vec& acceleration) {
   const Vec s = slope(x);
   const Mask onShell = dot(x, s) > Lanes(1.0 - onShellWithin);
   if (!any(onShell)) return;

@@ -79,6 +79,7 @@ double shapeLimit(const PhysicsParameters& p) {
 
 StabilityLimits measureLimits(const Bodies& b, int slot) {
   if (b.parameters.cell.model == CellModel::shapeMatching) return {shapeLimit(b.parameters), INFINITY};
+  if (b.areSpheres()) return {INFINITY, INFINITY};  // nothing inside it swings
   const auto& membrane = b.parameters.membrane;
   const double fourPi = 12.566370614359172, volume = b.volume[slot];
   const double radius = cubeRoot(3 * volume / fourPi), area = fourPi * radius * radius;

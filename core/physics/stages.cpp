@@ -4,15 +4,24 @@ namespace morula {
 
 namespace {
 
-ShellShape shapeOf(const std::optional<ShellParameters>& shell) {
-  if (!shell) return ShellShape::none;
-  const double* a = shell->semiAxes;
+ShellShape shapeOf(const PhysicsParameters& p) {
+  if (!p.shell) return ShellShape::none;
+  if (p.cell.model == CellModel::sphere) return ShellShape::aroundSpheres;
+  const double* a = p.shell->semiAxes;
   return a[0] == a[1] && a[1] == a[2] ? ShellShape::sphere : ShellShape::ellipsoid;
+}
+
+/// Where a model has no such stage.
+void nothing(const TemplateView&, const BlockView&, const KernelParameters&) {}
+
+KickShell kickShellOf(ShellShape shape) {
+  if (shape == ShellShape::none) return KickShell::none;
+  return shape == ShellShape::aroundSpheres ? KickShell::aroundSpheres : KickShell::anyShape;
 }
 
 struct Movement {
   PhysicsKernels::TimedStage drift;
-  const PhysicsKernels::TimedStage* kick;  // [is there a shell]
+  const PhysicsKernels::TimedStage* kick;  // [KickShell]
   std::span<const PhysicsKernels::TimedStage> furtherDrifts;
 };
 
@@ -34,29 +43,33 @@ Movement movementOf(const PhysicsKernels& k, const PhysicsParameters& p, int sha
   return {};
 }
 
-void nothing(const TemplateView&, const BlockView&, const KernelParameters&) {}
-
 }  // namespace
 
 PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
   const PhysicsKernels& k = physicsKernels(isa, p.precision);
-  const Movement move = movementOf(k, p, static_cast<int>(shapeOf(p.shell)));
+  const ShellShape shape = shapeOf(p);
+  const Movement move = movementOf(k, p, static_cast<int>(shape));
+  const PhysicsKernels::TimedStage kick = move.kick[static_cast<int>(kickShellOf(shape))];
+  if (p.cell.model == CellModel::sphere)
+    return {move.drift, kick, move.furtherDrifts,
+            nothing,    p.drag > 0 ? k.measureDraggedSpheres : k.measureSpheres, nothing};
   if (p.integrator == Integrator::xpbd)  // its drift moves springs and contents
-    return {move.drift, move.kick[p.shell.has_value()], {},
-            nothing,    k.gatherRingsWithoutSprings,    k.findPressure};
+    return {move.drift, kick, {}, nothing, k.gatherRingsWithoutSprings, k.findPressure};
   if (p.cell.model == CellModel::shapeMatching) {
     const bool resisted = p.shapeMatching.damping > 0 || p.drag > 0;
     return {move.drift,
-            move.kick[p.shell.has_value()],
+            kick,
             move.furtherDrifts,
             nothing,
             surfaces ? k.gatherRingsWithoutSprings : nothing,
             k.findShapeForces[resisted][!surfaces]};
   }
-  return {
-      move.drift,         move.kick[p.shell.has_value()],
-      move.furtherDrifts, p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,
-      k.gatherRings,      p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces};
+  return {move.drift,
+          kick,
+          move.furtherDrifts,
+          p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,
+          k.gatherRings,
+          p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces};
 }
 
 PhysicsStages furtherStages(const PhysicsStages& stages, std::size_t evaluation) {
@@ -65,13 +78,17 @@ PhysicsStages furtherStages(const PhysicsStages& stages, std::size_t evaluation)
   return further;
 }
 
-void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
+void evaluate(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block) {
   const TemplateView mesh = bodies.meshAt(block.coarseness).view();
   const KernelParameters& p = bodies.kernelParameters;
-  stages.drift(mesh, block, p, timeStep);
   stages.findSpringCoefficients(mesh, block, p);
   stages.gatherRings(mesh, block, p);
   stages.addPressureForces(mesh, block, p);
+}
+
+void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
+  stages.drift(bodies.meshAt(block.coarseness).view(), block, bodies.kernelParameters, timeStep);
+  evaluate(stages, bodies, block);
 }
 
 void kick(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {

@@ -79,12 +79,10 @@ void takeSnapshots(World& world) {
   Bodies& b = *world.bodies;
   for (int i = 0; i < b.blockCount(); ++i) {
     const BlockView block = b.block(i, 0);
-    const TemplateView mesh = b.meshAt(block.coarseness).view();
     const std::size_t first = std::size_t(b.blocks[i].firstLine) * vertexStride;
-    for (int k = 0; k < mesh.vertexCount * vertexStride; ++k)
+    for (int k = 0; k < b.verticesPerLane(i) * vertexStride; ++k)
       b.scratch[0].predicted[k] = b.velocity[first + k];
-    world.stages.findSpringCoefficients(mesh, block, b.kernelParameters);
-    world.stages.gatherRings(mesh, block, b.kernelParameters);
+    evaluate(world.stages, b, block);
     takeSnapshot(*world.contacts, b, block, i);
   }
 }

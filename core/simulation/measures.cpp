@@ -11,12 +11,6 @@ namespace morula {
 
 namespace {
 
-std::vector<Point> verticesOf(const Bodies& b, int slot) {
-  std::vector<Point> points(b.vertexCount(slot));
-  for (int v = 0; v < b.vertexCount(slot); ++v) points[v] = b.vertex(slot, v);
-  return points;
-}
-
 double kineticEnergy(const Bodies& b, int slot) {
   double sum = 0;
   for (int v = 0; v < b.vertexCount(slot); ++v) {
@@ -26,12 +20,33 @@ double kineticEnergy(const Bodies& b, int slot) {
   return 0.5 * b.vertexMass[slot] * sum;
 }
 
+CellMeasures measureMesh(const Bodies& b, int slot) {
+  const auto& [vertices, faces] = takeSurface(b, slot);
+  CellMeasures m;
+  m.volume = measureVolume(vertices, faces);
+  m.area = measureArea(vertices, faces);
+  if (b.parameters.cell.model == CellModel::shell)
+    m.pressure = b.pressureConstant[slot] / m.volume - b.parameters.pressure.outside;
+  m.centroid = measureCentroid(vertices);
+  m.sphericity = sphericity(m.volume, m.area);
+  return m;
+}
+
+CellMeasures measureSphere(const Bodies& b, int slot) {
+  const double radius = b.parameters.cell.radius * b.restScale[slot];
+  CellMeasures m;
+  m.volume = b.volume[slot];
+  m.area = 12.566370614359172 * radius * radius;
+  m.centroid = b.vertex(slot, 0);
+  m.sphericity = 1;
+  return m;
+}
+
 /// (x/a)² + (y/b)² + (z/c)² of the vertex where it is largest.
 double outermostSquare(const Bodies& b, const double* semiAxes) {
   double outermost = 0;
   for (int slot : b.slots)
-    for (int v = 0; v < b.vertexCount(slot); ++v) {
-      const Point p = b.vertex(slot, v);
+    for (const Point& p : takeSurface(b, slot).vertices) {
       const Vector q{p.x / semiAxes[0], p.y / semiAxes[1], p.z / semiAxes[2]};
       outermost = std::max(outermost, dot(q, q));
     }
@@ -67,17 +82,9 @@ std::vector<CellMeasures> measureCells(const World& world) {
   const Bodies& b = *world.bodies;
   for (int cell = 0; cell < b.count; ++cell) {
     const int slot = b.slots[cell];
-    const std::vector<Point> vertices = verticesOf(b, slot);
-    const Faces faces = b.meshOf(slot).mesh.faces;
-    CellMeasures m;
+    CellMeasures m = b.areSpheres() ? measureSphere(b, slot) : measureMesh(b, slot);
     m.path = world.cells.path[cell];
     m.state = world.cells.state[cell];
-    m.volume = measureVolume(vertices, faces);
-    m.area = measureArea(vertices, faces);
-    if (b.parameters.cell.model == CellModel::shell)
-      m.pressure = b.pressureConstant[slot] / m.volume - b.parameters.pressure.outside;
-    m.centroid = measureCentroid(vertices);
-    m.sphericity = sphericity(m.volume, m.area);
     all.push_back(m);
   }
   if (world.contacts)
@@ -99,11 +106,10 @@ std::vector<ContactMeasures> measureContacts(const World& world) {
 double measureMeanOverlap(const World& world, int columns) {
   if (!world.bodies || world.bodies->count == 0) return 0;
   const Bodies& b = *world.bodies;
-  std::vector<std::vector<Point>> vertices;
-  for (int slot : b.slots) vertices.push_back(verticesOf(b, slot));
+  std::vector<Mesh> surfaces;
+  for (int slot : b.slots) surfaces.push_back(takeSurface(b, slot));
   std::vector<MeshView> meshes;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    meshes.push_back({vertices[i], b.meshOf(b.slots[i]).mesh.faces});
+  for (const Mesh& surface : surfaces) meshes.push_back({surface.vertices, surface.faces});
   return measureOverlap(meshes, columns).meanShare();
 }
 
@@ -112,8 +118,7 @@ Mesh cellMesh(const World& world, const CellPath& path) {
   const auto& paths = world.cells.path;
   const auto at = std::lower_bound(paths.begin(), paths.end(), path);
   if (at == paths.end() || *at != path) return {};
-  const int slot = world.bodies->slots[at - paths.begin()];
-  return {verticesOf(*world.bodies, slot), world.bodies->meshOf(slot).mesh.faces};
+  return takeSurface(*world.bodies, world.bodies->slots[at - paths.begin()]);
 }
 
 std::vector<Point> cellVertices(const World& world, const CellPath& path) {

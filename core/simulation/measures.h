@@ -19,7 +19,7 @@ struct CellMeasures {
   StateId state = 0;
   double volume = 0;      // [length³] by the divergence theorem [Nilsson 2008, eq. 4.4]
   double area = 0;        // [length²]
-  double pressure = 0;    // [force/length²] inner minus outer [Nilsson 2008, eq. 4.3]
+  double pressure = 0;    // [force/length²] inner minus outer [Nilsson 2008, eq. 4.3]; a sphere has none
   Point centroid;         // [length] of the vertices, which carry the mass
   double sphericity = 0;  // π^(1/3) (6V)^(2/3) / A, 1 for a sphere
   int neighbours = 0;     // cells it touches

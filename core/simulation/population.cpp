@@ -16,6 +16,8 @@ Daughters divide(const World& world, std::size_t i) {
   const int slot = world.bodies->slots[i];
   const Body mother = takeBody(*world.bodies, slot);
   const Vector normal = world.divisionPolicy->planeNormal(world.cells.path[i], mother);
+  if (world.bodies->areSpheres())
+    return halveSphere(mother, world.bodies->parameters.cell.radius * mother.restScale, normal);
   CutResult cut = cutBody(mother, world.bodies->meshOf(slot).mesh.faces, normal,
                           world.bodies->parameters.membrane.production);
   if (!cut.failure.empty())

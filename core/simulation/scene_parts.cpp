@@ -46,7 +46,7 @@ std::string hashOf(const PhysicsParameters& p) {
   if (p.substeps) h.field("substeps").add(*p.substeps);
   add(h, p.coarsen);
   add(h, p.timeStep);
-  h.field("cell").add(p.cell.radius).add(p.cell.mass);
+  h.field("cell").add(number(p.cell.model)).add(p.cell.radius).add(p.cell.mass);
   h.field("membrane").add(p.membrane.stiffness).add(p.membrane.damping).add(p.membrane.production);
   if (p.cell.model == CellModel::shapeMatching)
     h.field("shape matching")

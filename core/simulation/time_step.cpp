@@ -66,12 +66,10 @@ void refuseAbove(double limit, const char* mode, const World& world, int cell, d
       "give the scene a physics.drag > 0, or use another physics.integrator");
 }
 
-/// XPBD without pair contact.
+/// XPBD without pair contact; spheres that nothing touches and nothing drags.
 [[noreturn]] void refuseUnbounded(const World& world) {
   throw NumericalError(world.cells.path[0].text(), world.clock.step,
-                       "physics.time_step auto goes by stability limits, and physics.integrator xpbd has "
-                       "none but that of pair "
-                       "contacts",
+                       "physics.time_step: auto goes by stability limits, and this scene has none",
                        "give physics.time_step a number");
 }
 
@@ -116,7 +114,8 @@ void chooseTimeStep(World& world) {
     refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
     refuseAbove(dragLimit(p.integrator, p.drag), "drag", world, limit.cell, timeStep);
   } else {
-    if (p.integrator == Integrator::xpbd && std::isinf(limit.contact)) refuseUnbounded(world);
+    if (p.integrator == Integrator::xpbd ? std::isinf(limit.contact) : std::isinf(longest(combined, p)))
+      refuseUnbounded(world);
     timeStep = powerOfTwoBelow(longest(combined, p));
   }
   refuseEndless(world, limit.cell, timeStep);

@@ -18,7 +18,9 @@ std::vector<double> restVolumes(const Bodies& b) {
   std::vector<double> volumes;
   for (std::size_t i = 0; i <= b.coarser.size(); ++i) {
     const Mesh& mesh = b.meshAt(static_cast<int>(i)).mesh;
-    volumes.push_back(measureVolume(mesh.vertices, mesh.faces));
+    const double r = b.parameters.cell.radius;
+    volumes.push_back(b.areSpheres() ? 12.566370614359172 / 3 * (r * r * r)
+                                     : measureVolume(mesh.vertices, mesh.faces));
   }
   return volumes;
 }
@@ -55,11 +57,15 @@ double kineticEnergy(const Bodies& b, int slot) {
 }
 
 double extentOf(const Bodies& b) {
-  double square = 0;
-  for (int slot : b.slots)
+  double extent = 0;
+  for (int slot : b.slots) {
+    const double around = b.areSpheres() ? b.parameters.cell.radius * b.restScale[slot] : 0;
+    double square = 0;
     for (int v = 0; v < b.vertexCount(slot); ++v)
       square = std::max(square, dot(b.vertex(slot, v), b.vertex(slot, v)));
-  return std::sqrt(square);
+    extent = std::max(extent, std::sqrt(square) + around);
+  }
+  return extent;
 }
 
 std::string text(const Bounds& b) { return "from " + formatReal(b.least) + " to " + formatReal(b.most); }

@@ -57,10 +57,12 @@ const char* integratorText(Integrator integrator) {
 Part absent(const char* name, const std::string& key) { return {name, false, "", key}; }
 
 void addModel(std::vector<Part>& parts, const PhysicsParameters& p, const Reasons& why) {
-  if (p.cell.model == CellModel::shapeMatching) {
+  if (p.cell.model != CellModel::shell) {
     for (const char* name : {"springs", "damping", "pressure"})
       parts.push_back(absent(name, "physics.cell.model: shell"));
-    parts.push_back({"shape-matching", true, "", why.of({"physics.cell.model"})});
+    parts.push_back(p.cell.model == CellModel::sphere
+                        ? absent("shape-matching", "physics.cell.model: shape-matching")
+                        : Part{"shape-matching", true, "", why.of({"physics.cell.model"})});
     return;
   }
   parts.push_back({"springs", true, "", why.of({"physics.membrane.stiffness"})});
@@ -79,11 +81,13 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
   }
   const MechanicsScene& m = *scenario.scene.mechanics;
   const PhysicsParameters& p = m.physics;
-  parts.push_back(
-      {"bodies", true,
-       fmt::format("{} vertices each{}{}", m.mesh.vertices.size(), p.coarsen ? ", fewer when small" : "",
-                   p.precision == Precision::binary32 ? ", in single precision" : ""),
-       why.of({"physics.mesh", "physics"})});
+  const bool spheres = p.cell.model == CellModel::sphere;
+  parts.push_back({"bodies", true,
+                   fmt::format("{}{}{}",
+                               spheres ? "spheres" : fmt::format("{} vertices each", m.mesh.vertices.size()),
+                               p.coarsen ? ", fewer when small" : "",
+                               p.precision == Precision::binary32 ? ", in single precision" : ""),
+                   spheres ? why.of({"physics.cell.model"}) : why.of({"physics.mesh", "physics"})});
   addModel(parts, p, why);
   parts.push_back(p.drag > 0 ? Part{"drag", true, "", why.of({"physics.drag"})}
                              : absent("drag", "physics.drag > 0"));
@@ -113,7 +117,9 @@ void addContact(std::vector<Part>& parts, const Scenario& scenario, const RunAsk
   }
   const ContactParameters& c = *mechanics->contact;
   const bool thesis = c.law == ContactLaw::thesis;
-  parts.push_back({"contact", true, thesis ? "the thesis' law" : "pair law",
+  parts.push_back({"contact", true, thesis                                            ? "the thesis' law"
+                   : mechanics->physics.cell.model == CellModel::sphere ? "of spheres"
+                                                                        : "pair law",
                    why.of({"physics.contact.law", "physics.contact"})});
   parts.push_back(!thesis && c.friction > 0
                       ? Part{"friction", true, "", why.of({"physics.contact.friction"})}

@@ -126,16 +126,42 @@ void checkModel(const Scenario& scenario, Reading& reading, const Node& root) {
            "remove this, or give cell: {model: shape-matching}");
     return;
   }
+  const bool sphere = physics.cell.model == CellModel::sphere;
+  const std::string has = sphere ? "physics.cell.model sphere has none"
+                                 : "physics.cell.model shape-matching has none";
   for (const char* path : {"physics.membrane", "physics.pressure"})
-    refuse(path, "is for physics.cell.model shell: cells made by shape matching have none",
-           "remove this; see physics.shape-matching");
+    refuse(path, "is for physics.cell.model shell, and " + has,
+           sphere ? "remove this" : "remove this; see physics.shape-matching");
+  if (sphere)
+    refuse("physics.shape-matching", "is for physics.cell.model shape-matching, and " + has, "remove this");
   if (physics.integrator == Integrator::xpbd)
-    refuse("physics.integrator",
-           "xpbd solves membranes and contents, and physics.cell.model shape-matching has none",
-           "needs another integrator");
+    refuse("physics.integrator", "xpbd solves membranes and contents, and " + has, "needs another integrator");
   if (scenario.check.energy)
-    refuse("check.energy", "is of membranes and contents, and physics.cell.model shape-matching has none",
-           "remove this");
+    refuse("check.energy", "is of membranes and contents, and " + has, "remove this");
+}
+
+/// What a sphere has not, and what it cannot do.
+void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) {
+  const MechanicsScene& m = *scenario.scene.mechanics;
+  if (m.physics.cell.model != CellModel::sphere) return;
+  const auto refuse = [&](const std::string& path, const char* wrong, const char* right) {
+    reading.problems.add(placeOf(root, path), path, wrong, right);
+  };
+  if (m.physics.coarsen)
+    refuse("physics.mesh.coarsen", "a sphere has no mesh to coarsen", "remove this");
+  if (m.contact && m.contact->law == ContactLaw::thesis)
+    refuse("physics.contact.law", "the thesis' law is between vertices, which spheres have not", "needs pair");
+  if (m.contact && m.contact->radius != ContactParameters{}.radius)
+    refuse("physics.contact.radius", "spheres touch where their surfaces do", "remove this");
+  const auto divides = [](const Gene& gene, const Dna& dna) { return dna.substances[gene.product] == "divide"; };
+  const Dna& dna = scenario.scene.dna;
+  if (m.division.plane == DivisionPlane::longest &&
+      std::any_of(dna.genes.begin(), dna.genes.end(), [&](const Gene& g) { return divides(g, dna); }))
+    refuse("division.plane", "a sphere has no longest extent", "needs random or {axis: [x, y, z]}");
+  for (std::size_t i = 0; i < scenario.scene.cells.size() && i < reading.startCells.size(); ++i)
+    if (const Vector& s = scenario.scene.cells[i].stretch; s.x != 1 || s.y != 1 || s.z != 1)
+      reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "].stretch",
+                           "a sphere stays round", "remove this, or use scale");
 }
 
 }  // namespace
@@ -150,6 +176,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkModel(scenario, reading, root);
     checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law == ContactLaw::pair,
                     reading, root);
+    checkSpheres(scenario, reading, root);
   }
   if (scenario.record.pictures && !scenario.scene.mechanics)
     reading.problems.add(placeOf(root, "record.pictures"), "record.pictures",

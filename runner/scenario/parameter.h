@@ -50,6 +50,7 @@ struct Parameter {
   Json schema;         // JSON Schema of the value
   std::string absent;  // for people: what holds if an optional value is not given
   std::string needs;   // the key of a neighbour that it refines and makes no sense without
+  bool later = false;  // joined when there were goldens: at its default it is no part of the meaning
   std::function<void(Scenario&, const Node&, Reading&)> read;
   std::function<Json(const Scenario&)> write;  // null: not given
 
@@ -68,6 +69,7 @@ struct Section {
   Members members = Members::any;
   Decides decides = Decides::results;
   std::string needs{};                    // the path of a section without which this one makes no sense
+  bool later = false;                     // as of a parameter: with nothing in it no part of the meaning
   std::function<void(Scenario&)> make{};  // called when the section is given
   std::function<bool(const Scenario&)> exists{};  // absent: always
 

@@ -95,16 +95,6 @@ Parameter required(Parameter p) {
   return p;
 }
 
-/// The first of a choice's names goes without saying.
-Parameter quiet(Parameter p) {
-  p.absent = p.schema["enum"][0];
-  p.write = [write = p.write, usual = p.absent](const Scenario& s) {
-    Json value = write(s);
-    return value == usual ? Json() : value;
-  };
-  return p;
-}
-
 Parameter refines(const char* key, Parameter p) {
   p.needs = key;
   return p;
@@ -112,6 +102,12 @@ Parameter refines(const char* key, Parameter p) {
 
 Parameter presentation(Parameter p) {
   p.decides = Decides::presentation;
+  return p;
+}
+
+/// One that joined the format later [Parameter::later].
+Parameter later(Parameter p) {
+  p.later = true;
   return p;
 }
 
@@ -169,16 +165,14 @@ std::vector<Parameter> parameters() {
       optionalFile("physics.mesh.file", "Wavefront OBJ of a closed surface of roughly equal triangles",
                    AT(mesh.file)),
 
+      later(choice("physics.cell.model", {"shell", "shape-matching", "sphere"},
+                   "A membrane around contents under pressure; vertices drawn to the shape at rest, which is "
+                   "cheaper and knows no pressure; or a ball that keeps its shape, hundreds of times cheaper",
+                   PHYSICS(cell.model))),
       real("physics.cell.radius", "length", positive, "From the egg's centre to its farthest vertex",
            PHYSICS(cell.radius)),
       real("physics.cell.mass", "mass", positive,
            "Of the egg, spread evenly over the vertices [Nilsson 2008, eq. 4.1]", PHYSICS(cell.mass)),
-
-      quiet(choice("physics.cell.model", {"shell", "shape-matching"},
-                   "A membrane around contents under pressure; or vertices drawn to the shape at rest, which "
-                   "is cheaper "
-                   "and knows no pressure",
-                   PHYSICS(cell.model))),
 
       real("physics.membrane.stiffness", "force/length", positive,
            "k_s; higher: rounder cells, shorter time steps", PHYSICS(membrane.stiffness)),

@@ -10,16 +10,30 @@ bool exists(const Section& section, const Scenario& scenario) {
   return !section.exists || section.exists(scenario);
 }
 
-Json resolveSection(const Section& section, const Scenario& scenario, bool onlyResults) {
+Json resolveSection(const Section& section, const Scenario& scenario) {
   Json map = Json::object();
-  const auto skip = [&](Decides decides) { return onlyResults && decides == Decides::presentation; };
-  for (const auto* parameter : parameterTable().parametersOf(section.path)) {
-    if (skip(parameter->decides)) continue;
+  for (const auto* parameter : parameterTable().parametersOf(section.path))
     if (auto value = parameter->write(scenario); !value.is_null()) map[parameter->key()] = std::move(value);
-  }
   for (const auto* child : parameterTable().sectionsOf(section.path))
-    if (!skip(child->decides) && exists(*child, scenario))
-      map[child->key()] = resolveSection(*child, scenario, onlyResults);
+    if (exists(*child, scenario)) map[child->key()] = resolveSection(*child, scenario);
+  return map;
+}
+
+/// What decides results. What joined the format later counts only where it is used, so that a new parameter
+/// leaves the hashes of all scenarios as they are.
+Json meaningOf(const Section& section, const Scenario& scenario, const Scenario& defaults) {
+  Json map = Json::object();
+  for (const auto* parameter : parameterTable().parametersOf(section.path)) {
+    if (parameter->decides == Decides::presentation) continue;
+    auto value = parameter->write(scenario);
+    if (value.is_null() || (parameter->later && value == parameter->write(defaults))) continue;
+    map[parameter->key()] = std::move(value);
+  }
+  for (const auto* child : parameterTable().sectionsOf(section.path)) {
+    if (child->decides == Decides::presentation || !exists(*child, scenario)) continue;
+    auto inner = meaningOf(*child, scenario, defaults);
+    if (!child->later || !inner.empty()) map[child->key()] = std::move(inner);
+  }
   return map;
 }
 
@@ -70,12 +84,12 @@ void write(const Json& value, const std::string& indent, std::string& out) {
 }  // namespace
 
 Json resolve(const Scenario& scenario) {
-  return resolveSection(*parameterTable().section(""), scenario, false);
+  return resolveSection(*parameterTable().section(""), scenario);
 }
 
 Hash hashMeaning(const Scenario& scenario) {
   Hasher hasher;
-  hash(resolveSection(*parameterTable().section(""), scenario, true), hasher);
+  hash(meaningOf(*parameterTable().section(""), scenario, allDefaults()), hasher);
   if (scenario.scene.mechanics) {
     const auto& mesh = scenario.scene.mechanics->mesh;
     hasher.field("mesh").add(std::uint64_t{mesh.vertices.size()});

@@ -37,7 +37,7 @@ physics:
   integrator: thesis-verlet
   drag: 0.25
   mesh: {icosphere: 3, coarsen: 0.5}
-  cell: {radius: 0.5, mass: 2}
+  cell: {model: shell, radius: 0.5, mass: 2}
   membrane: {stiffness: 41, damping: 0.5, production: 1.2}
   pressure: {constant: 5, outside: 1.25}
   growth: {rate: 0.2}

@@ -91,6 +91,14 @@ TEST_CASE("every other parameter changes the meaning") {
   }
 }
 
+TEST_CASE("what joined the format later means nothing at its default, and something else otherwise") {
+  const std::string text = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {cell: {mass: 2}}\n";
+  // As it was before physics.cell.model came: goldens hold such hashes.
+  CHECK(read(text).meaning.text() == "PLACEHOLDER");
+  CHECK(read(replaced(text, "{mass: 2}", "{mass: 2, model: shell}")).meaning == read(text).meaning);
+  CHECK(read(replaced(text, "{mass: 2}", "{mass: 2, model: sphere}")).meaning != read(text).meaning);
+}
+
 TEST_CASE("the same number means another thing elsewhere") {
   const std::string text = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\n";
   CHECK(read(text).meaning != read(replaced(text, "cycles", "cells")).meaning);

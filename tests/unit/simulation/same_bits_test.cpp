@@ -15,7 +15,8 @@ std::vector<Scene> allScenes() {
   std::vector<Scene> scenes{
       scenes::packed(),    scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring,
       scenes::coarsening()};
-  for (Scene single : {scenes::packed(), scenes::thesis(), ring}) {
+  scenes.push_back(scenes::spheres());
+  for (Scene single : {scenes::packed(), scenes::thesis(), ring, scenes::spheres()}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;
     scenes.push_back(single);

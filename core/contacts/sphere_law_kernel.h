@@ -1,0 +1,85 @@
+#pragma once
+// Contact of spheres: of two whose centres are closer than r = r_i + r_j, n = (x_i − x_j)/|x_i − x_j|,
+//
+//   f = max(0, K (r − |x_i − x_j|) − C v·n) n,   v = v_i − v_j
+//
+// on i, and friction as in pair_law_kernel.h. Exchanging i and j turns f round bit for bit. Two spheres with
+// one centre are not parted: no direction is a way out.
+#include "contacts/rows_kernel.h"
+
+namespace morula::MORULA_ISA {
+
+struct Spheres {
+  Vec x, v;
+  Lanes radius;
+};
+
+// In rows of spheres a radius stands where a mesh's have the normal.
+MORULA_INLINE Spheres loadSpheres(const RowMemory* rows, const VertexNumber* index) {
+  Lanes c[rowColumns];
+  loadRows(numbersOf(rows), index, c);
+  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
+}
+
+/// [ContactKernels::takeSnapshot]
+inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const double* inverseRadiusSquared,
+                                 RealPointer reference, RowMemory* rows) {
+  Lanes farthest = 0.0;
+  for (int lane = 0; lane < b.liveLanes; lane += width) {
+    const Vec x = loadVec(b.position, 0, lane), w = loadVec(b.predicted, 0, lane);
+    const Lanes inverse = load(inverseRadiusSquared + lane);
+    // Influence reaches over the diameter (makeCentre); lanes without a cell have none.
+    const Lanes radius = select(inverse > Lanes(0.0), 0.5 / squareRoot(inverse), 0.0);
+#if defined(MORULA_SINGLE)
+    const Lanes columns[rowColumns] = {x.x, x.y, x.z, w.x, w.y, w.z, radius, 0.0, 0.0, inverse, 0.0, 0.0};
+#else
+    const Lanes columns[rowColumns] = {x.x, x.y, x.z, w.x, w.y, w.z, radius, packFloats(0.0, inverse)};
+#endif
+    storeRows(reinterpret_cast<Real*>(rows + lane), columns);
+    const Vec moved = x - loadVec(reference, 0, lane);
+    farthest = larger(dot(moved, moved), farthest);
+  }
+  Real spread[width];
+  store(spread, farthest);
+  double result = 0;
+  for (Real s : spread) result = s > result ? s : result;
+  return result;
+}
+
+template <bool withFriction>
+MORULA_INLINE Vec sphereForce(const Spheres& i, const Spheres& j, const ContactConstants& c) {
+  const Vec apart = i.x - j.x, relative = i.v - j.v;
+  const Lanes distance = squareRoot(dot(apart, apart)), depth = (i.radius + j.radius) - distance;
+  const Vec n = (1.0 / (distance + nothing)) * apart;
+  const Lanes opening = dot(relative, n);
+  const Lanes push = Lanes(c.stiffness) * depth - Lanes(c.damping) * opening;
+  const Lanes size = select((depth > Lanes(0.0)) & (push > Lanes(0.0)), push, 0.0);
+  Vec f = size * n;
+  if constexpr (withFriction) {
+    const Vec slip = relative - opening * n;
+    const Lanes slipSpeed = larger(squareRoot(dot(slip, slip)), Lanes(c.slipSpeed));
+    f -= smaller((Lanes(c.friction) * size) / slipSpeed, Lanes(c.strongestGrip)) * slip;
+  }
+  return f;
+}
+
+/// [ContactKernels::addSphereForces]
+template <bool withFriction>
+inline void addSphereForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
+                            const RowMemory* rows, const ContactConstants& c, const double*,
+                            RealPointer force) {
+  for (std::int64_t s = 0; s < count; ++s)
+    for (int lane = 0; lane < blockLanes; lane += width) {
+      const NeighbourSlice& slice = slices[s];
+      const Spheres i = loadSpheres(rows, slice.vertex + lane);
+      Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+      const std::int32_t* index = indices + slice.start * blockLanes + lane;
+      for (int k = 0; k < slice.length; ++k, index += blockLanes) {
+        fetchAhead(rows, index);
+        sum += sphereForce<withFriction>(i, loadSpheres(rows, index), c);
+      }
+      addToForces(force, slice.vertex + lane, c.vertices, sum);
+    }
+}
+
+}  // namespace morula::MORULA_ISA

@@ -1,0 +1,67 @@
+#pragma once
+// The sphere: a cell of one vertex, its centre, with a radius that only growth and division change.
+//
+// No force acts inside it, so one kernel stands where other models have springs, rings and pressure. What the
+// shell is to the vertices of a mesh is to a centre the shell with its half-axes shortened by the sphere's
+// radius: exact in a spherical shell; in an ellipsoid the sphere stands out a little where the shell bends.
+#include "physics/shell_kernel.h"
+
+namespace morula::MORULA_ISA {
+
+/// acceleration ← 0, or with drag −drag·m·w; volume ← 4π/3 r³; pressure ← 0.
+template <bool dragged>
+inline void measureSpheres(const TemplateView&, const BlockView& b, const KernelParameters& p) {
+  for (int lane = 0; lane < b.liveLanes; lane += width) {
+    const Lanes r = p.radius * load(b.restScale + lane);
+    store(b.volume + lane, (12.566370614359172 / 3) * (r * r * r));
+    store(b.pressure + lane, Lanes(0.0));
+    Vec force{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+    if constexpr (dragged) force -= (p.drag * load(b.vertexMass + lane)) * loadVec(b.predicted, 0, lane);
+    storeVec(b.acceleration, 0, lane, force);
+  }
+}
+
+/// The shell as the centres of eight spheres feel it.
+struct ShortenedShell {
+  ShortenedShell(const BlockView& b, const KernelParameters& p, int lane) {
+    const Lanes r = p.radius * load(b.restScale + lane);
+    for (int i = 0; i < 3; ++i) {
+      // A sphere as large as the shell stands in its middle.
+      const Lanes axis = larger(p.semiAxes[i] - r, Lanes(1e-9 * p.semiAxes[i]));
+      inverseSquare[i] = 1.0 / (axis * axis);
+    }
+  }
+  /// As ShellSlope.
+  MORULA_INLINE Vec operator()(const Vec& x) const {
+    return {x.x * inverseSquare[0], x.y * inverseSquare[1], x.z * inverseSquare[2]};
+  }
+  Lanes inverseSquare[3];
+};
+
+/// A drift, and then the shell.
+template <auto drift>
+inline void driftSpheres(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  drift(mesh, b, p, dt);
+  for (int lane = 0; lane < b.liveLanes; lane += width) {
+    Vec x = loadVec(b.position, 0, lane), velocity = loadVec(b.velocity, 0, lane),
+        predicted = loadVec(b.predicted, 0, lane);
+    keepInShell<ShellShape::ellipsoid>(ShortenedShell(b, p, lane), x, velocity, predicted);
+    storeVec(b.position, 0, lane, x);
+    storeVec(b.velocity, 0, lane, velocity);
+    storeVec(b.predicted, 0, lane, predicted);
+  }
+}
+
+/// A kick, and then the shell bears what presses against it.
+template <auto kick>
+inline void kickSpheres(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  kick(mesh, b, p, dt);
+  for (int lane = 0; lane < b.liveLanes; lane += width) {
+    Vec velocity = loadVec(b.velocity, 0, lane), acceleration = loadVec(b.acceleration, 0, lane);
+    slideOnShell(ShortenedShell(b, p, lane), loadVec(b.position, 0, lane), velocity, acceleration);
+    storeVec(b.velocity, 0, lane, velocity);
+    storeVec(b.acceleration, 0, lane, acceleration);
+  }
+}
+
+}  // namespace morula::MORULA_ISA
