@@ -74,7 +74,10 @@ class Experiment {
     report_.scenario = scenario_.scene.name;
     choose();
     findReference();
-    for (const Setting& setting : settings()) addRow(setting);
+    report_.own = rowOf(settingAsItIs(scenario_, report_.horizon->leastTimeStep), "as it is");
+    for (const Setting& setting : settings())
+      report_.rows.push_back(rowOf(setting, seriesName(setting, usual_)));
+    report_.rival = findRival(report_.own, report_.rows);
     addRemarks();
     report_.orders = findOrders(report_.rows);
     report_.speeds = findSpeeds(report_.rows, report_.usual);
@@ -95,11 +98,11 @@ class Experiment {
     report_.horizon = h;
     longest_ = 2 * h.leastTimeStep;
     const double end = options_.until.value_or(h.end);
-    report_.times = timesUpTo(end, longest_, options_.samples);
+    report_.times = timesUpTo(end, std::max(longest_, h.mostTimeStep), options_.samples);
     if (report_.times.empty())
       throw InputError(
           fmt::format("{}: there is nothing to compare up to {}: it is less than {}, twice the time step",
-                      scenario_.file, numberText(end), numberText(longest_)));
+                      scenario_.file, numberText(end), numberText(std::max(longest_, h.mostTimeStep))));
     if (h.parted && !options_.until)
       report_.remarks.push_back(
           fmt::format("chaos: up to {} one unit in the last place has grown {:g} times, as any error would; "
@@ -187,10 +190,10 @@ class Experiment {
     return list;
   }
 
-  void addRow(const Setting& setting) {
+  AccuracyRow rowOf(const Setting& setting, const std::string& series) const {
     AccuracyRow row;
     row.setting = setting;
-    row.series = seriesName(setting, usual_);
+    row.series = series;
     options_.tell(fmt::format("{}, time step {}", row.series, numberText(setting.timeStep)));
     const Trial t = trial(setting, options_.rounds);
     row.failure = t.failure;
@@ -203,7 +206,7 @@ class Experiment {
       row.birthTimes = compareBirths(t.born, reference_.born) / scenario_.scene.cycle.length;
       row.resolved = row.error && *row.error >= resolution * report_.reference.left.error;
     }
-    report_.rows.push_back(row);
+    return row;
   }
 
   void addRemarks() {
@@ -268,6 +271,20 @@ const AccuracyRow* cheapest(const AccuracyReport& report, double target) {
     if (row.error && !row.partedAt && *row.error + report.reference.left.error <= target &&
         (!best || row.cpuSeconds < best->cpuSeconds))
       best = &row;
+  return best;
+}
+
+std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<AccuracyRow>& rows) {
+  std::optional<Rival> best;
+  const auto offer = [&](const std::string& series, double seconds) {
+    if (!best || seconds < best->cpuSeconds) best = {series, seconds, own.cpuSeconds / seconds};
+  };
+  if (!own.error || own.partedAt) return best;
+  for (const auto& series : bySeries(rows)) {
+    if (const auto between = costAtError(work(series, true), *own.error)) offer(series.front()->series, *between);
+    for (const AccuracyRow* row : series)
+      if (row->error && !row->partedAt && *row->error <= *own.error) offer(row->series, row->cpuSeconds);
+  }
   return best;
 }
 

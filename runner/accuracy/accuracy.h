@@ -57,8 +57,17 @@ struct SpeedAtError {
   std::optional<double> speed;  // CPU time of the scenario's own settings at that error over this
 };
 
+/// Of the settings tried, those that are as exact as the scenario is and cost the least.
+struct Rival {
+  std::string series;
+  double cpuSeconds = 0;
+  double speed = 0;  // the scenario's CPU time over this
+};
+
 struct AccuracyReport {
   std::string scenario, usual;  // the series of the scenario's own settings
+  AccuracyRow own;              // the scenario as it is
+  std::optional<Rival> rival;   // nothing that was tried is as exact, or it has failed
   std::vector<double> times;    // [time] of comparison
   std::optional<Horizon> horizon;
   AccuracyReference reference;
@@ -74,6 +83,9 @@ AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& 
 /// The row with the least CPU time whose error, with the reference's own added, is no more than `target`;
 /// null if none has.
 const AccuracyRow* cheapest(const AccuracyReport& report, double target);
+
+/// Between neighbouring runs of a series, or one that is more exact and not dearer.
+std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<AccuracyRow>& rows);
 
 /// Orders and speeds of rows; those not resolved, parted or failed are left out.
 std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows);

@@ -48,9 +48,15 @@ Setting settingOf(const Scenario& scenario, double timeStep) {
   return s;
 }
 
+Setting settingAsItIs(const Scenario& scenario, double leastTimeStep) {
+  Setting s = settingOf(scenario, leastTimeStep);
+  s.automatic = !scenario.scene.mechanics->physics.timeStep;
+  return s;
+}
+
 std::vector<std::string> changesFor(const Setting& s) {
   std::vector<std::string> changes{fmt::format("physics.integrator={}", name(s.integrator)),
-                                   "physics.time_step=" + exactText(s.timeStep),
+                                   "physics.time_step=" + (s.automatic ? "auto" : exactText(s.timeStep)),
                                    fmt::format("physics.precision={}", name(s.precision))};
   if (s.substeps) changes.push_back(fmt::format("physics.substeps={}", *s.substeps));
   if (s.level) changes.push_back(fmt::format("physics.mesh.icosphere={}", *s.level));

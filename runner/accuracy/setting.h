@@ -18,6 +18,7 @@ struct Setting {
   std::optional<std::uint64_t> level;     // of the icosphere; absent: the scene's mesh comes from a file
   std::optional<ContactLaw> law;          // absent: cells cannot touch
   std::optional<std::uint64_t> substeps;  // of XPBD; absent: 1
+  bool automatic = false;                 // the scene chooses its time steps; timeStep is the least of them
 };
 
 inline constexpr Integrator allIntegrators[] = {Integrator::velocityVerlet, Integrator::thesisVerlet,
@@ -33,6 +34,8 @@ std::uint64_t evaluationsPerStep(const Setting& setting);
 
 /// The scenario's own way, with another time step.
 Setting settingOf(const Scenario& scenario, double timeStep);
+/// Just as it is; `leastTimeStep` is the shortest that it takes.
+Setting settingAsItIs(const Scenario& scenario, double leastTimeStep);
 
 /// "path=value", as --set takes them. All of them: they make any scenario of the scene compute in this way.
 std::vector<std::string> changesFor(const Setting& setting);

@@ -28,6 +28,22 @@ std::string line(const AccuracyRow& row) {
   return text + "\n";
 }
 
+std::string ownText(const AccuracyReport& report) {
+  const AccuracyRow& own = report.own;
+  std::string text = "as it is   ";
+  if (!own.failure.empty()) return text + "failed: " + own.failure + "\n";
+  if (!own.error) return text + "other cells live from " + numberText(*own.partedAt) + " on\n";
+  text += fmt::format("error {:.2g}{} in {:.4f} s, {} evaluations, time step {}{}\n", *own.error,
+                      own.resolved ? "" : "~", own.cpuSeconds, own.forceEvaluations,
+                      stepText(own.setting.timeStep), own.setting.automatic ? " at least" : "");
+  if (own.partedAt)
+    return text + fmt::format("           up to {}: then other cells live\n", numberText(*own.partedAt));
+  return text + (report.rival ? fmt::format("           the cheapest tried that is as exact: {}, {:.4f} s, {:.2f} times "
+                                            "as fast\n",
+                                            report.rival->series, report.rival->cpuSeconds, report.rival->speed)
+                              : "           nothing else that was tried is as exact\n");
+}
+
 std::string orderText(const SeriesOrder& o) {
   if (!o.observed) return fmt::format("  {:<34} too few errors to fit\n", o.series);
   return fmt::format("  {:<34} {:5.2f} ± {:.2f} from {} time steps; {:g} where all is smooth\n", o.series,
@@ -48,7 +64,7 @@ std::string referenceText(const AccuracyReference& r) {
 std::string describe(const AccuracyReport& report) {
   std::string text = fmt::format("{}: errors up to time {}, at {} times\n", report.scenario,
                                  numberText(report.times.back(), 6), report.times.size());
-  text += referenceText(report.reference);
+  text += referenceText(report.reference) + ownText(report);
   for (const std::string& remark : report.remarks) text += "remark     " + remark + "\n";
   text +=
       "\nerror: the largest of centroids and surfaces [radii of the egg] and volumes [relative], of all "

@@ -71,7 +71,7 @@ Horizon findHorizon(const Scene& scene, const Execution& execution, std::optiona
   const bool wide = twin.bodies->parameters.precision == Precision::binary64;
   x[0] = wide ? std::nextafter(before, INFINITY) : double(std::nextafterf(float(before), INFINITY));
   const double ulp = x[0] - before;
-  Horizon horizon{0, 0, false, world.clock.timeStep};
+  Horizon horizon{0, 0, false, world.clock.timeStep, world.clock.timeStep};
   while (!finished(world) && !(latest && world.clock.time >= *latest)) {
     step(world);
     step(twin);
@@ -81,6 +81,7 @@ Horizon findHorizon(const Scene& scene, const Execution& execution, std::optiona
     horizon.rounding = std::max(horizon.rounding, apart);
     horizon.end = world.clock.time;
     horizon.leastTimeStep = std::min(horizon.leastTimeStep, world.clock.timeStep);
+    horizon.mostTimeStep = std::max(horizon.mostTimeStep, world.clock.timeStep);
   }
   return horizon;
 }

@@ -28,7 +28,7 @@ struct Horizon {
   double end = 0;            // [time] up to which comparisons make sense: the scene's end, or before it parts
   double rounding = 0;       // [length] to what one unit in the last place has grown by then
   bool parted = false;       // whether one unit in the last place has grown too much by then
-  double leastTimeStep = 0;  // [time] that the scene's own settings took
+  double leastTimeStep = 0, mostTimeStep = 0;  // [time] that the scene's own settings took
 };
 
 /// Runs the scene beside a twin with x of one vertex moved by one unit in the last place, until that has

@@ -88,6 +88,7 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
     try {
       const Golden old = readGoldenFile(file);
       golden.rules = old.rules;
+      if (old.data.scenarioHash == golden.data.scenarioHash) golden.error = old.error;
       golden.data = keepValuesWithinTolerance(std::move(golden.data), old);
       accepted.text = describeSuccession(old, golden.data);
     } catch (const InputError& e) {  // damaged, or of an older version: there is nothing to keep of it

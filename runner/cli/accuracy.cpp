@@ -16,6 +16,7 @@
 #include "cli/pictures.h"
 #include "cli/simulate.h"
 #include "cli/verbs.h"
+#include "golden/accept.h"
 
 namespace morula::cli {
 
@@ -24,7 +25,7 @@ namespace {
 struct AccuracyWords {
   std::string scenario, until, target, halvings = "4", rounds = "3", out = "results";
   std::vector<std::string> integrators, levels;
-  bool only = false;
+  bool only = false, intoGolden = false;
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
@@ -134,6 +135,11 @@ Json toJson(const AccuracyReport& report, const std::string& picture) {
   return {{"scenario", report.scenario},
           {"times", report.times},
           {"reference", toJson(report.reference)},
+          {"as_it_is", toJson(report.own)},
+          {"rival", report.rival ? Json{{"series", report.rival->series},
+                                        {"cpu_seconds", report.rival->cpuSeconds},
+                                        {"speed", report.rival->speed}}
+                                 : Json()},
           {"rows", rows},
           {"orders", orders},
           {"speed_at_error", speeds},
@@ -159,6 +165,29 @@ std::string targetText(const AccuracyWords& words, const AccuracyReport& report,
       join(changesFor(best->setting), " --set "));
 }
 
+/// A golden states the error of the scenario as it lies there, over all the time that can be compared.
+void refuseIntoGolden(const AccuracyWords& words, const Scenario& scenario) {
+  if (!words.intoGolden) return;
+  if (!words.scene.set.empty() || !words.scene.seed.empty() || !words.until.empty())
+    throw UsageError("--into-golden: it is of the scenario as it is; remove --set, --seed and --until");
+  const auto file = goldenPath(scenario.file);
+  refuseWithinCi(file);
+  if (readGoldenFile(file).data.scenarioHash != scenario.meaning.text())
+    throw InputError(file.string() + ": the scenario has changed since; accept its result first");
+}
+
+void writeIntoGolden(const Scenario& scenario, const AccuracyReport& report) {
+  const AccuracyRow& own = report.own;
+  if (!own.error || own.partedAt)
+    throw InputError(scenario.file + ": it has no error to state: " +
+                     (own.failure.empty() ? "its lineage is not the reference's" : own.failure));
+  const auto file = goldenPath(scenario.file);
+  Golden golden = readGoldenFile(file);
+  // A measured number, not a result: two digits.
+  golden.error = {std::stod(fmt::format("{:.1e}", *own.error)), report.times.back()};
+  acceptGolden(file, golden, {golden.acceptedBy, golden.why});
+}
+
 int act(const AccuracyWords& words) {
   const auto given = overrides(words.scene);
   const ReadScenario read = [&](const std::vector<std::string>& changes) {
@@ -171,6 +200,7 @@ int act(const AccuracyWords& words) {
     return loadScenario(words.scenario, all);
   };
   const Scenario scenario = read({});
+  refuseIntoGolden(words, scenario);
   const auto options = meant(words, scenario);
   if (const auto end = plannedEnd(scenario.scene); options.until && end && *options.until > *end)
     throw UsageError(
@@ -184,6 +214,7 @@ int act(const AccuracyWords& words) {
 
   const auto picture = (folder / (report.scenario + ".png")).string();
   writePng(drawAccuracy(report), picture);
+  if (words.intoGolden) writeIntoGolden(scenario, report);
   const AccuracyRow* best = target ? cheapest(report, *target) : nullptr;
   if (words.output.json) {
     Json json = toJson(report, picture);
@@ -216,6 +247,8 @@ void addAccuracy(CLI::App& app, Action& action) {
   verb->add_option("--level", words->levels, "Other icospheres, as 1,3; default: the next coarser one")
       ->delimiter(',')
       ->type_name("N,...");
+  verb->add_flag("--into-golden", words->intoGolden,
+                 "Write the error of the scenario as it is into its golden file");
   verb->add_flag("--only", words->only, "No other meshes, precision or contact law than the scenario's");
   verb->add_option("--halvings", words->halvings, "Of the longest time step, twice the scenario's smallest")
       ->type_name("N")

@@ -17,7 +17,8 @@ namespace {
 constexpr std::string_view firstLine = "morula golden 1";
 
 /// Over everything that a run must reproduce. Reasons and tolerances are people's to edit, the rest is not.
-std::string digestOf(const GoldenData& data, const std::vector<GoldenGrowth>& growth) {
+std::string digestOf(const Golden& golden) {
+  const GoldenData& data = golden.data;
   Hasher hasher;
   hasher.field("scenario")
       .add(data.scenario)
@@ -25,7 +26,8 @@ std::string digestOf(const GoldenData& data, const std::vector<GoldenGrowth>& gr
       .add(data.scenarioHash)
       .field("seed")
       .add(data.seed);
-  for (const GoldenGrowth& g : growth) hasher.add(g.size).add(g.step);
+  for (const GoldenGrowth& g : golden.growth) hasher.add(g.size).add(g.step);
+  if (golden.error) hasher.field("error").add(golden.error->size).add(golden.error->until);
   for (const GoldenItem& item : data.items) hasher.add(write(item));
   return hasher.digest().text();
 }
@@ -91,7 +93,7 @@ void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
   if (*count != items)
     lines.fail("the file has " + std::to_string(items) + " items, but " + std::to_string(*count) +
                " were accepted; restore it from git");
-  if (line.substr(space + 1) != digestOf(golden.data, golden.growth))
+  if (line.substr(space + 1) != digestOf(golden))
     lines.fail(
         "the items above are not those that were accepted: somebody has edited them; restore the file from "
         "git, "
@@ -105,6 +107,16 @@ GoldenGrowth readGrowth(const Lines& lines, std::string_view line) {
   const auto step = readNatural(line.substr(std::min(space + 1, line.size())));
   if (!size || !(*size > 0) || !step) lines.fail("`growth SIZE STEP` is expected");
   return {*size, *step};
+}
+
+GoldenError readError(const Lines& lines, std::string_view line) {
+  line.remove_prefix(std::string_view("error ").size());
+  constexpr std::string_view until = " until ";
+  const std::size_t at = std::min(line.find(until), line.size());
+  const auto size = readReal(line.substr(0, at)),
+             time = readReal(line.substr(std::min(at + until.size(), line.size())));
+  if (!size || !(*size >= 0) || !time || !(*time > 0)) lines.fail("`error SIZE until TIME` is expected");
+  return {*size, *time};
 }
 
 }  // namespace
@@ -133,13 +145,16 @@ std::string writeGolden(const Golden& golden) {
     text += "\n# growth size step: one unit in the last place, moved at the start, grows to so many radii\n";
   for (const GoldenGrowth& g : golden.growth)
     text += "growth " + writeReal(g.size) + ' ' + std::to_string(g.step) + '\n';
+  if (golden.error)
+    text += "\n# error size until: of these settings, by morula accuracy\nerror " + writeReal(golden.error->size) +
+            " until " + writeReal(golden.error->until) + '\n';
   std::string_view kind;
   for (const GoldenItem& item : data.items) {
     if (item.kind != kind) text += '\n' + heading(*findForm(item.kind));
     kind = item.kind;
     text += write(item) + '\n';
   }
-  return text + "\nend " + std::to_string(data.items.size()) + ' ' + digestOf(data, golden.growth) + '\n';
+  return text + "\nend " + std::to_string(data.items.size()) + ' ' + digestOf(golden) + '\n';
 }
 
 Golden readGolden(const std::string& text, const std::string& file) {
@@ -174,6 +189,11 @@ Golden readGolden(const std::string& text, const std::string& file) {
     }
     if (line.starts_with("growth ")) {
       golden.growth.push_back(readGrowth(lines, line));
+      continue;
+    }
+    if (line.starts_with("error ")) {
+      if (golden.error) lines.fail("`error` stands twice; restore the file from git");
+      golden.error = readError(lines, line);
       continue;
     }
     GoldenItem item = readItem(line, lines.place());

@@ -28,6 +28,12 @@ struct GoldenGrowth {
   std::uint64_t step = 0;
 };
 
+/// How far the scenario's settings are from what they approximate, as `morula accuracy` has measured.
+struct GoldenError {
+  double size = 0;   // the largest of centroids and surfaces [radii of the egg] and volumes [relative]
+  double until = 0;  // [time] compared up to here
+};
+
 struct Golden {
   GoldenData data;
   std::string acceptedBy;  // who
@@ -35,6 +41,7 @@ struct Golden {
   std::vector<ToleranceRule> rules;
   std::string file = {};                  // where it was read from
   std::vector<GoldenGrowth> growth = {};  // by size; empty: not measured
+  std::optional<GoldenError> error = {};  // not measured
 };
 
 /// The chaos horizon: up to which step a tolerance of this size says something. Beyond it a difference in the
