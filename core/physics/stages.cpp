@@ -78,17 +78,13 @@ PhysicsStages furtherStages(const PhysicsStages& stages, std::size_t evaluation)
   return further;
 }
 
-void evaluate(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block) {
+void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
   const TemplateView mesh = bodies.meshAt(block.coarseness).view();
   const KernelParameters& p = bodies.kernelParameters;
+  stages.drift(mesh, block, p, timeStep);
   stages.findSpringCoefficients(mesh, block, p);
   stages.gatherRings(mesh, block, p);
   stages.addPressureForces(mesh, block, p);
-}
-
-void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
-  stages.drift(bodies.meshAt(block.coarseness).view(), block, bodies.kernelParameters, timeStep);
-  evaluate(stages, bodies, block);
 }
 
 void kick(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {

@@ -19,9 +19,6 @@ struct PhysicsStages {
 /// gas have them anyway.
 PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa, bool surfaces = true);
 
-/// The inner forces of a block, from its positions and predicted velocities; then in `acceleration`.
-void evaluate(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block);
-
 /// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`. 0 only
 /// evaluates.
 void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);

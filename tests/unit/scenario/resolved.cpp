@@ -110,12 +110,11 @@ TEST_CASE("a sphere is an ellipsoid with equal axes") {
   CHECK(sphere.meaning == ellipsoid.meaning);
 }
 
-TEST_CASE("what cells are not made of is not resolved, and the usual model goes without saying") {
+TEST_CASE("what cells are not made of is not resolved") {
   const std::string shells =
       "morula: 1\nname: x\ndna: 'START: a0'\nstop: {cycles: 3}\nphysics: {cell: {mass: 1}}\n";
   const auto usual = read(shells);
   CHECK(read(replaced(shells, "mass: 1", "mass: 1, model: shell")).meaning == usual.meaning);
-  CHECK(usual.resolved.find("model") == std::string::npos);
   CHECK(usual.resolved.find("shape-matching") == std::string::npos);
 
   const std::string shapes = replaced(shells, "mass: 1", "mass: 1, model: shape-matching");

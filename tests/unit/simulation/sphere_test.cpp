@@ -166,6 +166,7 @@ TEST_CASE("Where nothing limits it, an automatic time step is refused") {
     FAIL("it was not refused");
   } catch (const InputError& e) {
     CHECK(std::string(e.what()) ==
-          "physics.time_step: auto finds nothing in this scene that limits it; give physics.time_step a number");
+          "physics.time_step: auto goes by stability limits, and this scene has none; give physics.time_step a "
+          "number");
   }
 }
