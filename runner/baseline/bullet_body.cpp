@@ -1,10 +1,16 @@
 #include "baseline/bullet_body.h"
 
+#include <cmath>
+
+#include "base/error.h"
+#include "mesh/measures.h"
+
 namespace morula {
 
 namespace {
 
 btVector3 toBullet(const Point& a) { return {a.x, a.y, a.z}; }
+Point fromBullet(const btVector3& a) { return {a.x(), a.y(), a.z()}; }
 
 void configure(btSoftBody& body, const BulletScene& scene) {
   btSoftBody::Config& c = body.m_cfg;
@@ -68,6 +74,32 @@ void setPressure(btSoftBody& body, double pressureConstant, double outside) {
   body.m_cfg.kPR = 0.5 * (pressureConstant - outside * body.getVolume());
 }
 
-double volumeOf(const btSoftBody& body) { return body.getVolume(); }
+void makeWeightless(btSoftBodyWorldInfo& info, btBroadphaseInterface& broadphase, btDispatcher& dispatcher) {
+  info.m_gravity.setZero();
+  info.air_density = info.water_density = info.water_offset = 0;
+  info.m_broadphase = &broadphase;
+  info.m_dispatcher = &dispatcher;
+  info.m_sparsesdf.Initialize();
+}
+
+void checkPrecision(const BulletScene& scene, const std::vector<std::unique_ptr<btSoftBody>>& bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const double ours = measureVolume(scene.cells[i].position, scene.mesh.faces);
+    CHECK(std::abs(bodies[i]->getVolume() - ours) <= 1e-12 * ours,
+          "Bullet's library measures another volume: is it of another precision than its headers?");
+  }
+}
+
+std::vector<Body> readCells(const BulletScene& scene,
+                            const std::vector<std::unique_ptr<btSoftBody>>& bodies) {
+  std::vector<Body> cells = scene.cells;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t v = 0; v < cells[i].position.size(); ++v) {
+      const btSoftBody::Node& node = bodies[i]->m_nodes[static_cast<int>(v)];
+      cells[i].position[v] = fromBullet(node.m_x);
+      cells[i].velocity[v] = fromBullet(node.m_v);
+    }
+  return cells;
+}
 
 }  // namespace morula

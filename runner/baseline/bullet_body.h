@@ -1,6 +1,7 @@
 #pragma once
 // One cell as Bullet's soft body, and the traps on the way there.
 #include <memory>
+#include <vector>
 
 #include "baseline/bullet_scene.h"
 #include "baseline/bullet_soft_body.h"
@@ -15,7 +16,14 @@ std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTem
 /// B2: Bullet's pressure for this step, f = n·A·kPR/V, such that it is P = k_p/V − P_0 on true areas.
 void setPressure(btSoftBody& body, double pressureConstant, double outside);
 
-/// [length³] as Bullet measures it. Wrong if headers and library disagree on the precision.
-double volumeOf(const btSoftBody& body);
+/// Neither gravity nor air acts on bodies of this world.
+void makeWeightless(btSoftBodyWorldInfo& info, btBroadphaseInterface& broadphase, btDispatcher& dispatcher);
+
+/// Throws BugError if Bullet measures other volumes than we do: then its headers and its library are of
+/// different precision.
+void checkPrecision(const BulletScene& scene, const std::vector<std::unique_ptr<btSoftBody>>& bodies);
+
+/// The scene's cells as the bodies are now.
+std::vector<Body> readCells(const BulletScene& scene, const std::vector<std::unique_ptr<btSoftBody>>& bodies);
 
 }  // namespace morula

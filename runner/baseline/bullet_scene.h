@@ -13,6 +13,8 @@ enum class Baseline {
   b1,  // our forces; Bullet's integrator and contact. The primary one: it differs in nothing else
   b2,  // Bullet's own links and pressure too, mapped to our constants; another spring law, so other
        // equilibria
+  b3,  // our springs and pressure in Bullet's implicit world: where a cell rests, in large time steps; no
+       // contact, no shell
 };
 
 struct BulletScene {
@@ -38,7 +40,7 @@ struct BulletResult {
 /// True if this program was built with Bullet in double precision.
 bool bulletIsAvailable();
 
-/// "b1", "b2".
+/// "b1", "b2", "b3".
 const char* name(Baseline baseline);
 
 }  // namespace morula

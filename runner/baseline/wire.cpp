@@ -94,7 +94,7 @@ void writeRequest(std::ostream& out, const BulletRequest& request) {
   const BulletScene& s = request.scene;
   Writer w(out);
   w.word(requestTitle);
-  w.word("baseline").number(s.baseline == Baseline::b1 ? 1 : 2);
+  w.word("baseline").number(static_cast<int>(s.baseline));
   w.word("steps").number(request.steps);
   w.word("time_step").number(s.timeStep);
   w.word("contact").number(s.contact);
@@ -120,7 +120,9 @@ BulletRequest readRequest(std::istream& in) {
   BulletScene& s = request.scene;
   Reader r(in);
   r.word(requestTitle);
-  s.baseline = r.number("baseline") == 1 ? Baseline::b1 : Baseline::b2;
+  const std::size_t baseline = r.count("baseline");
+  if (baseline > 2) throw InputError("Bullet's message: there is no such baseline");
+  s.baseline = static_cast<Baseline>(baseline);
   request.steps = static_cast<int>(r.count("steps"));
   s.timeStep = r.number("time_step");
   s.contact = r.number("contact") != 0;
@@ -164,6 +166,9 @@ BulletResult readResult(std::istream& in) {
   return result;
 }
 
-const char* name(Baseline baseline) { return baseline == Baseline::b1 ? "b1" : "b2"; }
+const char* name(Baseline baseline) {
+  constexpr const char* names[] = {"b1", "b2", "b3"};
+  return names[static_cast<int>(baseline)];
+}
 
 }  // namespace morula

@@ -61,3 +61,13 @@ TEST_CASE("B2 knows an outside pressure, and each cell's own rest lengths, mass 
   scene.timeStep = 0x1p-9;
   CHECK(limitOfSmallSteps(scene, 1500) == Approx(byHand).margin(3e-4));
 }
+
+TEST_CASE("B3 rests where linear springs balance the gas, also in large time steps") {
+  NEEDS_BULLET
+  BulletScene scene = pressurisedCell(3, Baseline::b3, 8);
+  for (const double dt : {0x1p-7, 0x1p-5}) {
+    INFO("time step " << dt);
+    scene.timeStep = dt;
+    CHECK(meanRadius(settle(scene, static_cast<int>(20 / dt))) == Approx(1.053101148).margin(1e-8));
+  }
+}

@@ -1,0 +1,101 @@
+#include "baseline/bullet_body.h"
+#include "baseline/bullet_engine.h"
+#include "physics/stages.h"
+
+namespace morula {
+
+namespace {
+
+/// The core's bodies serve as the notebook in which Bullet's nodes are read: forces and the shell are then
+/// the core's own code, the same on both sides of a comparison.
+Bodies makeNotebook(const BulletScene& scene) {
+  Bodies bodies = makeBodies(scene.physics, scene.mesh, 1);
+  setBodies(bodies, scene.cells);
+  return bodies;
+}
+
+struct ExplicitEngine final : BulletEngine {
+  BulletScene scene;
+  Bodies notebook;
+  PhysicsStages forces{}, shell{};  // one without a shell, one for its sake
+
+  btSoftBodyRigidBodyCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btSoftRigidDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  std::vector<std::unique_ptr<btSoftBody>> bodies;
+
+  explicit ExplicitEngine(const BulletScene& asked) : scene(asked), notebook(makeNotebook(asked)) {
+    // The thesis' Verlet, for its prediction of the velocity is the velocity itself, as Bullet's.
+    scene.physics.integrator = Integrator::thesisVerlet;
+    PhysicsParameters open = scene.physics;
+    open.shell.reset();
+    forces = chooseStages(open, bestIsa());
+    shell = chooseStages(scene.physics, bestIsa());
+    world.setGravity({0, 0, 0});
+    btSoftBodyWorldInfo& info = world.getWorldInfo();
+    makeWeightless(info, broadphase, dispatcher);
+    for (const Body& cell : scene.cells) {
+      bodies.push_back(makeSoftBody(scene, notebook.mesh, cell, info));
+      world.addSoftBody(bodies.back().get());
+    }
+    checkPrecision(scene, bodies);
+  }
+  ~ExplicitEngine() override {
+    for (auto& body : bodies) world.removeSoftBody(body.get());
+  }
+
+  template <class Visit>  // visit(node, where it stands in position, velocity and acceleration)
+  void eachNode(const Visit& visit) {
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (int v = 0; v < notebook.vertexCount(); ++v)
+        visit(bodies[i]->m_nodes[v], notebook.at(static_cast<int>(i), v));
+  }
+  static btVector3 read(const Reals& array, std::size_t at) {
+    return {array[at], array[at + blockLanes], array[at + 2 * blockLanes]};
+  }
+  static void write(Reals& array, std::size_t at, const btVector3& a) {
+    array[at] = a.x(), array[at + blockLanes] = a.y(), array[at + 2 * blockLanes] = a.z();
+  }
+
+  void addOurForces() {
+    for (int i = 0; i < notebook.blockCount(); ++i) advance(forces, notebook, notebook.block(i, 0), 0);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (int v = 0; v < notebook.vertexCount(); ++v)
+        bodies[i]->addForce(read(notebook.acceleration, notebook.at(static_cast<int>(i), v)), v);
+  }
+
+  /// Bullet has no contact on the inside of a shell: the core's, at the end of a drift that takes no time.
+  void keepAllInShell() {
+    for (int i = 0; i < notebook.blockCount(); ++i)
+      shell.drift(notebook.mesh.view(), notebook.block(i, 0), notebook.kernelParameters, 0);
+    eachNode([&](btSoftBody::Node& node, std::size_t at) {
+      node.m_x = read(notebook.position, at);
+      node.m_v = read(notebook.velocity, at);
+    });
+  }
+
+  void step() override {
+    if (scene.baseline == Baseline::b1) addOurForces();
+    else
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+        setPressure(*bodies[i], scene.cells[i].pressureConstant, scene.physics.pressure.outside);
+    world.stepSimulation(scene.timeStep, 0);
+    if (scene.baseline == Baseline::b2 && !scene.physics.shell) return;  // nobody reads the notebook
+    eachNode([&](const btSoftBody::Node& node, std::size_t at) {
+      write(notebook.position, at, node.m_x);
+      write(notebook.velocity, at, node.m_v);
+    });
+    if (scene.physics.shell) keepAllInShell();
+  }
+  std::vector<Body> cells() const override { return readCells(scene, bodies); }
+};
+
+}  // namespace
+
+std::unique_ptr<BulletEngine> makeExplicitEngine(const BulletScene& scene) {
+  return std::make_unique<ExplicitEngine>(scene);
+}
+
+}  // namespace morula
