@@ -54,10 +54,10 @@ std::vector<Patch> patchesOf(const Mesh& mesh) {
   return patches;
 }
 
-/// Sum of the squared distances of the vertices of one from the surface of the other.
-double sumOfSquares(const Mesh& from, const Mesh& to) {
+/// Squared, from the vertices of one to the surface of the other.
+std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   const std::vector<Patch> patches = patchesOf(to);
-  double sum = 0;
+  std::vector<double> squares;
   for (std::size_t v = 0; v < from.vertices.size(); ++v) {
     const Point& p = from.vertices[v];
     // The vertex of the same number is a good guess where the meshes are the same, and harmless elsewhere.
@@ -70,8 +70,14 @@ double sumOfSquares(const Mesh& from, const Mesh& to) {
       const double squared = squaredDistance(p, patch.a, patch.b, patch.c);
       if (squared < least) least = squared, reach = std::sqrt(squared);
     }
-    sum += least;
+    squares.push_back(least);
   }
+  return squares;
+}
+
+double sumOfSquares(const Mesh& from, const Mesh& to) {
+  double sum = 0;
+  for (const double square : squaredDistances(from, to)) sum += square;
   return sum;
 }
 
@@ -108,6 +114,12 @@ StateError compareShapes(const Shapes& shapes, const Shapes& reference, double e
                            measureSurfaceDistance(a.surface, b.surface) / eggRadius});
   }
   return worst;
+}
+
+std::vector<double> measureDistances(const Mesh& from, const Mesh& to) {
+  std::vector<double> distances = squaredDistances(from, to);
+  for (double& d : distances) d = std::sqrt(d);
+  return distances;
 }
 
 double measureSurfaceDistance(const Mesh& a, const Mesh& b) {

@@ -46,8 +46,7 @@ class ContentsForce final : public btDeformableLagrangianForce {
     const double pressure = constant / volume - scene_.physics.pressure.outside;
     for (int f = 0; f < body.m_faces.size(); ++f) {
       const auto& n = body.m_faces[f].m_n;
-      const btVector3 third =
-          (n[1]->m_q - n[0]->m_q).cross(n[2]->m_q - n[0]->m_q) * (scale * pressure / 6);
+      const btVector3 third = (n[1]->m_q - n[0]->m_q).cross(n[2]->m_q - n[0]->m_q) * (scale * pressure / 6);
       for (const btSoftBody::Node* node : n) force[node->index] += third;
     }
   }

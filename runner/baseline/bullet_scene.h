@@ -2,20 +2,12 @@
 // A scene for Bullet, in plain structs: what this room is asked and what it answers.
 #include <vector>
 
+#include "baseline/baseline.h"
 #include "mesh/mesh.h"
 #include "physics/bodies.h"
 #include "physics/parameters.h"
 
 namespace morula {
-
-/// How much of the physics is Bullet's.
-enum class Baseline {
-  b1,  // our forces; Bullet's integrator and contact. The primary one: it differs in nothing else
-  b2,  // Bullet's own links and pressure too, mapped to our constants; another spring law, so other
-       // equilibria
-  b3,  // our springs and pressure in Bullet's implicit world: where a cell rests, in large time steps; no
-       // contact, no shell
-};
 
 struct BulletScene {
   Baseline baseline = Baseline::b1;
@@ -39,8 +31,5 @@ struct BulletResult {
 
 /// True if this program was built with Bullet in double precision.
 bool bulletIsAvailable();
-
-/// "b1", "b2", "b3".
-const char* name(Baseline baseline);
 
 }  // namespace morula

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "baseline/bullet_scene.h"
+#include "baseline/child_process.h"  // ownProgram
 
 namespace morula {
 
@@ -15,8 +16,5 @@ void serveBullet(std::istream& in, std::ostream& out);
 /// The caller's side: starts `program` with the argument "bullet-worker", hands the request over and waits.
 /// Throws FileError if it cannot be started or fails; what it said is on stderr then.
 BulletResult runInBullet(const BulletRequest& request, const std::string& program);
-
-/// The running program's own file.
-std::string ownProgram();
 
 }  // namespace morula

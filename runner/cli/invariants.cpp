@@ -142,7 +142,20 @@ void Invariants::observe(const World& world) {
   }
 }
 
-std::vector<CheckResult> Invariants::results(const World& end) const {
+// Comparisons that fail for what is no number.
+bool Invariants::holdSoFar() const {
+  const auto most = [](const std::optional<double>& bound, const Extreme& e) {
+    return !bound || e.value <= *bound;
+  };
+  const auto& volume = check_.volume;
+  return (!volume || (leastVolume_.value >= volume->least && mostVolume_.value <= volume->most)) &&
+         most(check_.extent, extent_) && most(check_.energy, energy_) && most(check_.momentum, stray_);
+}
+
+std::vector<CheckResult> Invariants::results(const World& end) const { return collect(&end); }
+std::vector<CheckResult> Invariants::watched() const { return collect(nullptr); }
+
+std::vector<CheckResult> Invariants::collect(const World* end) const {
   std::vector<CheckResult> all;
   const auto add = [&](const char* check, const std::string& expected, const std::string& actual,
                        const Extreme& worst, bool passed) {
@@ -168,20 +181,21 @@ std::vector<CheckResult> Invariants::results(const World& end) const {
   addMost("extent", check_.extent, extent_);
   addMost("energy", check_.energy, energy_);
   addMost("momentum", check_.momentum, stray_);
+  if (!end) return all;
   if (check_.endVolume) {
     Invariants last(check_);
-    last.observeVolumes(end);
+    last.observeVolumes(*end);
     addBounds("end-volume", *check_.endVolume, last.leastVolume_, last.mostVolume_);
   }
   if (check_.endRoundness) {
     Extreme least;
-    for (const CellMeasures& cell : measureCells(end)) lower(least, cell.sphericity, end, cell.path);
+    for (const CellMeasures& cell : measureCells(*end)) lower(least, cell.sphericity, *end, cell.path);
     add("end-roundness", "at least " + formatReal(*check_.endRoundness), formatReal(least.value), least,
         least.value >= *check_.endRoundness);
   }
   if (check_.endOverlap) {
     Extreme mean;
-    raise(mean, measureMeanOverlap(end), end);
+    raise(mean, measureMeanOverlap(*end), *end);
     addMost("end-overlap", check_.endOverlap, mean);
   }
   return all;

@@ -18,6 +18,12 @@ class Invariants {
   /// One result of kind "invariant" for each check that is given; `end` is the world at the end of a run that
   /// ended well.
   std::vector<CheckResult> results(const World& end) const;
+  /// The same of a run that did not come to its end: only what must hold at every step.
+  std::vector<CheckResult> watched() const;
+  /// True while nothing that must hold at every step has been broken.
+  bool holdSoFar() const;
+  /// [1] The least and the most that was seen, if the volume is checked.
+  Bounds volumes() const { return {leastVolume_.value, mostVolume_.value}; }
   /// True if anything at all is to be checked.
   static bool areGiven(const CheckParameters& check);
 
@@ -29,6 +35,7 @@ class Invariants {
     std::uint64_t step = 0;
     std::optional<CellPath> cell = {};
   };
+  std::vector<CheckResult> collect(const World* end) const;
   void observeVolumes(const World& world);
   static void raise(Extreme& most, double value, const World& world, std::optional<CellPath> cell = {});
   static void lower(Extreme& least, double value, const World& world, std::optional<CellPath> cell = {});

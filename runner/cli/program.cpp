@@ -89,6 +89,7 @@ Action parse(int argc, char** argv) {
   addBench(app, action);
   addTrail(app, action);
   addBulletWorker(app, action);
+  addOtherWorker(app, action);
   for (auto* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->allow_extras();
 
   checkVerb(app, argc, argv);

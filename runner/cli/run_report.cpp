@@ -1,6 +1,7 @@
 // What a run tells about itself.
 #include <fmt/format.h>
 
+#include "cli/bullet_check.h"
 #include "cli/check_run.h"
 #include "cli/run_scenario.h"
 
@@ -23,9 +24,14 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
   if (outcome.canBeResumed) text += "  go on    with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
-  if (outcome.checks && outcome.checks->passed())
-    text += fmt::format("  checks   all {} pass{}\n", outcome.checks->results.size(), against(scenario));
-  else if (!outcome.checks && end.status == RunStatus::done)
+  if (outcome.checks && outcome.checks->passed()) {
+    std::size_t looked = 0;
+    for (const CheckResult& r : outcome.checks->results) {
+      if (wasSkipped(r)) text += "  bullet   " + r.actual + "\n";
+      else ++looked;
+    }
+    if (looked) text += fmt::format("  checks   all {} pass{}\n", looked, against(scenario));
+  } else if (!outcome.checks && end.status == RunStatus::done)
     text += "  checks   none: " + outcome.whyNotChecked + "\n";
   text += "  results  " + settings.database.string() + " (run " + outcome.id + ")\n";
   std::size_t frames = 0;

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "cli/bullet_check.h"
+#include "cli/bullet_picture.h"
 #include "cli/check_run.h"
 #include "cli/exit_codes.h"
 #include "cli/frame_file.h"
 #include "cli/pictures.h"
 #include "cli/resume.h"
 #include "cli/verbs.h"
+#include "golden/accept.h"
 #include "parts/parts.h"
 #include "simulation/checkpoint.h"
 #include "store/store.h"
@@ -43,6 +46,21 @@ void checkOutcome(const Scenario& scenario, const RunSettings& settings, const S
   } else if (!std::filesystem::exists(goldenFile(scenario)) && !Invariants::areGiven(scenario.check))
     outcome.whyNotChecked = "there is no golden file";
   else outcome.checks = check(scenario, run, invariants, false);
+}
+
+/// Once the run is stored: whatever becomes of Bullet, nothing is lost.
+void besideBullet(const Scenario& scenario, const RunSettings& settings, const Simulation& run, Store& store,
+                  RunOutcome& outcome) {
+  if (!scenario.check.bullet || !settings.check || settings.changed) return;
+  const BulletFindings found = checkAgainstBullet(scenario, run.world, settings.quiet);
+  if (!outcome.checks) outcome.checks = CheckReport{goldenName(scenario.file), {}};
+  outcome.checks->results.insert(outcome.checks->results.end(), found.results.begin(), found.results.end());
+  store.addChecks(outcome.id, found.results);
+  if (!found.bullet) return;
+  store.putBulletSamples(outcome.id, name(scenario.check.bullet->baseline), found.bullet->samples);
+  if (!settings.draw) return;
+  outcome.pictures.push_back((settings.folder / "bullet.png").string());
+  writePng(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
 }
 
 int exitCodeOf(const RunOutcome& outcome, int signal) {
@@ -95,6 +113,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   if (outcome.checks) run.results.checks = outcome.checks->results;
   store.finish(outcome.id, run.end, run.results);
   if (done && settings.draw) outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
+  if (done) besideBullet(scenario, settings, run, store, outcome);
   outcome.exitCode = exitCodeOf(outcome, run.signal);
   return outcome;
 }

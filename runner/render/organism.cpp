@@ -34,6 +34,9 @@ void checkCells(const OrganismPicture& picture) {
                        " vertices; its faces in the picture need " + std::to_string(needed));
     if (!std::all_of(cell.vertices.begin(), cell.vertices.end(), finite))
       throw InputError("cell '" + cell.path + "' has a vertex that is not finite and cannot be drawn");
+    if (!cell.colours.empty() && cell.colours.size() != cell.vertices.size())
+      throw InputError("cell '" + cell.path + "' has " + std::to_string(cell.colours.size()) +
+                       " colours for its " + std::to_string(cell.vertices.size()) + " vertices");
     if (!(cell.opacity >= 0 && cell.opacity <= 1))
       throw InputError("the opacity of cell '" + cell.path + "' must be 0 (not drawn) to 1 (solid)");
   }

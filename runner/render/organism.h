@@ -16,8 +16,9 @@ struct CellShape {
   std::string path;             // the lineage path; only used in messages
   std::vector<Point> vertices;  // [length] in the order that its faces count them
   Colour colour = neutralGrey;
-  double opacity = 1;         // 0 (not drawn) to 1 (solid); lower: what is behind shines through
-  std::vector<Face> faces{};  // its own mesh; empty: the picture's
+  double opacity = 1;             // 0 (not drawn) to 1 (solid); lower: what is behind shines through
+  std::vector<Face> faces{};      // its own mesh; empty: the picture's
+  std::vector<Colour> colours{};  // of its vertices, for maps of something; empty: all have its colour
 };
 
 /// A straight line in space, for forces, normals and connections.

@@ -55,6 +55,8 @@ struct FaceInEye {
 
 std::uint16_t asUint16(double value) { return std::uint16_t(std::clamp(value, 0.0, 1.0) * 65535 + 0.5); }
 
+Vector lightOf(Colour c) { return {linearLight(c.r), linearLight(c.g), linearLight(c.b)}; }
+
 void addCell(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes,
              const Point& centre, const Split& split) {
   const CellShape& cell = picture.cells[number];
@@ -65,9 +67,13 @@ void addCell(Surface& to, const OrganismPicture& picture, std::size_t number, co
   for (Vector& normal : normals) normal = axes.of(normal);
   SurfaceVertex vertex{};
   vertex.owner = std::uint32_t(number + 1);
-  const double light[4] = {linearLight(cell.colour.r), linearLight(cell.colour.g), linearLight(cell.colour.b),
-                           cell.opacity};
-  std::transform(light, light + 4, vertex.light, asUint16);
+  const auto setLight = [&](const Vector& l) {
+    const double light[4] = {l.x, l.y, l.z, cell.opacity};
+    std::transform(light, light + 4, vertex.light, asUint16);
+  };
+  setLight(lightOf(cell.colour));
+  std::vector<Vector> lights;
+  for (const Colour& colour : cell.colours) lights.push_back(lightOf(colour));
   for (const Face& face : facesOf(picture, cell)) {
     FaceInEye corners;
     for (int i = 0; i < 3; ++i)
@@ -77,6 +83,7 @@ void addCell(Surface& to, const OrganismPicture& picture, std::size_t number, co
     for (const Weights& w : split.points) {
       const Vector p = corners.curved(w);
       const Vector n = corners.normal[0] * w[0] + corners.normal[1] * w[1] + corners.normal[2] * w[2];
+      if (!lights.empty()) setLight(lights[face[0]] * w[0] + lights[face[1]] * w[1] + lights[face[2]] * w[2]);
       const double values[9] = {p.x, p.y, p.z, n.x, n.y, n.z, w[0], w[1], w[2]};
       for (int i = 0; i < 3; ++i) {
         vertex.position[i] = float(values[i]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/did_you_mean.h"
+#include "scenario/bullet_fit.h"
 #include "scenario/numbers.h"
 
 namespace morula::scenario {
@@ -164,6 +165,12 @@ void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) 
                            "a sphere stays round", "remove this, or use scale");
 }
 
+void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
+  if (!scenario.check.bullet) return;
+  for (const Unfit& unfit : unfitForBullet(scenario, scenario.check.bullet->baseline))
+    reading.problems.add(placeOf(root, "check.bullet"), "check.bullet", unfit.wrong, unfit.right);
+}
+
 }  // namespace
 
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
@@ -177,13 +184,14 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law == ContactLaw::pair,
                     reading, root);
     checkSpheres(scenario, reading, root);
+    checkBullet(scenario, reading, root);
   }
   if (scenario.record.pictures && !scenario.scene.mechanics)
     reading.problems.add(placeOf(root, "record.pictures"), "record.pictures",
                          "cells without bodies cannot be drawn", "add a physics block or remove this");
   if (const CheckParameters& c = scenario.check;
-      !scenario.scene.mechanics &&
-      (c.volume || c.extent || c.energy || c.momentum || c.endVolume || c.endRoundness || c.endOverlap))
+      !scenario.scene.mechanics && (c.volume || c.extent || c.energy || c.momentum || c.endVolume ||
+                                    c.endRoundness || c.endOverlap || c.bullet))
     reading.problems.add(placeOf(root, "check"), "check", "cells without bodies have nothing to measure",
                          "add a physics block, or check only fails");
 }

@@ -87,6 +87,15 @@ std::vector<Section> sections() {
       {.path = "check",
        .meaning = "What must hold of the run besides its golden file",
        .decides = Decides::presentation},
+      {.path = "check.bullet",
+       .meaning = "The same scene computed by Bullet, and how far apart the two may be at the end. Without "
+                  "any tolerance: positions 1e-10 radii where nothing touches and the integrator is "
+                  "thesis-verlet, Bullet's own; where nothing touches otherwise radius and volume, 1e-6 with "
+                  "b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and aspect 0.02",
+       .absent = "not held against Bullet",
+       .decides = Decides::presentation,
+       .make = [](Scenario& s) { s.check.bullet.emplace(); },
+       .exists = [](const Scenario& s) { return s.check.bullet.has_value(); }},
   };
 }
 
@@ -260,6 +269,31 @@ std::vector<Parameter> parameters() {
             "The run must stop with an error (exit 3 or 4) that names all of these; it then needs no golden "
             "file",
             AT(check.fails)),
+
+      presentation(choiceOf(
+          "check.bullet.baseline", {"b1", "b3"},
+          "b1: our forces, Bullet's integrator and contact; b3: Bullet's implicit solver, for one cell's "
+          "rest",
+          [](Scenario& s) { return s.check.bullet->baseline == Baseline::b3 ? 1 : 0; },
+          [](Scenario& s, int i) { s.check.bullet->baseline = i == 1 ? Baseline::b3 : Baseline::b1; })),
+      presentation(real("check.bullet.margin", "", positive,
+                        "Of each surface in Bullet, in radii of the egg: what touches is two of them apart",
+                        AT(check.bullet->margin))),
+      presentation(optionalReal("check.bullet.positions", "length", positive, "", "see bullet",
+                                "The most that a vertex may be off", AT(check.bullet->positions))),
+      presentation(optionalReal("check.bullet.radius", "", positive, "", "see bullet",
+                                "The most that a cell's mean radius may be off, over Bullet's",
+                                AT(check.bullet->radius))),
+      presentation(optionalReal("check.bullet.volume", "", positive, "", "see bullet",
+                                "The most that a cell's volume may be off, over Bullet's",
+                                AT(check.bullet->volume))),
+      presentation(optionalReal("check.bullet.distance", "", positive, "", "see bullet",
+                                "The most that the distance of two centres may be off, less Bullet's gap of "
+                                "two margins where cells touch",
+                                AT(check.bullet->distance))),
+      presentation(optionalReal("check.bullet.aspect", "", positive, "", "see bullet",
+                                "The most that a cell's length over its width may be off, over Bullet's",
+                                AT(check.bullet->aspect))),
   };
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "baseline/baseline.h"
 #include "simulation/scene.h"
 
 namespace morula {
@@ -29,6 +30,20 @@ struct Bounds {
   double least = 0, most = 0;
 };
 
+/// The same scene in Bullet, and how far apart the two may be at the end. Without any tolerance those hold
+/// that fit the scene (cli/bullet_check.h).
+struct BulletCheck {
+  Baseline baseline = Baseline::b1;  // or b3; b2's springs rest at another length
+  double margin = 0.01;  // [radii of the egg] of each surface in Bullet: what touches is two of them apart
+  std::optional<double> positions;  // [length] of the vertex farthest off
+  std::optional<double> radius;     // [1] of each cell: the mean distance of its vertices from their centre
+  std::optional<double> volume;     // [1] of each cell
+  std::optional<double> distance;   // [1] of the centres of cells that touch, less Bullet's gap
+  std::optional<double> aspect;     // [1] of each cell: its length over its width
+
+  bool hasTolerances() const { return positions || radius || volume || distance || aspect; }
+};
+
 /// What must hold of a run besides its golden. Nothing here changes what the cells do; what is absent is not
 /// looked at.
 struct CheckParameters {
@@ -42,6 +57,7 @@ struct CheckParameters {
   std::optional<double> endRoundness;  // [1] the least sphericity of a cell
   std::optional<double> endOverlap;    // [1] mean share of a cell's volume that lies in another too
   std::vector<std::string> fails;      // the run must stop, and all of these stand in the reason; or none
+  std::optional<BulletCheck> bullet;   // held against Bullet
 };
 
 /// A file that a scenario names.

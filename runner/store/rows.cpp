@@ -122,8 +122,8 @@ void endRun(Database& db, const std::string& id, const RunEnd& end) {
 }
 
 void deleteResults(Database& db, const std::string& id) {
-  for (const char* table :
-       {"cell", "sample", "cell_sample", "contact", "connection", "time_step", "step_hash", "cell_hash"})
+  for (const char* table : {"cell", "sample", "cell_sample", "contact", "connection", "time_step",
+                            "step_hash", "cell_hash", "bullet_sample"})
     Statement(db, std::string("DELETE FROM ") + table + " WHERE run_id = ?").run(id);
 }
 
@@ -157,6 +157,15 @@ void insertChecks(Database& db, const std::string& id, const std::vector<CheckRe
   for (const CheckResult& c : checks)
     insert.run(id, ++number, c.check, c.kind, c.expected, c.actual, c.tolerance, c.passed, c.failureClass,
                c.firstStep, c.cell, c.field, c.share, c.message);
+}
+
+void insertBulletSamples(Database& db, const std::string& id, const std::string& baseline,
+                         const std::vector<Sample>& samples) {
+  Statement insert(db, "INSERT INTO bullet_sample VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const Sample& sample : samples)
+    for (const CellMeasures& c : sample.cells)
+      insert.run(id, sample.world.time, c.path.text(), baseline, c.volume, c.area, c.pressure, c.centroid.x,
+                 c.centroid.y, c.centroid.z, c.sphericity);
 }
 
 }  // namespace morula

@@ -18,6 +18,9 @@ void deleteResults(Database& db, const std::string& id);
 /// Of samples and hashes, those of steps after `after`; all of them if there is none.
 void insertRecords(Database& db, const std::string& id, const RunResults& results,
                    std::optional<std::uint64_t> after = {});
+/// Of the cells, what can be seen from outside.
+void insertBulletSamples(Database& db, const std::string& id, const std::string& baseline,
+                         const std::vector<Sample>& samples);
 void insertChecks(Database& db, const std::string& id, const std::vector<CheckResult>& checks);
 
 }  // namespace morula

@@ -203,7 +203,25 @@ CREATE TABLE checkpoint_frame (      -- shapes for a sequence of pictures, until
 ) STRICT;
 )sql";
 
-constexpr std::array migrations{&version1, &version2};
+// Version 2 to 3: what Bullet made of the same scene, where a scenario's check asks for it.
+const char* const version3 = R"sql(
+CREATE TABLE bullet_sample (
+  run_id     TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  time       REAL NOT NULL,          -- time and path as in cell_sample
+  path       TEXT NOT NULL,
+  baseline   TEXT NOT NULL,          -- b1 or b3
+  volume     REAL,
+  area       REAL,
+  pressure   REAL,
+  x          REAL,
+  y          REAL,
+  z          REAL,
+  sphericity REAL,
+  PRIMARY KEY (run_id, time, path)
+) STRICT, WITHOUT ROWID;
+)sql";
+
+constexpr std::array migrations{&version1, &version2, &version3};
 
 /// Throws unless the file is empty or Morula's and not newer
 /// than this program. Returns its version, 0 when empty.

@@ -115,6 +115,15 @@ void Store::addChecks(const std::string& id, const std::vector<CheckResult>& che
   transaction.commit();
 }
 
+void Store::putBulletSamples(const std::string& id, const std::string& baseline,
+                             const std::vector<Sample>& samples) {
+  Transaction transaction(db_);
+  if (!findEarlier(db_, id)) throw StoreError(db_.file().string() + ": no run " + id + " to add samples to");
+  Statement(db_, "DELETE FROM bullet_sample WHERE run_id = ?").run(id);
+  insertBulletSamples(db_, id, baseline, samples);
+  transaction.commit();
+}
+
 void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
   Statement(db_, "VACUUM INTO ?").run(file.string());
   Database copy(file, Database::Mode::existing, std::chrono::seconds(1));

@@ -73,6 +73,10 @@ class Store {
   /// Replaces the run's check results of the kinds that occur in `checks`.
   void addChecks(const std::string& id, const std::vector<CheckResult>& checks);
 
+  /// Replaces the cells of the same scene in Bullet that are kept beside the run's own.
+  void putBulletSamples(const std::string& id, const std::string& baseline,
+                        const std::vector<Sample>& samples);
+
   /// All runs, by start, then id.
   std::vector<StoredRun> runs();
   /// The run whose id is, or begins with, `id`; with "" the only run in the file or else the one that was

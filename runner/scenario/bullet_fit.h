@@ -1,0 +1,18 @@
+#pragma once
+// Why Bullet cannot be asked what a scene does.
+#include <string>
+#include <vector>
+
+#include "scenario/scenario.h"
+
+namespace morula::scenario {
+
+struct Unfit {
+  bool lacks = false;  // Bullet has no such thing; otherwise the two would just not be comparable
+  std::string wrong, right;
+};
+
+/// All reasons, or none. The scenario has mechanics.
+std::vector<Unfit> unfitForBullet(const Scenario& scenario, Baseline baseline);
+
+}  // namespace morula::scenario
