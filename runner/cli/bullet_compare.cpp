@@ -14,16 +14,24 @@ namespace {
 using scenario::formatReal;
 using Shape = std::vector<Point>;
 
-double farthest(const Shape& shape) {
-  double most = 0;
-  for (const Point& p : shape) most = std::max(most, norm(p - measureCentroid(shape)));
-  return most;
-}
-
-double nearest(const Shape& shape) {
-  double least = INFINITY;
-  for (const Point& p : shape) least = std::min(least, norm(p - measureCentroid(shape)));
-  return least;
+/// √(largest/smallest second moment about the centre): 1 for a sphere, a/c for an ellipsoid. The moments are
+/// the roots of the characteristic polynomial of their matrix, by Viète's formula.
+double aspect(const Shape& shape) {
+  const Point centre = measureCentroid(shape);
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  for (const Point& p : shape) {
+    const Vector d = p - centre;
+    xx += d.x * d.x, yy += d.y * d.y, zz += d.z * d.z;
+    xy += d.x * d.y, xz += d.x * d.z, yz += d.y * d.z;
+  }
+  const double mean = (xx + yy + zz) / 3;
+  xx -= mean, yy -= mean, zz -= mean;
+  const double spread = std::sqrt((xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz)) / 6);
+  if (spread == 0) return 1;
+  const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  const double angle = std::acos(std::clamp(determinant / (2 * spread * spread * spread), -1.0, 1.0)) / 3;
+  const double third = 2 * std::acos(-1.0) / 3;
+  return std::sqrt((mean + 2 * spread * std::cos(angle)) / (mean + 2 * spread * std::cos(angle + third)));
 }
 
 double meanRadius(const Shape& shape) {
@@ -133,7 +141,7 @@ std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<
     }
     if (own.size() > 1) results.push_back(metric.result(ours.clock.step));
   }
-  eachCell("aspect", check.aspect, [](const Shape& s) { return farthest(s) / nearest(s); });
+  eachCell("aspect", check.aspect, aspect);
   return results;
 }
 

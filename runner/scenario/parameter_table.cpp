@@ -292,7 +292,7 @@ std::vector<Parameter> parameters() {
                                 "two margins where cells touch",
                                 AT(check.bullet->distance))),
       presentation(optionalReal("check.bullet.aspect", "", positive, "", "see bullet",
-                                "The most that a cell's length over its width may be off, over Bullet's",
+                                "The most that a cell's length over its thickness may be off, over Bullet's",
                                 AT(check.bullet->aspect))),
   };
 }

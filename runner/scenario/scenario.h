@@ -39,7 +39,8 @@ struct BulletCheck {
   std::optional<double> radius;     // [1] of each cell: the mean distance of its vertices from their centre
   std::optional<double> volume;     // [1] of each cell
   std::optional<double> distance;   // [1] of the centres of cells that touch, less Bullet's gap
-  std::optional<double> aspect;     // [1] of each cell: its length over its width
+  std::optional<double>
+      aspect;  // [1] of each cell: its length over its thickness, of the ellipsoid with its moments
 
   bool hasTolerances() const { return positions || radius || volume || distance || aspect; }
 };
