@@ -56,14 +56,16 @@ double kineticEnergy(const Bodies& b, int slot) {
   return 0.5 * b.vertexMass[slot] * sum;
 }
 
+/// NaN if a place is no number: std::max would pass over it.
 double extentOf(const Bodies& b) {
   double extent = 0;
   for (int slot : b.slots) {
     const double around = b.areSpheres() ? b.parameters.cell.radius * b.restScale[slot] : 0;
-    double square = 0;
-    for (int v = 0; v < b.vertexCount(slot); ++v)
-      square = std::max(square, dot(b.vertex(slot, v), b.vertex(slot, v)));
-    extent = std::max(extent, std::sqrt(square) + around);
+    for (int v = 0; v < b.vertexCount(slot); ++v) {
+      const double here = norm(b.vertex(slot, v)) + around;
+      if (std::isnan(here)) return here;
+      extent = std::max(extent, here);
+    }
   }
   return extent;
 }

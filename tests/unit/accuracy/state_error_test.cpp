@@ -42,6 +42,15 @@ TEST_CASE("Of concentric cubes half the distances are to faces and half to corne
   CHECK(measureSurfaceDistance(outer, inner) == Approx(0.055 * std::sqrt((1 + 3) / 2.0)).epsilon(1e-12));
 }
 
+TEST_CASE("Distances stand in the order of the vertices they are measured from") {
+  Mesh dented = scenes::cube();
+  dented.vertices[3] = 1.1 * dented.vertices[3];
+  const std::vector<double> distances = measureDistances(dented, scenes::cube());
+  REQUIRE(distances.size() == 8);
+  for (std::size_t v = 0; v < 8; ++v)
+    CHECK(distances[v] == Approx(v == 3 ? 0.1 * norm(scenes::cube().vertices[3]) : 0).margin(1e-12));
+}
+
 TEST_CASE("Far apart, surfaces are as far as their nearest corners, edges and faces") {
   const Mesh cube = scenes::cube();  // of edge 1.1
   // Its far corners see the other's near face at 3.1 + 1.1, the near ones at 3.1 − 1.1 + 1.1.

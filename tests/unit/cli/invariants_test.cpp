@@ -2,6 +2,7 @@
 #include "cli/invariants.h"
 
 #include <cmath>
+#include <limits>
 
 #include "catch.h"
 #include "scenario/scenario.h"
@@ -141,4 +142,23 @@ TEST_CASE("A run that must stop: all texts are in the reason, or it has not") {
   const auto well = stopsAsItMust({"springs"}, "");
   CHECK(!well.passed);
   CHECK(well.message.find("it ended well") != std::string::npos);
+}
+
+TEST_CASE("A place that is no number breaks the extent, whichever vertex it is of, and holds no more") {
+  for (const int vertex : {0, 5, 41}) {
+    World world = worldOf(two);
+    CheckParameters check;
+    check.extent = 9;
+    Invariants invariants(check);
+    invariants.observe(world);
+    CHECK(invariants.holdSoFar());
+    Bodies& b = *world.bodies;
+    b.write(b.position, 0, vertex, {0, std::numeric_limits<double>::quiet_NaN(), 0});
+    invariants.observe(world);
+    CHECK(!invariants.holdSoFar());
+    CHECK(!invariants.watched()[0].passed);
+    b.write(b.position, 0, vertex, {0, 0, 0});
+    invariants.observe(world);
+    CHECK(!invariants.holdSoFar());
+  }
 }

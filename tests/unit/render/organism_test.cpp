@@ -31,6 +31,16 @@ TEST_CASE("a ball covers the disc that perspective says", "[organism]") {
   REQUIRE(double(inked) == Approx(3.14159265 * radius * radius).epsilon(0.02));
 }
 
+TEST_CASE("vertices may have colours of their own, one for each", "[organism]") {
+  CellShape cell = ball("", {0, 0, 0}, 1, neutralGrey);
+  for (const Point& p : cell.vertices) cell.colours.push_back(p.x < 0 ? red : blue);
+  const Image image = drawOrganism(picture({cell}));
+  CHECK(isReddish(image.at(image.width / 2 - 20, image.height / 2)));
+  CHECK(isBluish(image.at(image.width / 2 + 20, image.height / 2)));
+  cell.colours.pop_back();
+  CHECK_THROWS_AS(drawOrganism(picture({cell})), InputError);
+}
+
 TEST_CASE("right is right and up is up", "[organism]") {
   const Image image =
       drawOrganism(picture({ball("A", {1, 0, 0}, 0.5, red), ball("B", {0, 1, 0}, 0.5, blue)}));

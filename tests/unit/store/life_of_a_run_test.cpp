@@ -232,3 +232,28 @@ TEST_CASE("checks replace earlier checks of their kind") {
   REQUIRE(checks[1] == better);
   REQUIRE_THROWS_AS(store.addChecks("nobody", {better}), StoreError);
 }
+
+TEST_CASE("Bullet's cells are kept beside a run's own, replaced by later ones, and go with the run") {
+  const TemporaryFolder folder;
+  Store store = Store::openForWriting(folder / "runs.db");
+  const std::string id = store.begin(exampleRecord());
+  store.finish(id, exampleEnd(), exampleResults());
+  Sample sample;
+  sample.world.time = 0.5;
+  sample.cells = {CellMeasures{.path = CellPath::parse("AB"), .volume = 3, .area = 7}};
+  CHECK_THROWS_AS(store.putBulletSamples("none", "b1", {sample}), StoreError);
+  store.putBulletSamples(id, "b3", {sample});
+  sample.cells = {CellMeasures{.path = CellPath::parse("AB"), .volume = 4, .area = 7}};
+  store.putBulletSamples(id, "b1", {sample});
+  Database db(folder / "runs.db", Database::Mode::existing, std::chrono::seconds(1));
+  Statement row(db, "SELECT time, path, baseline, volume, area FROM bullet_sample");
+  REQUIRE(row.next());
+  CHECK(row.real(0) == 0.5);
+  CHECK(row.text(1) == "AB");
+  CHECK(row.text(2) == "b1");
+  CHECK(row.real(3) == 4);
+  CHECK(row.real(4) == 7);
+  CHECK(!row.next());
+  store.finish(store.begin(exampleRecord()), exampleEnd(), exampleResults());
+  CHECK(db.integer("SELECT count(*) FROM bullet_sample") == 0);
+}

@@ -1,0 +1,103 @@
+// From runs to verdicts, and to a table.
+#include "cli/beside.h"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "catch.h"
+#include "cli/exit_codes.h"
+
+using namespace morula;
+using namespace morula::cli;
+using End = OtherRun::End;
+
+namespace {
+
+CheckResult failing(const char* check, const char* expected, const char* actual, std::uint64_t step) {
+  CheckResult r;
+  r.check = check, r.expected = expected, r.actual = actual;
+  r.passed = false;
+  r.firstStep = step;
+  return r;
+}
+
+OtherRun runWith(End end, std::vector<CheckResult> results = {}, std::string why = "") {
+  OtherRun run;
+  run.end = end, run.why = std::move(why), run.step = 12;
+  run.results = std::move(results);
+  run.volumes = {0.25, 3};
+  return run;
+}
+
+CheckParameters mustStop() {
+  CheckParameters check;
+  check.fails = {"inside out"};
+  return check;
+}
+
+}  // namespace
+
+TEST_CASE("A verdict names all that is broken, in few digits, with its bounds and its step") {
+  CHECK(judge({}, runWith(End::done)).text == "holds");
+  const Verdict v =
+      judge({}, runWith(End::done, {failing("volume", "from 0.5 to 1.5", "from 0.98765432 to 3.2109876", 50),
+                                    failing("energy", "at most 0.6", "0.71234567", 9),
+                                    failing("end-roundness", "at least 0.95", "0.2", 12)}));
+  CHECK(v.kind == Verdict::Kind::breaks);
+  CHECK(v.step == 50u);
+  CHECK(v.text ==
+        "breaks: volume 0.9877 to 3.211 of [0.5, 1.5] at step 50; energy 0.7123 > 0.6 at step 9; "
+        "end-roundness 0.2 < 0.95 at step 12");
+}
+
+TEST_CASE("A run that ends early says how, and only where it must stop is that well") {
+  CHECK(judge({}, runWith(End::stopped, {}, "step 12: its volume is 0; use a smaller step")).text ==
+        "stops: step 12: its volume is 0");
+  CHECK(judge(mustStop(), runWith(End::stopped, {}, "step 12: inside out")).text == "stops, as it must");
+  CHECK(judge(mustStop(), runWith(End::done)).text == "goes on: volume 0.25 to 3 of that at rest");
+  CHECK(judge({}, runWith(End::silent, {}, "its answer is cut")).text == "its answer is cut, at step 12");
+  CHECK(judge({}, runWith(End::broken, {failing("volume", "", "", 12)})).text ==
+        "breaks: inside out at step 12");
+  CHECK(judge({}, runWith(End::broken, {failing("volume", "", "", 12), failing("extent", "", "nan", 12)}))
+            .text == "breaks: no number at step 12");
+}
+
+TEST_CASE("Engines are named, and a name that is none is refused") {
+  CHECK(parseEngines("thesis,bullet") == std::vector{Engine::thesis, Engine::b1, Engine::b2});
+  CHECK(parseEngines("").empty());
+  CHECK_THROWS_AS(parseEngines("bulet"), UsageError);
+  CHECK_THROWS_AS(parseEngines("b1,,b2"), UsageError);
+}
+
+TEST_CASE("A table has a row for each scenario and a column for each engine; bars do not break it") {
+  const std::vector<BesideRow> rows{
+      {"hard/one", {{Verdict::Kind::holds, "holds", {}}, {Verdict::Kind::notAsked, "a|b", {}}}}};
+  CHECK(tableOf(rows, {Engine::b1}) ==
+        "| case | ours | Bullet, B1 |\n|---|---|---|\n| `one` | holds | a\\|b |\n");
+  const Json json = toJson(rows, {Engine::b1});
+  REQUIRE(json.size() == 2);
+  CHECK(json[0]["engine"] == "morula");
+  CHECK(json[1]["verdict"] == "not-asked");
+}
+
+TEST_CASE("The table of the hard cases has a row for every one of them, and no empty cell") {
+  std::ifstream page("scenarios/hard/README.md");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  const auto table = text.find("| case | ours | thesis' contact law | Bullet, B1 | Bullet, B2 |");
+  REQUIRE(table != text.npos);
+  int cases = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("scenarios/hard")) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++cases;
+    const std::string name = entry.path().stem().string();
+    INFO(name);
+    const auto at = text.find("\n| `" + name + "` | ", table);
+    REQUIRE(at != text.npos);
+    const std::string row = text.substr(at + 1, text.find('\n', at + 1) - at - 1);
+    CHECK(std::count(row.begin(), row.end(), '|') == 6);
+    CHECK(row.find("|  |") == row.npos);
+  }
+  CHECK(cases >= 24);
+}
