@@ -101,6 +101,11 @@ TEST_CASE("A worker that is killed, cut, confused or stuck is an answer of its o
   CHECK(why(askScript("echo 'answer {\"end\": 0, \"why\": \"'")) == "its answer is cut");
   CHECK(why(askScript("echo 'answer {\"end\": 0}'")) == "its answer is cut");
   CHECK(why(askScript("cat > /dev/null; echo answer")) == "its answer is cut");
+  const std::string whole =
+      "echo 'answer {\"end\": 0, \"why\": \"\", \"step\": 1, \"volumes\": [1, 1], \"results\": [], "
+      "\"shapes\": [], \"samples\": []}'; ";
+  CHECK(askScript(whole).end == OtherRun::End::done);
+  CHECK(why(askScript(whole + "exit 3")) == "its process ended with code 3");
   const OtherRun stuck = askScript("echo step 4; while :; do :; done", 1);
   CHECK(why(stuck) == "no answer within 1 s of CPU time");
   CHECK(stuck.step == 4);
