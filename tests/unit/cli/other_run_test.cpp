@@ -79,9 +79,9 @@ TEST_CASE("Bullet moves the same cells, in the time step that is given, stable o
   double x = 0;
   for (const Point& p : run.shapes[0]) x += p.x / static_cast<double>(run.shapes[0].size());
   CHECK(x == Approx(-1).margin(1e-3));  // it flew freely
-  std::string unstable = two;
-  unstable.replace(unstable.find("0.0078125"), 9, "0.125");
-  unstable.replace(unstable.find("0.25"), 4, "9");
+  const auto timeStep = two.find("0.0078125"), stop = two.find("0.25");
+  const std::string unstable = two.substr(0, stop) + "9" + two.substr(stop + 4, timeStep - stop - 4) +
+                               "0.125" + two.substr(timeStep + 9);
   const OtherRun broken = serve(scenarioOf(unstable), Engine::b2);
   CHECK(broken.end == OtherRun::End::broken);
   CHECK(broken.step < 72);
