@@ -19,8 +19,8 @@ struct Contacts {
   const ContactKernels* kernels = nullptr;
   ContactKernels::TakeSnapshot takeSnapshot = nullptr;  // of the scene's cell model
   ContactKernels::AddForces addForces = nullptr;        // of the scene's cell model and law
-  double lightestVertex = 0;                      // [mass] now, where there is friction
-  double skinShare = 0;                           // [SearchSettings]
+  double lightestVertex = 0;                            // [mass] now, where there is friction
+  double skinShare = 0;                                 // [SearchSettings]
 
   // State between rebuilds; nothing of it is part of the result
   AlignedVector<double> radius;                // [slot] influence radius [length]

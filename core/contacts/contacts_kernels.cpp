@@ -9,12 +9,8 @@
 namespace morula::MORULA_ISA {
 
 extern const ContactKernels contacts;
-const ContactKernels contacts = {takeSnapshot,
-                                 takeSphereSnapshot,
-                                 addPairForces<false>,
-                                 addPairForces<true>,
-                                 addThesisForces,
-                                 addSphereForces<false>,
+const ContactKernels contacts = {takeSnapshot,         takeSphereSnapshot, addPairForces<false>,
+                                 addPairForces<true>,  addThesisForces,    addSphereForces<false>,
                                  addSphereForces<true>};
 
 }  // namespace morula::MORULA_ISA

@@ -26,8 +26,8 @@ CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double 
   const double volumeA = measureVolume(a.position, faces), volumeB = measureVolume(b.position, faces);
   const double volume = volumeA + volumeB;
   if (!(volumeA >= 0.1 * volume && volumeB >= 0.1 * volume)) {
-    result.failure = "the plane through its centre of mass would cut its volume into " +
-                     numberText(volumeA) + " and " + numberText(volumeB);
+    result.failure = "the plane through its centre of mass would cut its volume into " + numberText(volumeA) +
+                     " and " + numberText(volumeB);
     return result;
   }
   const double shareA = volumeA / volume;

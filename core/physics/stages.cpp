@@ -51,8 +51,12 @@ PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
   const Movement move = movementOf(k, p, static_cast<int>(shape));
   const PhysicsKernels::TimedStage kick = move.kick[static_cast<int>(kickShellOf(shape))];
   if (p.cell.model == CellModel::sphere)
-    return {move.drift, kick, move.furtherDrifts,
-            nothing,    p.drag > 0 ? k.measureDraggedSpheres : k.measureSpheres, nothing};
+    return {move.drift,
+            kick,
+            move.furtherDrifts,
+            nothing,
+            p.drag > 0 ? k.measureDraggedSpheres : k.measureSpheres,
+            nothing};
   if (p.integrator == Integrator::xpbd)  // its drift moves springs and contents
     return {move.drift, kick, {}, nothing, k.gatherRingsWithoutSprings, k.findPressure};
   if (p.cell.model == CellModel::shapeMatching) {
@@ -64,12 +68,10 @@ PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
             surfaces ? k.gatherRingsWithoutSprings : nothing,
             k.findShapeForces[resisted][!surfaces]};
   }
-  return {move.drift,
-          kick,
-          move.furtherDrifts,
-          p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,
-          k.gatherRings,
-          p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces};
+  return {
+      move.drift,         kick,
+      move.furtherDrifts, p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,
+      k.gatherRings,      p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces};
 }
 
 PhysicsStages furtherStages(const PhysicsStages& stages, std::size_t evaluation) {

@@ -34,8 +34,8 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   world.stages = chooseStages(m.physics, execution.isa, m.contact.has_value());
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
-    world.contacts = makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision,
-                                  m.physics.cell.model);
+    world.contacts =
+        makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}};
   setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
   try {

@@ -67,8 +67,8 @@ struct World {
   std::vector<TimeStepChange> timeSteps;
 };
 
-/// Builds the world at time 0: one egg, or the scene's start cells. Throws InputError if the scene cannot run, for example when its fixed
-/// time step lies above the stability limit, which the text names.
+/// Builds the world at time 0: one egg, or the scene's start cells. Throws InputError if the scene cannot
+/// run, for example when its fixed time step lies above the stability limit, which the text names.
 World makeWorld(const Scene& scene, const Execution& execution = {});
 
 /// As above, with cells controlled by another biology than the scene's DNA.

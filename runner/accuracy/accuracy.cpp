@@ -281,7 +281,8 @@ std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<Accurac
   };
   if (!own.error || own.partedAt) return best;
   for (const auto& series : bySeries(rows)) {
-    if (const auto between = costAtError(work(series, true), *own.error)) offer(series.front()->series, *between);
+    if (const auto between = costAtError(work(series, true), *own.error))
+      offer(series.front()->series, *between);
     for (const AccuracyRow* row : series)
       if (row->error && !row->partedAt && *row->error <= *own.error) offer(row->series, row->cpuSeconds);
   }

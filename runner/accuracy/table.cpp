@@ -38,10 +38,12 @@ std::string ownText(const AccuracyReport& report) {
                       stepText(own.setting.timeStep), own.setting.automatic ? " at least" : "");
   if (own.partedAt)
     return text + fmt::format("           up to {}: then other cells live\n", numberText(*own.partedAt));
-  return text + (report.rival ? fmt::format("           the cheapest tried that is as exact: {}, {:.4f} s, {:.2f} times "
-                                            "as fast\n",
-                                            report.rival->series, report.rival->cpuSeconds, report.rival->speed)
-                              : "           nothing else that was tried is as exact\n");
+  return text +
+         (report.rival
+              ? fmt::format("           the cheapest tried that is as exact: {}, {:.4f} s, {:.2f} times "
+                            "as fast\n",
+                            report.rival->series, report.rival->cpuSeconds, report.rival->speed)
+              : "           nothing else that was tried is as exact\n");
 }
 
 std::string orderText(const SeriesOrder& o) {

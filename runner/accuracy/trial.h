@@ -25,9 +25,9 @@ Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vect
 
 /// How long a scene can be told apart from chaos.
 struct Horizon {
-  double end = 0;            // [time] up to which comparisons make sense: the scene's end, or before it parts
-  double rounding = 0;       // [length] to what one unit in the last place has grown by then
-  bool parted = false;       // whether one unit in the last place has grown too much by then
+  double end = 0;       // [time] up to which comparisons make sense: the scene's end, or before it parts
+  double rounding = 0;  // [length] to what one unit in the last place has grown by then
+  bool parted = false;  // whether one unit in the last place has grown too much by then
   double leastTimeStep = 0, mostTimeStep = 0;  // [time] that the scene's own settings took
 };
 

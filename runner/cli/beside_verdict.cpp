@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 #include "cli/beside.h"
 
@@ -19,11 +20,12 @@ std::string inFewDigits(const std::string& text) {
       out += text[i++];
       continue;
     }
-    std::size_t end = 0;
-    const double value = std::stod(text.substr(i), &end);
-    const std::string number = text.substr(i, end);
-    out += number.size() > 6 ? fmt::format("{:.4g}", value) : number;
-    i += end;
+    double value = 0;
+    const auto [end, problem] = std::from_chars(text.data() + i, text.data() + text.size(), value);
+    const std::string number(text.data() + i, end);
+    // What is out of range may be a hash that begins like a number.
+    out += problem == std::errc() && number.size() > 6 ? fmt::format("{:.4g}", value) : number;
+    i += number.size();
   }
   return out;
 }

@@ -131,7 +131,7 @@ int act(const CheckOptions& options) {
     if (!options.output.json && beside.engines.empty()) print(describe(report));
     else if (!report.passed()) tell(describe(report), options.output.quiet);
     reports.push_back(report);
-    own.push_back(judge(scenario.check, report));
+    if (!beside.engines.empty()) own.push_back(judge(scenario.check, report));
   }
   if (options.scenarios.empty()) {
     for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {

@@ -146,8 +146,8 @@ std::string writeGolden(const Golden& golden) {
   for (const GoldenGrowth& g : golden.growth)
     text += "growth " + writeReal(g.size) + ' ' + std::to_string(g.step) + '\n';
   if (golden.error)
-    text += "\n# error size until: of these settings, by morula accuracy\nerror " + writeReal(golden.error->size) +
-            " until " + writeReal(golden.error->until) + '\n';
+    text += "\n# error size until: of these settings, by morula accuracy\nerror " +
+            writeReal(golden.error->size) + " until " + writeReal(golden.error->until) + '\n';
   std::string_view kind;
   for (const GoldenItem& item : data.items) {
     if (item.kind != kind) text += '\n' + heading(*findForm(item.kind));

@@ -65,7 +65,7 @@ std::string line(const Forecast& f, const PartCost& c) {
 
 std::string describe(const Forecast& f, const std::string& title) {
   std::string text = title + (f.life.whole ? ": up to " : ": at least ") + plural(double(f.cells), "cell");
-  if (f.vertices) 
+  if (f.vertices)
     text += fmt::format(" of {} {}, {}", f.vertices, f.vertices == 1 ? "vertex" : "vertices",
                         plural(f.steps, "step"));
   text += fmt::format("\n  foreseen on one thread: {}, {} of arrays", timeText(f.seconds()),

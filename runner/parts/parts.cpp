@@ -82,12 +82,12 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
   const MechanicsScene& m = *scenario.scene.mechanics;
   const PhysicsParameters& p = m.physics;
   const bool spheres = p.cell.model == CellModel::sphere;
-  parts.push_back({"bodies", true,
-                   fmt::format("{}{}{}",
-                               spheres ? "spheres" : fmt::format("{} vertices each", m.mesh.vertices.size()),
-                               p.coarsen ? ", fewer when small" : "",
-                               p.precision == Precision::binary32 ? ", in single precision" : ""),
-                   spheres ? why.of({"physics.cell.model"}) : why.of({"physics.mesh", "physics"})});
+  parts.push_back(
+      {"bodies", true,
+       fmt::format("{}{}{}", spheres ? "spheres" : fmt::format("{} vertices each", m.mesh.vertices.size()),
+                   p.coarsen ? ", fewer when small" : "",
+                   p.precision == Precision::binary32 ? ", in single precision" : ""),
+       spheres ? why.of({"physics.cell.model"}) : why.of({"physics.mesh", "physics"})});
   addModel(parts, p, why);
   parts.push_back(p.drag > 0 ? Part{"drag", true, "", why.of({"physics.drag"})}
                              : absent("drag", "physics.drag > 0"));
@@ -117,7 +117,8 @@ void addContact(std::vector<Part>& parts, const Scenario& scenario, const RunAsk
   }
   const ContactParameters& c = *mechanics->contact;
   const bool thesis = c.law == ContactLaw::thesis;
-  parts.push_back({"contact", true, thesis                                            ? "the thesis' law"
+  parts.push_back({"contact", true,
+                   thesis                                               ? "the thesis' law"
                    : mechanics->physics.cell.model == CellModel::sphere ? "of spheres"
                                                                         : "pair law",
                    why.of({"physics.contact.law", "physics.contact"})});

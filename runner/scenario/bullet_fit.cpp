@@ -39,6 +39,9 @@ std::vector<Unfit> unfitForBullet(const Scenario& scenario, Baseline baseline) {
   const MechanicsScene& mechanics = *scenario.scene.mechanics;
   std::vector<Unfit> unfit;
   checkGenes(scenario, unfit);
+  if (mechanics.physics.cell.model != CellModel::shell)
+    unfit.push_back({true, "Bullet's cells are membranes around contents",
+                     "use physics.cell.model: shell, or remove this"});
   if (mechanics.connections)
     unfit.push_back({true, "Bullet's cells cannot be connected", "remove connections, or this"});
   if (mechanics.contact && mechanics.contact->friction > 0)

@@ -128,15 +128,16 @@ void checkModel(const Scenario& scenario, Reading& reading, const Node& root) {
     return;
   }
   const bool sphere = physics.cell.model == CellModel::sphere;
-  const std::string has = sphere ? "physics.cell.model sphere has none"
-                                 : "physics.cell.model shape-matching has none";
+  const std::string has =
+      sphere ? "physics.cell.model sphere has none" : "physics.cell.model shape-matching has none";
   for (const char* path : {"physics.membrane", "physics.pressure"})
     refuse(path, "is for physics.cell.model shell, and " + has,
            sphere ? "remove this" : "remove this; see physics.shape-matching");
   if (sphere)
     refuse("physics.shape-matching", "is for physics.cell.model shape-matching, and " + has, "remove this");
   if (physics.integrator == Integrator::xpbd)
-    refuse("physics.integrator", "xpbd solves membranes and contents, and " + has, "needs another integrator");
+    refuse("physics.integrator", "xpbd solves membranes and contents, and " + has,
+           "needs another integrator");
   if (scenario.check.energy)
     refuse("check.energy", "is of membranes and contents, and " + has, "remove this");
 }
@@ -148,13 +149,15 @@ void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) 
   const auto refuse = [&](const std::string& path, const char* wrong, const char* right) {
     reading.problems.add(placeOf(root, path), path, wrong, right);
   };
-  if (m.physics.coarsen)
-    refuse("physics.mesh.coarsen", "a sphere has no mesh to coarsen", "remove this");
+  if (m.physics.coarsen) refuse("physics.mesh.coarsen", "a sphere has no mesh to coarsen", "remove this");
   if (m.contact && m.contact->law == ContactLaw::thesis)
-    refuse("physics.contact.law", "the thesis' law is between vertices, which spheres have not", "needs pair");
+    refuse("physics.contact.law", "the thesis' law is between vertices, which spheres have not",
+           "needs pair");
   if (m.contact && m.contact->radius != ContactParameters{}.radius)
     refuse("physics.contact.radius", "spheres touch where their surfaces do", "remove this");
-  const auto divides = [](const Gene& gene, const Dna& dna) { return dna.substances[gene.product] == "divide"; };
+  const auto divides = [](const Gene& gene, const Dna& dna) {
+    return dna.substances[gene.product] == "divide";
+  };
   const Dna& dna = scenario.scene.dna;
   if (m.division.plane == DivisionPlane::longest &&
       std::any_of(dna.genes.begin(), dna.genes.end(), [&](const Gene& g) { return divides(g, dna); }))

@@ -83,9 +83,7 @@ void write(const Json& value, const std::string& indent, std::string& out) {
 
 }  // namespace
 
-Json resolve(const Scenario& scenario) {
-  return resolveSection(*parameterTable().section(""), scenario);
-}
+Json resolve(const Scenario& scenario) { return resolveSection(*parameterTable().section(""), scenario); }
 
 Hash hashMeaning(const Scenario& scenario) {
   Hasher hasher;

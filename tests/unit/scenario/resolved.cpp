@@ -92,7 +92,8 @@ TEST_CASE("every other parameter changes the meaning") {
 }
 
 TEST_CASE("what joined the format later means nothing at its default, and something else otherwise") {
-  const std::string text = "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {cell: {mass: 2}}\n";
+  const std::string text =
+      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {cell: {mass: 2}}\n";
   // As it was before physics.cell.model came: goldens hold such hashes.
   CHECK(read(text).meaning.text() == "953b382059bc4dc9ff33b583d1e010c0");
   CHECK(read(replaced(text, "{mass: 2}", "{mass: 2, model: shell}")).meaning == read(text).meaning);

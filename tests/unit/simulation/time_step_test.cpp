@@ -237,13 +237,13 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
   PhysicsParameters& p = scene.mechanics->physics;
   p.integrator = Integrator::xpbd;
-  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("xpbd has none") &&
+  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("this scene has none") &&
                                           ContainsSubstring("give physics.time_step a number"));
   p.timeStep = 10;  // any other integrator is refused
   CHECK_NOTHROW(makeWorld(scene));
   p.timeStep.reset();
   scene.mechanics->contact = scenes::thesisContact;
-  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("xpbd has none"));
+  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("this scene has none"));
   scene.mechanics->contact = scenes::pairContact;
   World world = makeWorld(scene, {bestIsa(), 1});
   const double limit = contactLimit(Integrator::xpbd, scenes::pairContact.stiffness,
