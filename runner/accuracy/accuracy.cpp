@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accuracy/bullet_trial.h"
 #include "base/error.h"
 #include "base/maths.h"
 #include "base/number_text.h"
+#include "simulation/stages.h"
 
 namespace morula {
 
@@ -77,10 +79,12 @@ class Experiment {
     report_.own = rowOf(settingAsItIs(scenario_, report_.horizon->leastTimeStep), "as it is");
     for (const Setting& setting : settings())
       report_.rows.push_back(rowOf(setting, seriesName(setting, usual_)));
+    if (options_.bullet) addBullet();
     report_.rival = findRival(report_.own, report_.rows);
     addRemarks();
     report_.orders = findOrders(report_.rows);
     report_.speeds = findSpeeds(report_.rows, report_.usual);
+    report_.bulletSpeeds = compareSpeeds(report_.rows);
     return std::move(report_);
   }
 
@@ -156,10 +160,30 @@ class Experiment {
     reference_ = std::move(a.trial);
   }
 
+  /// The longest time step that is stable at the start and fits into the times of comparison a whole number
+  /// of times, power of two or not; 0 if there is none.
+  double longestStable(Setting s) const {
+    s.timeStep = longest_;
+    try {
+      const World world = makeWorld(read_(changesFor(s)).scene, options_.execution);
+      const double apart = report_.times.front();
+      const double step = apart / std::ceil(apart / timeStepLimit(world));
+      for (const double time : report_.times)
+        if (std::abs(time / apart - std::round(time / apart)) > 1e-9) return 0;
+      return step;
+    } catch (const InputError&) { return 0; }  // the rows tell why
+  }
+
   void addSeries(std::vector<Setting>& list, Setting s) const {
-    for (int i = 0; i <= options_.halvings; ++i) {
-      s.timeStep = std::ldexp(longest_, -i);
+    // Beside Bullet as long ones as Bullet is tried with, and the longest of all: who can take them takes
+    // them.
+    if (const double step = options_.bullet ? longestStable(s) : 0; step > longest_) {
+      s.timeStep = step;
       list.push_back(s);
+    }
+    for (int i = options_.bullet ? -bulletDoublings : 0; i <= options_.halvings; ++i) {
+      s.timeStep = std::ldexp(longest_, -i);
+      if (i >= 0 || areMultiples(report_.times, s.timeStep)) list.push_back(s);
     }
   }
 
@@ -190,12 +214,26 @@ class Experiment {
     return list;
   }
 
+  void addBullet() {
+    const bool touching = usual_.law && scenario_.scene.cells.size() > 1;
+    for (const BulletSetting& s : bulletSettings(scenario_, longest_, options_.halvings, report_.times)) {
+      options_.tell(fmt::format("{}, time step {}", seriesName(s, touching), numberText(s.timeStep)));
+      report_.rows.push_back(judged(
+          runBulletTrial(scenario_, s, report_.times, options_.execution, options_.rounds, options_.program),
+          seriesName(s, touching)));
+      report_.rows.back().engine = std::string("bullet-") + name(s.baseline);
+    }
+  }
+
   AccuracyRow rowOf(const Setting& setting, const std::string& series) const {
+    options_.tell(fmt::format("{}, time step {}", series, numberText(setting.timeStep)));
+    return judged(trial(setting, options_.rounds), series);
+  }
+
+  AccuracyRow judged(const Trial& t, const std::string& series) const {
     AccuracyRow row;
-    row.setting = setting;
+    row.setting = t.setting;
     row.series = series;
-    options_.tell(fmt::format("{}, time step {}", row.series, numberText(setting.timeStep)));
-    const Trial t = trial(setting, options_.rounds);
     row.failure = t.failure;
     row.cpuSeconds = t.cpuSeconds;
     row.steps = t.steps, row.forceEvaluations = t.forceEvaluations, row.vertexSteps = t.vertexSteps;
@@ -268,11 +306,24 @@ AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& 
 const AccuracyRow* cheapest(const AccuracyReport& report, double target) {
   const AccuracyRow* best = nullptr;
   for (const AccuracyRow& row : report.rows)
-    if (row.error && !row.partedAt && *row.error + report.reference.left.error <= target &&
-        (!best || row.cpuSeconds < best->cpuSeconds))
+    if (row.engine == "morula" && row.error && !row.partedAt &&
+        *row.error + report.reference.left.error <= target && (!best || row.cpuSeconds < best->cpuSeconds))
       best = &row;
   return best;
 }
+
+namespace {
+
+/// Between neighbouring runs, or of one that is more exact and not dearer.
+std::optional<double> leastSeconds(const std::vector<const AccuracyRow*>& series, double error) {
+  std::optional<double> least = costAtError(work(series, true), error);
+  for (const AccuracyRow* row : series)
+    if (row->error && !row->partedAt && *row->error <= error && (!least || row->cpuSeconds < *least))
+      least = row->cpuSeconds;
+  return least;
+}
+
+}  // namespace
 
 std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<AccuracyRow>& rows) {
   std::optional<Rival> best;
@@ -281,12 +332,30 @@ std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<Accurac
   };
   if (!own.error || own.partedAt) return best;
   for (const auto& series : bySeries(rows)) {
-    if (const auto between = costAtError(work(series, true), *own.error))
-      offer(series.front()->series, *between);
-    for (const AccuracyRow* row : series)
-      if (row->error && !row->partedAt && *row->error <= *own.error) offer(row->series, row->cpuSeconds);
+    const auto seconds = leastSeconds(series, *own.error);
+    if (seconds && series.front()->engine == "morula") offer(series.front()->series, *seconds);
   }
   return best;
+}
+
+std::vector<BulletSpeed> compareSpeeds(const std::vector<AccuracyRow>& rows) {
+  std::vector<BulletSpeed> speeds;
+  const auto groups = bySeries(rows);
+  for (int decade = -1; decade >= -12; --decade) {
+    BulletSpeed s;
+    s.error = std::pow(10.0, decade);
+    for (const auto& series : groups) {
+      const auto seconds = leastSeconds(series, s.error);
+      if (!seconds) continue;
+      const bool own = series.front()->engine == "morula";
+      double& least = own ? s.ourSeconds : s.bulletSeconds;
+      if (least > 0 && least <= *seconds) continue;
+      least = *seconds;
+      (own ? s.ours : s.bullets) = series.front()->series;
+    }
+    if (s.ourSeconds > 0 && s.bulletSeconds > 0) speeds.push_back(s);
+  }
+  return speeds;
 }
 
 std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows) {

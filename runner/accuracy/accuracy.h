@@ -15,9 +15,11 @@ struct AccuracyOptions {
   std::vector<Integrator> integrators;  // to be compared
   std::vector<std::uint64_t> levels;    // further meshes; the scene's own always takes part
   bool otherPrecision = true, otherLaw = true;
-  int halvings = 4;  // of the longest time step
-  int samples = 16;  // times of comparison, at most
-  int rounds = 3;    // of every run, for the CPU time
+  bool bullet = false;  // beside Bullet, where it can be asked
+  std::string program;  // that is asked: this one's own file
+  int halvings = 4;     // of the longest time step
+  int samples = 16;     // times of comparison, at most
+  int rounds = 3;       // of every run, for the CPU time
   Execution execution;
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
@@ -57,6 +59,13 @@ struct SpeedAtError {
   std::optional<double> speed;  // CPU time of the scenario's own settings at that error over this
 };
 
+/// The least CPU time for an error, of our settings and of Bullet's, where both have it.
+struct BulletSpeed {
+  double error = 0;
+  std::string ours, bullets;  // series
+  double ourSeconds = 0, bulletSeconds = 0;
+};
+
 /// Of the settings tried, those that are as exact as the scenario is and cost the least.
 struct Rival {
   std::string series;
@@ -74,6 +83,7 @@ struct AccuracyReport {
   std::vector<AccuracyRow> rows;
   std::vector<SeriesOrder> orders;
   std::vector<SpeedAtError> speeds;
+  std::vector<BulletSpeed> bulletSpeeds;  // at 1e-1, 1e-2, …
   std::vector<std::string> remarks;
 };
 
@@ -86,6 +96,8 @@ const AccuracyRow* cheapest(const AccuracyReport& report, double target);
 
 /// Between neighbouring runs of a series, or one that is more exact and not dearer.
 std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<AccuracyRow>& rows);
+
+std::vector<BulletSpeed> compareSpeeds(const std::vector<AccuracyRow>& rows);
 
 /// Orders and speeds of rows; those not resolved, parted or failed are left out.
 std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows);

@@ -93,6 +93,11 @@ std::string describe(const AccuracyReport& report) {
     text += fmt::format("    {:<34} {:.4f} s, {:.0f} evaluations{}\n", s.series, s.cpuSeconds,
                         s.forceEvaluations, s.speed ? fmt::format(", speed {:.2f}", *s.speed) : "");
   }
+  if (!report.bulletSpeeds.empty())
+    text += "\nbeside Bullet: the least CPU time for an error, of all settings that were tried\n";
+  for (const BulletSpeed& s : report.bulletSpeeds)
+    text += fmt::format("  error {:g}: {:.4f} s ({}), Bullet {:.4f} s ({}): {:.1f} times\n", s.error,
+                        s.ourSeconds, s.ours, s.bulletSeconds, s.bullets, s.bulletSeconds / s.ourSeconds);
   if (report.speeds.empty()) text += "  no error lies between two runs of a series\n";
   return text;
 }

@@ -22,11 +22,13 @@ struct BulletScene {
 struct BulletRequest {
   BulletScene scene;
   int steps = 1;
+  std::vector<int> reports = {};  // rising: after which steps the cells are told as well
 };
 
 struct BulletResult {
-  std::vector<Body> cells;          // after the last step
-  std::vector<double> stepSeconds;  // CPU time of each step
+  std::vector<Body> cells;                      // after the last step
+  std::vector<double> stepSeconds;              // CPU time of each step
+  std::vector<std::vector<Body>> reports = {};  // as asked for
 };
 
 /// True if this program was built with Bullet in double precision.

@@ -96,6 +96,8 @@ void writeRequest(std::ostream& out, const BulletRequest& request) {
   w.word(requestTitle);
   w.word("baseline").number(static_cast<int>(s.baseline));
   w.word("steps").number(request.steps);
+  w.word("reports").number(double(request.reports.size()));
+  for (const int step : request.reports) w.number(step);
   w.word("time_step").number(s.timeStep);
   w.word("contact").number(s.contact);
   w.word("margin").number(s.margin);
@@ -124,6 +126,8 @@ BulletRequest readRequest(std::istream& in) {
   if (baseline > 2) throw InputError("Bullet's message: there is no such baseline");
   s.baseline = static_cast<Baseline>(baseline);
   request.steps = static_cast<int>(r.count("steps"));
+  request.reports.resize(r.count("reports"));
+  for (int& step : request.reports) step = static_cast<int>(r.count());
   s.timeStep = r.number("time_step");
   s.contact = r.number("contact") != 0;
   s.margin = r.number("margin");
@@ -151,6 +155,8 @@ void writeResult(std::ostream& out, const BulletResult& result) {
   w.word("step_seconds").number(double(result.stepSeconds.size()));
   for (const double s : result.stepSeconds) w.number(s);
   write(w, result.cells);
+  w.word("reports").number(double(result.reports.size()));
+  for (const auto& cells : result.reports) write(w, cells);
   w.word("end\n");
   out.flush();
 }
@@ -162,6 +168,8 @@ BulletResult readResult(std::istream& in) {
   result.stepSeconds.resize(r.count("step_seconds"));
   for (double& s : result.stepSeconds) s = r.number();
   result.cells = readCells(r);
+  result.reports.resize(r.count("reports"));
+  for (auto& cells : result.reports) cells = readCells(r);
   r.word("end");
   return result;
 }

@@ -1,5 +1,6 @@
 #include "baseline/worker.h"
 
+#include <algorithm>
 #include <ctime>
 #include <sstream>
 
@@ -28,6 +29,8 @@ void serveBullet(std::istream& in, std::ostream& out) {
     const double before = cpuSeconds();
     world.step();
     result.stepSeconds.push_back(cpuSeconds() - before);
+    if (std::binary_search(request.reports.begin(), request.reports.end(), i + 1))
+      result.reports.push_back(world.cells());
   }
   result.cells = world.cells();
   writeResult(out, result);

@@ -10,6 +10,7 @@
 #include "accuracy/picture.h"
 #include "accuracy/table.h"
 #include "base/number_text.h"
+#include "baseline/child_process.h"
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
@@ -25,7 +26,7 @@ namespace {
 struct AccuracyWords {
   std::string scenario, until, target, halvings = "4", rounds = "3", out = "results";
   std::vector<std::string> integrators, levels;
-  bool only = false, intoGolden = false;
+  bool only = false, intoGolden = false, bullet = false;
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
@@ -63,6 +64,8 @@ AccuracyOptions meant(const AccuracyWords& words, const Scenario& scenario) {
   options.integrators = integrators(words.integrators);
   options.levels = levels(words, scenario);
   options.otherPrecision = options.otherLaw = !words.only;
+  options.bullet = words.bullet;
+  options.program = ownProgram();
   options.halvings = static_cast<int>(naturalOption("--halvings", words.halvings, 1, 10));
   options.rounds = static_cast<int>(naturalOption("--rounds", words.rounds, 1, 100));
   options.execution = execution(words.execution);
@@ -126,6 +129,13 @@ Json toJson(const AccuracyReport& report, const std::string& picture) {
   Json rows = Json::array(), orders = Json::array(), speeds = Json::array();
   for (const auto& row : report.rows) rows.push_back(toJson(row));
   for (const auto& order : report.orders) orders.push_back(toJson(order));
+  Json besideBullet = Json::array();
+  for (const auto& s : report.bulletSpeeds)
+    besideBullet.push_back({{"error", s.error},
+                            {"series", s.ours},
+                            {"cpu_seconds", s.ourSeconds},
+                            {"bullet_series", s.bullets},
+                            {"bullet_cpu_seconds", s.bulletSeconds}});
   for (const auto& s : report.speeds)
     speeds.push_back({{"error", s.error},
                       {"series", s.series},
@@ -143,6 +153,7 @@ Json toJson(const AccuracyReport& report, const std::string& picture) {
           {"rows", rows},
           {"orders", orders},
           {"speed_at_error", speeds},
+          {"beside_bullet", besideBullet},
           {"remarks", report.remarks},
           {"picture", picture}};
 }
@@ -197,6 +208,7 @@ int act(const AccuracyWords& words) {
       std::erase_if(all, [&](const Override& o) { return o.path == path; });
       all.push_back(parseOverride(change));
     }
+    if (!changes.empty()) all.push_back(parseOverride("check={}"));  // it is of the scenario as it is
     return loadScenario(words.scenario, all);
   };
   const Scenario scenario = read({});
@@ -247,6 +259,8 @@ void addAccuracy(CLI::App& app, Action& action) {
   verb->add_option("--level", words->levels, "Other icospheres, as 1,3; default: the next coarser one")
       ->delimiter(',')
       ->type_name("N,...");
+  verb->add_flag("--bullet", words->bullet,
+                 "Beside Bullet's soft bodies, where the scene can be put to them");
   verb->add_flag("--into-golden", words->intoGolden,
                  "Write the error of the scenario as it is into its golden file");
   verb->add_flag("--only", words->only, "No other meshes, precision or contact law than the scenario's");

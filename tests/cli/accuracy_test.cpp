@@ -98,3 +98,52 @@ TEST_CASE("accuracy refuses what makes no sense, and says what would") {
   CHECK(genes.code == 3);
   CHECK_THAT(genes.err, ContainsSubstring("lineage-only"));
 }
+
+TEST_CASE("accuracy --bullet sets Bullet's soft bodies beside ours") {
+  const Bench bench;
+  const auto run = bench.accuracy(
+      {"--json", "--bullet", "--quiet", "--only", "--integrator", "velocity-verlet", "--halvings", "2"});
+  CAPTURE(run.err);
+  REQUIRE(run.code == 0);
+  const auto json = Json::parse(run.out);
+  std::size_t bullets = 0;
+  for (const auto& row : json["rows"]) bullets += row["engine"].get<std::string>().starts_with("bullet-");
+  if (bullets == 0) {
+    WARN("this build has no Bullet");
+    return;
+  }
+  for (const auto& row : json["rows"])
+    if (row["engine"] == "bullet-b1" && row["failed"] == false) CHECK(row["error"] < 0.5);
+  for (const auto& s : json["beside_bullet"]) {
+    CHECK(s["cpu_seconds"] > 0);
+    CHECK(s["bullet_cpu_seconds"] > 0);
+  }
+}
+
+TEST_CASE("accuracy --into-golden states the error of the scenario as it is, and of no other") {
+  const Bench bench;
+  const auto accept = [&] {
+    return launch(
+        {"review", bench.folder / "swinging.yaml", "--accept", "--why", "first", "--by", "me", "--quiet"});
+  };
+  const std::vector<std::string> quick{"--into-golden",   "--quiet",    "--only", "--integrator",
+                                       "velocity-verlet", "--halvings", "2"};
+  CHECK(bench.accuracy(quick).code == 3);  // there is no golden
+  REQUIRE(accept().code == 0);
+  auto changed = quick;
+  changed.insert(changed.end(), {"--set", "physics.drag=3"});
+  CHECK(bench.accuracy(changed).code == 2);
+  CHECK(readWhole(bench.folder / "swinging.golden").find("\nerror ") == std::string::npos);
+  const auto run = bench.accuracy(quick);
+  CAPTURE(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(run.out.find("as it is   error ") != std::string::npos);
+  CHECK(readWhole(bench.folder / "swinging.golden").find("\nerror ") != std::string::npos);
+  CHECK(launch({"check", bench.folder / "swinging.yaml"}).code == 0);
+  REQUIRE(accept().code == 0);  // the same scenario: its error stays
+  CHECK(readWhole(bench.folder / "swinging.golden").find("\nerror ") != std::string::npos);
+  writeWhole(bench.folder / "swinging.yaml", swinging + "  precision: single\n");
+  CHECK(bench.accuracy(quick).code == 3);  // accept its result first
+  REQUIRE(accept().code == 0);
+  CHECK(readWhole(bench.folder / "swinging.golden").find("\nerror ") == std::string::npos);
+}

@@ -107,6 +107,40 @@ TEST_CASE("Orders and speeds follow from rows; what failed, parted or is not res
   CHECK(cheapest(report, 0.05)->cpuSeconds == 80);
 }
 
+TEST_CASE(
+    "Rivals are as exact as the scene is, between two runs or beyond; Bullet's best is held against ours") {
+  const auto row = [](const char* engine, const char* series, double error, double seconds) {
+    AccuracyRow r;
+    r.engine = engine, r.series = series, r.error = error, r.resolved = true, r.cpuSeconds = seconds;
+    return r;
+  };
+  const AccuracyRow own = row("morula", "as it is", 0.01, 8);
+  // Through 1 s at 0.1 and 100 s at 0.001: 10 s at 0.01. A run of 4 s at 0.002 is more exact than asked for.
+  std::vector<AccuracyRow> rows{row("morula", "slow", 0.1, 1), row("morula", "slow", 0.001, 100),
+                                row("bullet-b1", "bullet b1", 0.1, 30),
+                                row("bullet-b1", "bullet b1", 0.001, 3000),
+                                row("bullet-b2", "bullet b2", 0.2, 1)};
+  REQUIRE(findRival(own, rows));
+  CHECK(findRival(own, rows)->series == "slow");
+  CHECK(findRival(own, rows)->speed == Approx(0.8));
+  rows.push_back(row("morula", "single", 0.002, 4));
+  CHECK(findRival(own, rows)->series == "single");
+  CHECK(findRival(own, rows)->speed == Approx(2));
+  rows.back().partedAt = 1;  // other cells: it says nothing
+  CHECK(findRival(own, rows)->series == "slow");
+  rows.back().partedAt.reset();
+
+  const auto speeds = compareSpeeds(rows);
+  REQUIRE(speeds.size() == 3);  // 0.1, 0.01, 0.001
+  CHECK(speeds[0].ours == "slow");
+  CHECK(speeds[1].error == Approx(0.01));
+  CHECK(speeds[1].ours == "single");
+  CHECK(speeds[1].ourSeconds == 4);
+  CHECK(speeds[1].bullets == "bullet b1");
+  CHECK(speeds[1].bulletSeconds == Approx(300));
+  CHECK(speeds[2].ourSeconds == Approx(100));
+}
+
 TEST_CASE("A smooth scene: every integrator has its order, and the reference its witness") {
   AccuracyOptions options;
   options.integrators = {std::begin(allIntegrators), std::end(allIntegrators)};

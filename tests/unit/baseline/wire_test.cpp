@@ -13,7 +13,7 @@ using namespace morula;
 namespace {
 
 BulletRequest everything() {
-  BulletRequest request{pressurisedCell(0, Baseline::b2, 1.0 / 3), 7};
+  BulletRequest request{pressurisedCell(0, Baseline::b2, 1.0 / 3), 7, {2, 5}};
   BulletScene& s = request.scene;
   s.physics.membrane.damping = 0.1;
   s.physics.pressure.outside = 1e-300;
@@ -41,6 +41,7 @@ TEST_CASE("A request arrives as it was sent") {
   const BulletRequest got = readRequest(line);
   const BulletScene &a = sent.scene, &b = got.scene;
   CHECK(got.steps == sent.steps);
+  CHECK(got.reports == sent.reports);
   CHECK(b.baseline == a.baseline);
   CHECK(b.mesh.vertices == a.mesh.vertices);
   CHECK(b.mesh.faces == a.mesh.faces);
@@ -59,13 +60,16 @@ TEST_CASE("A request arrives as it was sent") {
 }
 
 TEST_CASE("A result arrives as it was sent") {
-  const BulletResult sent{everything().scene.cells, {1e-6, 0.25}};
+  const auto cells = everything().scene.cells;
+  const BulletResult sent{cells, {1e-6, 0.25}, {{cells[1]}, cells}};
   std::stringstream line;
   writeResult(line, sent);
   const BulletResult got = readResult(line);
   CHECK(got.stepSeconds == sent.stepSeconds);
   REQUIRE(got.cells.size() == 2);
   CHECK(same(got.cells[1], sent.cells[1]));
+  REQUIRE((got.reports.size() == 2 && got.reports[0].size() == 1 && got.reports[1].size() == 2));
+  CHECK(same(got.reports[0][0], cells[1]));
 }
 
 TEST_CASE("A broken message is told, wherever it breaks") {
@@ -84,7 +88,7 @@ TEST_CASE("A broken message is told, wherever it breaks") {
 
 TEST_CASE("The worker answers a request, the same each time") {
   NEEDS_BULLET
-  BulletRequest request{pressurisedCell(1, Baseline::b1, 0), 5};
+  BulletRequest request{pressurisedCell(1, Baseline::b1, 0), 5, {2, 5}};
   std::ostringstream text;
   writeRequest(text, request);
   std::vector<Body> first;
@@ -96,6 +100,9 @@ TEST_CASE("The worker answers a request, the same each time") {
     const BulletResult result = readResult(reply);
     CHECK(result.stepSeconds.size() == 5);
     REQUIRE(result.cells.size() == 1);
+    REQUIRE(result.reports.size() == 2);  // on the way, and the end once more
+    CHECK_FALSE(same(result.reports[0][0], result.cells[0]));
+    CHECK(same(result.reports[1][0], result.cells[0]));
     CHECK(meanRadius(result.cells[0]) > 1);
     if (turn == 0) first = result.cells;
     else CHECK(same(result.cells[0], first[0]));

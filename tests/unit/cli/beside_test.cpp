@@ -42,8 +42,8 @@ CheckParameters mustStop() {
 TEST_CASE("A verdict names all that is broken, in few digits, with its bounds and its step") {
   CHECK(judge({}, runWith(End::done)).text == "holds");
   // A hash may begin like a number that no double holds.
-  CHECK(judge({}, CheckReport{"x", {failing("scenario", "725e710d75e6", "1e999", 0)}}).text.find("725e710d75e6") !=
-        std::string::npos);
+  CHECK(judge({}, CheckReport{"x", {failing("scenario", "725e710d75e6", "1e999", 0)}})
+            .text.find("725e710d75e6") != std::string::npos);
   const Verdict v =
       judge({}, runWith(End::done, {failing("volume", "from 0.5 to 1.5", "from 0.98765432 to 3.2109876", 50),
                                     failing("energy", "at most 0.6", "0.71234567", 9),

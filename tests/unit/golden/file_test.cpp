@@ -51,6 +51,27 @@ int lastLine() { return static_cast<int>(linesOf(writeGolden(exampleGolden())).s
 
 }  // namespace
 
+TEST_CASE("the error of a scenario's settings is kept, and sealed") {
+  Golden golden = exampleGolden();
+  golden.error = GoldenError{2.8e-4, 1.6875};
+  const std::string text = writeGolden(golden);
+  CHECK(text.find("\nerror 0.00028 until 1.6875\n") != text.npos);
+  const Golden again = readGolden(text, "x.golden");
+  REQUIRE(again.error);
+  CHECK((again.error->size == 2.8e-4 && again.error->until == 1.6875));
+  CHECK(writeGolden(again) == text);
+  const auto replaced = [&](const std::string& by) {
+    std::string other = text;
+    const auto at = other.find("error 0.00028 until 1.6875");
+    return other.replace(at, 26, by);
+  };
+  complains(replaced("error 0.00027 until 1.6875"), 0, "edited");
+  for (const char* broken : {"error", "error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2"})
+    CHECK_THROWS_AS(readGolden(replaced(broken), "x.golden"), InputError);
+  complains(replaced("error 0.00028 until 1.6875\nerror 0.00028 until 1.6875"), 0, "stands twice");
+  CHECK_FALSE(readGolden(writeGolden(exampleGolden()), "x.golden").error);
+}
+
 TEST_CASE("the file is one value per line in a fixed order") {
   const std::string expected = R"(morula golden 1
 scenario thesis/example
