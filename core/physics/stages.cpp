@@ -74,6 +74,15 @@ PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
       k.gatherRings,      p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces};
 }
 
+Isa narrowestIsa(int cells, Isa widest, Precision precision) {
+  const bool wide = precision == Precision::binary64;
+  for (const Isa isa : {Isa::scalar, Isa::narrow, Isa::avx2}) {
+    const int width = isa == Isa::scalar ? 1 : isa == Isa::narrow ? (wide ? 2 : 4) : (wide ? 4 : 8);
+    if (isa == widest || width >= cells) return isa;
+  }
+  return widest;
+}
+
 PhysicsStages furtherStages(const PhysicsStages& stages, std::size_t evaluation) {
   PhysicsStages further = stages;
   further.drift = stages.furtherDrifts[evaluation];

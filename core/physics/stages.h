@@ -19,6 +19,10 @@ struct PhysicsStages {
 /// gas have them anyway.
 PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa, bool surfaces = true);
 
+/// The narrowest of the instruction sets up to `widest` that takes so many cells in one go: a block with few
+/// cells does not pay for empty lanes. The same bits as any.
+Isa narrowestIsa(int cells, Isa widest, Precision precision);
+
 /// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`. 0 only
 /// evaluates.
 void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);

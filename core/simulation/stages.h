@@ -9,8 +9,11 @@ namespace morula {
 /// Moves all cells on by `timeStep` and evaluates every force at the new positions; 0 only evaluates.
 void movePhysics(World& world, double timeStep);
 
-/// The part of it that one evaluation of the forces takes.
-void moveAndEvaluate(World& world, const PhysicsStages& stages, double timeStep);
+/// The part of it that evaluation number `evaluation` of the forces takes.
+void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep);
+
+/// Sets the world's kernels to those of an instruction set. It has bodies.
+void setStages(World& world, Isa isa);
 
 /// Throws NumericalError if a cell's volume is not a positive number below the largest sensible one.
 void checkBodies(const World& world);

@@ -22,19 +22,23 @@ void step(World& world) {
 
 void movePhysics(World& world, double timeStep) {
   if (world.bodies->count == 0) return;
-  moveAndEvaluate(world, world.stages, timeStep);
-  for (std::size_t i = 0; i < world.stages.furtherDrifts.size(); ++i)
-    moveAndEvaluate(world, furtherStages(world.stages, i), timeStep);
+  for (std::size_t i = 0; i <= world.stages.furtherDrifts.size(); ++i) moveAndEvaluate(world, i, timeStep);
 }
 
-void moveAndEvaluate(World& world, const PhysicsStages& stages, double timeStep) {
+void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
   Bodies& bodies = *world.bodies;
   const int blocks = bodies.blockCount(), threads = world.execution.threads;
   const bool alone =
       !world.contacts && !world.connections;  // no cell needs another: one pass while a block is hot
 
+  const auto stagesOf = [&](const BlockView& block) {
+    const PhysicsStages& stages = world.stagesOfLanes[block.liveLanes - 1];
+    return evaluation == 0 ? stages : furtherStages(stages, evaluation - 1);
+  };
+
   parallelFor(blocks, threads, [&](int i) {
     const BlockView block = bodies.block(i, threadNumber());
+    const PhysicsStages stages = stagesOf(block);
     advance(stages, bodies, block, timeStep);
     if (world.contacts) takeSnapshot(*world.contacts, bodies, block, i);
     if (alone) kick(stages, bodies, block, timeStep);
@@ -48,7 +52,8 @@ void moveAndEvaluate(World& world, const PhysicsStages& stages, double timeStep)
   }
   parallelFor(blocks, threads, [&](int i) {
     if (world.contacts) addContactForces(*world.contacts, bodies, i, world.clock.timeStep);
-    kick(stages, bodies, bodies.block(i, threadNumber()), timeStep);
+    const BlockView block = bodies.block(i, threadNumber());
+    kick(stagesOf(block), bodies, block, timeStep);
   });
 }
 

@@ -31,12 +31,12 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
 
   const MechanicsScene& m = *scene.mechanics;
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed);
-  world.stages = chooseStages(m.physics, execution.isa, m.contact.has_value());
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
     world.contacts =
         makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}};
+  setStages(world, execution.isa);
   setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
   try {
     beginWithBodies(world);
@@ -44,6 +44,14 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
     throw InputError(e.quantity + "; " + e.remedy);  // nothing has run yet: the scene is at fault
   }
   return world;
+}
+
+void setStages(World& world, Isa isa) {
+  const PhysicsParameters& p = world.bodies->parameters;
+  const bool surfaces = world.contacts.has_value();
+  world.stages = chooseStages(p, isa, surfaces);
+  for (int cells = 1; cells <= blockLanes; ++cells)
+    world.stagesOfLanes[cells - 1] = chooseStages(p, narrowestIsa(cells, isa, p.precision), surfaces);
 }
 
 void beginWithBodies(World& world) {

@@ -1,5 +1,6 @@
 #pragma once
 // The state of a scene in motion, and how it goes on.
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -54,8 +55,9 @@ struct World {
   Scene model;
   Execution execution;
   std::unique_ptr<BiologicalUnit> biology;
-  std::unique_ptr<DivisionPolicy> divisionPolicy;  // null without physics
-  PhysicsStages stages{};
+  std::unique_ptr<DivisionPolicy> divisionPolicy;         // null without physics
+  PhysicsStages stages{};                                 // in the instruction set of `execution`
+  std::array<PhysicsStages, blockLanes> stagesOfLanes{};  // [living cells of a block − 1] narrowestIsa
 
   // State
   Clock clock;

@@ -43,12 +43,13 @@ Subject::Subject(const PackedScene& packed, int mostThreads, const std::filesyst
 void Subject::useIsa(Isa isa, int threads) {
   world_.execution.isa = isa;
   world_.execution.threads = threads;
-  world_.stages = chooseStages(world_.bodies->parameters, isa);
+  setStages(world_, isa);
   if (!world_.contacts) return;
   Contacts& c = *world_.contacts;
-  const Contacts other =
-      makeContacts(c.parameters, isa, world_.execution.search, world_.bodies->parameters.precision);
+  const PhysicsParameters& p = world_.bodies->parameters;
+  const Contacts other = makeContacts(c.parameters, isa, world_.execution.search, p.precision, p.cell.model);
   c.kernels = other.kernels;
+  c.takeSnapshot = other.takeSnapshot;
   c.addForces = other.addForces;
   c.list.kernels = other.list.kernels;
 }

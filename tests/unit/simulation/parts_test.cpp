@@ -75,3 +75,22 @@ TEST_CASE("Contact of a cell that is alone changes nothing") {
   CHECK(with.bodies->position == without.bodies->position);
   CHECK(with.contacts->list.pairs == 0);
 }
+
+TEST_CASE(
+    "A block with few cells takes the narrowest kernels that hold them, and never wider ones than asked "
+    "for") {
+  for (const Precision precision : {Precision::binary64, Precision::binary32}) {
+    const bool wide = precision == Precision::binary64;
+    CHECK(narrowestIsa(1, Isa::avx512, precision) == Isa::scalar);
+    CHECK(narrowestIsa(2, Isa::avx512, precision) == Isa::narrow);
+    CHECK(narrowestIsa(3, Isa::avx512, precision) == (wide ? Isa::avx2 : Isa::narrow));
+    CHECK(narrowestIsa(5, Isa::avx512, precision) == (wide ? Isa::avx512 : Isa::avx2));
+    CHECK(narrowestIsa(8, Isa::avx2, precision) == Isa::avx2);
+    CHECK(narrowestIsa(8, Isa::narrow, precision) == Isa::narrow);
+    CHECK(narrowestIsa(8, Isa::scalar, precision) == Isa::scalar);
+  }
+  const World world = makeWorld(scenes::packed());
+  CHECK(world.stagesOfLanes[0].drift ==
+        physicsKernels(Isa::scalar).driftVelocityVerlet[int(ShellShape::sphere)]);
+  CHECK(world.stagesOfLanes[7].drift == world.stages.drift);
+}
