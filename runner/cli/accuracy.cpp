@@ -176,11 +176,11 @@ std::string targetText(const AccuracyWords& words, const AccuracyReport& report,
       join(changesFor(best->setting), " --set "));
 }
 
-/// A golden states the error of the scenario as it lies there, over all the time that can be compared.
+/// A golden states the error of the scenario as it lies there.
 void refuseIntoGolden(const AccuracyWords& words, const Scenario& scenario) {
   if (!words.intoGolden) return;
-  if (!words.scene.set.empty() || !words.scene.seed.empty() || !words.until.empty())
-    throw UsageError("--into-golden: it is of the scenario as it is; remove --set, --seed and --until");
+  if (!words.scene.set.empty() || !words.scene.seed.empty())
+    throw UsageError("--into-golden: it is of the scenario as it is; remove --set and --seed");
   const auto file = goldenPath(scenario.file);
   refuseWithinCi(file);
   if (readGoldenFile(file).data.scenarioHash != scenario.meaning.text())
@@ -192,6 +192,11 @@ void writeIntoGolden(const Scenario& scenario, const AccuracyReport& report) {
   if (!own.error || own.partedAt)
     throw InputError(scenario.file + ": it has no error to state: " +
                      (own.failure.empty() ? "its lineage is not the reference's" : own.failure));
+  if (report.reference.left.error > *own.error)
+    throw InputError(
+        fmt::format("{}: it has no error to state: the reference's own is {:.2g} and the scenario's {:.2g}; "
+                    "compare a shorter time (--until)",
+                    scenario.file, report.reference.left.error, *own.error));
   const auto file = goldenPath(scenario.file);
   Golden golden = readGoldenFile(file);
   // A measured number, not a result: two digits.
