@@ -11,15 +11,6 @@ namespace morula {
 
 namespace {
 
-double kineticEnergy(const Bodies& b, int slot) {
-  double sum = 0;
-  for (int v = 0; v < b.vertexCount(slot); ++v) {
-    const Vector u = b.read(b.velocity, slot, v);
-    sum += dot(u, u);
-  }
-  return 0.5 * b.vertexMass[slot] * sum;
-}
-
 CellMeasures measureMesh(const Bodies& b, int slot) {
   const auto& [vertices, faces] = takeSurface(b, slot);
   CellMeasures m;
@@ -55,6 +46,15 @@ double outermostSquare(const Bodies& b, const double* semiAxes) {
 
 }  // namespace
 
+double measureKineticEnergy(const Bodies& b, int slot) {
+  double sum = 0;
+  for (int v = 0; v < b.vertexCount(slot); ++v) {
+    const Vector u = b.read(b.velocity, slot, v);
+    sum += dot(u, u);
+  }
+  return 0.5 * b.vertexMass[slot] * sum;
+}
+
 WorldMeasures measureWorld(const World& world) {
   WorldMeasures m;
   m.time = world.clock.time;
@@ -65,7 +65,7 @@ WorldMeasures measureWorld(const World& world) {
   for (int slot : b.slots) {
     m.volume += b.volume[slot];
     m.meanPressure += b.pressure[slot];
-    m.kineticEnergy += kineticEnergy(b, slot);
+    m.kineticEnergy += measureKineticEnergy(b, slot);
   }
   if (b.count > 0) m.meanPressure /= b.count;
   if (b.parameters.shell) {

@@ -11,6 +11,7 @@
 
 namespace morula {
 
+struct Bodies;
 struct World;
 
 /// One living cell's geometry. Lineage-only worlds have none.
@@ -41,6 +42,8 @@ struct WorldMeasures {
   double outermost = 0;  // largest distance of a vertex, in shell radii (1: on the shell); 0 without a shell
 };
 
+/// ½ Σ m v² over a cell's vertices. [force·length]
+double measureKineticEnergy(const Bodies& bodies, int slot);
 WorldMeasures measureWorld(const World& world);
 /// By lineage path; empty in a lineage-only world.
 std::vector<CellMeasures> measureCells(const World& world);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "accuracy/bullet_trial.h"
+#include "accuracy/cheaper_model.h"
 #include "base/error.h"
 #include "base/maths.h"
 #include "base/number_text.h"
@@ -175,9 +176,9 @@ class Experiment {
   }
 
   void addSeries(std::vector<Setting>& list, Setting s) const {
-    // Beside Bullet as long ones as Bullet is tried with, and the longest of all: who can take them takes
-    // them.
-    if (const double step = options_.bullet ? longestStable(s) : 0; step > longest_) {
+    // Beside Bullet as long ones as Bullet is tried with. There, and with a model that may bear longer steps,
+    // the longest of all: who can take them takes them.
+    if (const double step = options_.bullet || s.model ? longestStable(s) : 0; step > longest_) {
       s.timeStep = step;
       list.push_back(s);
     }
@@ -211,7 +212,21 @@ class Experiment {
       });
     if (options_.otherLaw && usual_.law)
       vary([](Setting& s) { s.law = s.law == ContactLaw::pair ? ContactLaw::thesis : ContactLaw::pair; });
+    if (options_.cheaperModels) addModels(list);
     return list;
+  }
+
+  /// XPBD is for shells, and the thesis' contact law for meshes.
+  void addModels(std::vector<Setting>& list) const {
+    const MechanicsScene& m = *scenario_.scene.mechanics;
+    for (const CellModel model : cheaperThan(m.physics.cell.model)) {
+      Setting s = usual_;
+      s.model = {model, matchShell(m.physics, m.mesh)};
+      if (s.substeps) s.substeps = 1;
+      if (s.integrator == Integrator::xpbd) s.integrator = Integrator::velocityVerlet;
+      if (s.law && model == CellModel::sphere) s.law = ContactLaw::pair;
+      addSeries(list, s);
+    }
   }
 
   void addBullet() {

@@ -14,7 +14,7 @@ struct AccuracyOptions {
   std::optional<double> until;          // [time] compare up to here; absent: up to the horizon of chaos
   std::vector<Integrator> integrators;  // to be compared
   std::vector<std::uint64_t> levels;    // further meshes; the scene's own always takes part
-  bool otherPrecision = true, otherLaw = true;
+  bool otherPrecision = true, otherLaw = true, cheaperModels = true;
   bool bullet = false;  // beside Bullet, where it can be asked
   std::string program;  // that is asked: this one's own file
   int halvings = 4;     // of the longest time step

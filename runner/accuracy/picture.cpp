@@ -30,8 +30,11 @@ Image drawAccuracy(const AccuracyReport& report) {
   chart.xScale = Chart::Scale::decades;
   for (const AccuracyRow& row : report.rows) {
     if (!row.error || !row.resolved || row.partedAt || !(row.cpuSeconds > 0)) continue;
-    if (chart.lines.empty() || chart.lines.back().label != row.series)
-      chart.lines.push_back({row.series, colours[chart.lines.size() % std::size(colours)], {}, false, {}});
+    if (chart.lines.empty() || chart.lines.back().label != row.series) {
+      const std::size_t number = chart.lines.size();  // those beyond the colours are dashed
+      chart.lines.push_back(
+          {row.series, colours[number % std::size(colours)], {}, number >= std::size(colours), {}});
+    }
     chart.lines.back().points.push_back({row.cpuSeconds, *row.error});
     chart.lines.back().pointLabels.push_back(stepLabel(row.setting.timeStep));
   }

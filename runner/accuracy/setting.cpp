@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "accuracy/cheaper_model.h"
 #include "base/number_text.h"
 
 namespace morula {
@@ -42,7 +43,11 @@ std::uint64_t evaluationsPerStep(const Setting& s) {
 
 Setting settingOf(const Scenario& scenario, double timeStep) {
   const MechanicsScene& m = *scenario.scene.mechanics;
-  Setting s{m.physics.integrator, timeStep, m.physics.precision, {}, {}, m.physics.substeps};
+  Setting s;
+  s.integrator = m.physics.integrator;
+  s.timeStep = timeStep;
+  s.precision = m.physics.precision;
+  s.substeps = m.physics.substeps;
   if (!scenario.mesh.file) s.level = scenario.mesh.icosphere;
   if (m.contact) s.law = m.contact->law;
   return s;
@@ -54,6 +59,28 @@ Setting settingAsItIs(const Scenario& scenario, double leastTimeStep) {
   return s;
 }
 
+namespace {
+
+void addChanges(const OtherModel& other, std::vector<std::string>& changes) {
+  const auto take = [&](const char* path) { changes.push_back(fmt::format("{}=null", path)); };
+  changes.push_back(fmt::format("physics.cell.model={}", name(other.model)));
+  take("physics.membrane");
+  take("physics.pressure");
+  if (other.model == CellModel::shapeMatching) {
+    const auto give = [&](const char* key, double value) {
+      changes.push_back(fmt::format("physics.shape-matching.{}={}", key, numberText(value)));
+    };
+    give("stiffness", other.matched.stiffness);
+    give("linear", other.matched.linear);
+    give("damping", other.matched.damping);
+  } else {
+    for (const char* path : {"physics.shape-matching", "physics.mesh.coarsen", "physics.contact.radius"})
+      take(path);
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> changesFor(const Setting& s) {
   std::vector<std::string> changes{fmt::format("physics.integrator={}", name(s.integrator)),
                                    "physics.time_step=" + (s.automatic ? "auto" : exactText(s.timeStep)),
@@ -61,6 +88,7 @@ std::vector<std::string> changesFor(const Setting& s) {
   if (s.substeps) changes.push_back(fmt::format("physics.substeps={}", *s.substeps));
   if (s.level) changes.push_back(fmt::format("physics.mesh.icosphere={}", *s.level));
   if (s.law) changes.push_back(fmt::format("physics.contact.law={}", name(*s.law)));
+  if (s.model) addChanges(*s.model, changes);
   return changes;
 }
 
@@ -70,6 +98,7 @@ std::string seriesName(const Setting& s, const Setting& usual) {
   if (s.level != usual.level && s.level) text += fmt::format(", icosphere {}", *s.level);
   if (s.precision != usual.precision) text += fmt::format(", {}", name(s.precision));
   if (s.law != usual.law && s.law) text += fmt::format(", {} contact", name(*s.law));
+  if (s.model) text += fmt::format(", {}", name(s.model->model));
   return text;
 }
 

@@ -11,6 +11,12 @@
 
 namespace morula {
 
+/// A cheaper cell model than the scene's own.
+struct OtherModel {
+  CellModel model = CellModel::sphere;
+  ShapeMatchingParameters matched;  // of shape matching only
+};
+
 struct Setting {
   Integrator integrator = Integrator::velocityVerlet;
   double timeStep = 0;
@@ -18,6 +24,7 @@ struct Setting {
   std::optional<std::uint64_t> level;     // of the icosphere; absent: the scene's mesh comes from a file
   std::optional<ContactLaw> law;          // absent: cells cannot touch
   std::optional<std::uint64_t> substeps;  // of XPBD; absent: 1
+  std::optional<OtherModel> model;        // absent: the scene's
   bool automatic = false;                 // the scene chooses its time steps; timeStep is the least of them
 };
 

@@ -17,9 +17,11 @@ std::string stepText(double timeStep) {
              : numberText(timeStep, 6);
 }
 
-std::string line(const AccuracyRow& row) {
-  std::string text = fmt::format("  {:<10}", stepText(row.setting.timeStep));
-  if (!row.failure.empty()) return text + "failed: " + row.failure + "\n";
+/// `before`: why the row above failed, if it did.
+std::string line(const AccuracyRow& row, const std::string& before) {
+  std::string text = fmt::format("  {:<11}", stepText(row.setting.timeStep));
+  if (!row.failure.empty())
+    return text + (row.failure == before ? "failed likewise\n" : "failed: " + row.failure + "\n");
   if (!row.error) return text + fmt::format("other cells live from {} on\n", numberText(*row.partedAt));
   text += fmt::format("{:>9.2e}{} {:>9.2e} {:>9.2e} {:>9.2e} {:>9.2e} {:>10.4f} {:>12} {:>13}", *row.error,
                       row.resolved ? " " : "~", row.errors.centroid, row.errors.volume, row.errors.surface,
@@ -73,16 +75,17 @@ std::string describe(const AccuracyReport& report) {
       "cells and "
       "times\n"
       "births: latest birth against the reference's [cycle lengths]\n";
-  std::string series;
+  std::string series, failure;
   for (const AccuracyRow& row : report.rows) {
     if (row.series != series) {
-      series = row.series;
+      series = row.series, failure.clear();
       text += fmt::format(
-          "\n{}{}\n  time step     error   centroid    volume   surface    births  CPU [s]   "
+          "\n{}{}\n  time step      error   centroid    volume   surface    births  CPU [s]   "
           "evaluations  vertex-steps\n",
           series, series == report.usual ? " (the scenario's own)" : "");
     }
-    text += line(row);
+    text += line(row, failure);
+    failure = row.failure;
   }
   text += "\norder, from the slope of the error over the time step\n";
   for (const SeriesOrder& o : report.orders) text += orderText(o);

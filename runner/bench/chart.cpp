@@ -111,6 +111,45 @@ void drawDashed(Image& image, const std::vector<Spot>& points, double width, Col
   }
 }
 
+struct Box {
+  double left, top, right, bottom;
+  bool touches(const Box& b) const {
+    return left < b.right && b.left < right && top < b.bottom && b.top < bottom;
+  }
+};
+
+/// Labels beside their points, each at the nearest place of a few where it covers neither a point nor another
+/// label.
+void drawPointLabels(Image& image, const Sheet& s, const Chart& chart) {
+  const double size = 0.75 * s.textSize, gap = 0.5 * s.textSize, dot = 4;
+  std::vector<Box> taken;
+  for (const ChartLine& line : chart.lines)
+    for (const Spot& point : line.points) {
+      const Spot p = s.place(point);
+      taken.push_back({p.x - dot, p.y - dot, p.x + dot, p.y + dot});
+    }
+  for (const ChartLine& line : chart.lines)
+    for (std::size_t i = 0; i < line.pointLabels.size(); ++i) {
+      const Spot p = s.place(line.points[i]);
+      const double wide = textWidth(line.pointLabels[i], {.size = size});
+      const auto at = [&](int turn) {
+        const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;  // right or left of the point,
+        const double y =
+            p.y + (turn / 2 % 2 == 0 ? -1 : 1) * (0.35 + turn / 4) * s.textSize;  // above or below
+        return Box{x, y - size, x + wide, y + 0.25 * size};
+      };
+      Box box = at(0);
+      for (int turn = 0; turn < 12; ++turn) {
+        const Box other = at(turn);
+        if (std::any_of(taken.begin(), taken.end(), [&](const Box& b) { return b.touches(other); })) continue;
+        box = other;
+        break;
+      }
+      taken.push_back(box);
+      drawText(image, box.left, box.top + size, line.pointLabels[i], {.size = size, .colour = line.colour});
+    }
+}
+
 /// Labels beside the ends of their lines, moved apart where they would touch.
 void drawLabels(Image& image, const Sheet& s, const Chart& chart) {
   struct Label {
@@ -148,10 +187,8 @@ Image drawChart(const Chart& chart) {
     if (line.dashed) drawDashed(image, places, 2.2, line.colour);
     else if (places.size() > 1) drawStroke(image, places, 2.2, line.colour);
     for (const Spot& p : places) drawDisc(image, p, 3.6, line.colour);
-    for (std::size_t i = 0; i < line.pointLabels.size(); ++i)
-      drawText(image, places[i].x + 0.5 * sheet.textSize, places[i].y - 0.35 * sheet.textSize,
-               line.pointLabels[i], {.size = 0.75 * sheet.textSize, .colour = line.colour});
   }
+  drawPointLabels(image, sheet, chart);
   drawLabels(image, sheet, chart);
   return image;
 }

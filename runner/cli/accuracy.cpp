@@ -1,4 +1,5 @@
-// morula accuracy: speed against error, over time steps, integrators, meshes, precisions and contact laws.
+// morula accuracy: speed against error, over time steps, integrators, meshes, precisions, contact laws and
+// cell models.
 #include "accuracy/accuracy.h"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "accuracy/cheaper_model.h"
 #include "accuracy/picture.h"
 #include "accuracy/table.h"
 #include "base/number_text.h"
@@ -63,7 +65,7 @@ AccuracyOptions meant(const AccuracyWords& words, const Scenario& scenario) {
   if (!words.until.empty()) options.until = positiveOption("--until", words.until);
   options.integrators = integrators(words.integrators);
   options.levels = levels(words, scenario);
-  options.otherPrecision = options.otherLaw = !words.only;
+  options.otherPrecision = options.otherLaw = options.cheaperModels = !words.only;
   options.bullet = words.bullet;
   options.program = ownProgram();
   options.halvings = static_cast<int>(naturalOption("--halvings", words.halvings, 1, 10));
@@ -80,6 +82,7 @@ Json toJson(const Setting& s) {
           {"substeps", s.substeps.value_or(1)},
           {"precision", s.precision == Precision::binary64 ? "double" : "single"},
           {"contact_law", s.law ? Json(*s.law == ContactLaw::pair ? "pair" : "thesis") : Json()},
+          {"cell_model", s.model ? Json(name(s.model->model)) : Json()},
           {"set", changesFor(s)}};
 }
 
@@ -250,7 +253,8 @@ void addAccuracy(CLI::App& app, Action& action) {
   auto words = std::make_shared<AccuracyWords>();
   auto* verb = app.add_subcommand(
       "accuracy",
-      "Hold integrators, time steps, meshes and precisions of a scene against each other: speed and error");
+      "Hold integrators, time steps, meshes, precisions and cell models of a scene against each other: speed "
+      "and error");
   verb->add_option("scenario", words->scenario, "A scenario file")->required()->type_name("FILE");
   verb->add_option("--until", words->until, "Compare up to this time; default: before chaos sets in")
       ->type_name("T");
@@ -268,7 +272,8 @@ void addAccuracy(CLI::App& app, Action& action) {
                  "Beside Bullet's soft bodies, where the scene can be put to them");
   verb->add_flag("--into-golden", words->intoGolden,
                  "Write the error of the scenario as it is into its golden file");
-  verb->add_flag("--only", words->only, "No other meshes, precision or contact law than the scenario's");
+  verb->add_flag("--only", words->only,
+                 "No other meshes, precision, contact law or cell model than the scenario's");
   verb->add_option("--halvings", words->halvings, "Of the longest time step, twice the scenario's smallest")
       ->type_name("N")
       ->capture_default_str();

@@ -14,7 +14,7 @@ void add(CLI::App& verb, OutputOptions& options) {
 }
 
 void add(CLI::App& verb, SceneOptions& options) {
-  verb.add_option("--set", options.set, "Change a parameter: --set physics.time_step=0.001; may repeat")
+  verb.add_option("--set", options.set, "Change a parameter: --set physics.time_step=0.001; null takes it away; may repeat")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);  // or --set a=1 FILE would swallow FILE
   verb.add_option("--seed", options.seed, "Another seed than the scenario's")->type_name("N");

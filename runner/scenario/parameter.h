@@ -82,6 +82,7 @@ struct ParameterTable {
   std::vector<Parameter> parameters;  // in the order in which people should meet them
 
   const Section* section(std::string_view path) const;
+  const Parameter* parameter(std::string_view path) const;
   /// The parameters and sections directly inside a section.
   std::vector<const Parameter*> parametersOf(std::string_view section) const;
   std::vector<const Section*> sectionsOf(std::string_view section) const;

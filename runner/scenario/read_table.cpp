@@ -134,6 +134,12 @@ const Section* ParameterTable::section(std::string_view path) const {
   return nullptr;
 }
 
+const Parameter* ParameterTable::parameter(std::string_view path) const {
+  for (const auto& p : parameters)
+    if (p.path == path) return &p;
+  return nullptr;
+}
+
 std::vector<const Parameter*> ParameterTable::parametersOf(std::string_view section) const {
   std::vector<const Parameter*> found;
   for (const auto& p : parameters)

@@ -19,6 +19,10 @@ void applyOverrides(Node& root, const std::vector<Override>& overrides, Problems
       if (&other < &change && other.path == change.path)
         problems.add(place, change.path, "given twice",
                      "keep one of '" + other.value + "' and '" + change.value + "'");
+    const auto& table = parameterTable();
+    const bool removes = change.value == "null" || change.value == "~";
+    if (removes && (remove(root, change.path) || table.section(change.path) || table.parameter(change.path)))
+      continue;
     assign(root, change.path, readYamlValue(change.value, change.place, problems));
   }
 }

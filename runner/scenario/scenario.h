@@ -89,7 +89,7 @@ struct Scenario {
   Hash meaning;  // of all that decides results: neither format, comments and key order nor colours count
 };
 
-/// One `--set path=value`. The value is what would stand in the file.
+/// One `--set path=value`. The value is what would stand in the file; null or ~ takes away what stands there.
 struct Override {
   std::string path;   // physics.time_step
   std::string value;  // 0.001, auto, {sphere: 1}, …

@@ -31,6 +31,23 @@ void assign(Node& root, const std::string& path, Node value) {
   *at = std::move(value);
 }
 
+bool remove(Node& root, const std::string& path) {
+  Node* at = &root;
+  for (std::size_t begin = 0;;) {
+    const auto end = std::min(path.find('.', begin), path.size());
+    const auto member =
+        std::find_if(at->members.begin(), at->members.end(),
+                     [key = path.substr(begin, end - begin)](const Member& m) { return m.key == key; });
+    if (member == at->members.end()) return false;
+    if (end == path.size()) {
+      at->members.erase(member);
+      return true;
+    }
+    at = &member->value;
+    begin = end + 1;
+  }
+}
+
 void relocate(Node& node, const std::string& option) {
   node.place.option = option;
   for (auto& item : node.items) relocate(item, option);

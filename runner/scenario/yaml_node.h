@@ -47,6 +47,9 @@ Node readYamlValue(const std::string& value, const std::string& option, Problems
 /// Puts `value` where `path` ("physics.time_step") points to, and makes the maps that are missing on the way.
 void assign(Node& root, const std::string& path, Node value);
 
+/// Takes away what `path` points to. False if there is nothing.
+bool remove(Node& root, const std::string& path);
+
 /// Says of a node and all in it that it was written in an option.
 void relocate(Node& node, const std::string& option);
 

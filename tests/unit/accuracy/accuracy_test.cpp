@@ -53,7 +53,9 @@ TEST_CASE("Every setting is read back by a scenario as what it is") {
   for (Integrator integrator : allIntegrators)
     for (Precision precision : {Precision::binary64, Precision::binary32})
       for (ContactLaw law : {ContactLaw::pair, ContactLaw::thesis}) {
-        Setting setting{integrator, 0x1p-9, precision, 2, law, {}};
+        Setting setting;
+        setting.integrator = integrator, setting.precision = precision, setting.law = law;
+        setting.timeStep = 0x1p-9, setting.level = 2;
         if (integrator == Integrator::xpbd) setting.substeps = 3;
         const Scenario scenario = reader(swinging + "  contact: {}\n")(changesFor(setting));
         const Setting back = settingOf(scenario, 0x1p-9);
@@ -146,6 +148,7 @@ TEST_CASE("A smooth scene: every integrator has its order, and the reference its
   options.integrators = {std::begin(allIntegrators), std::end(allIntegrators)};
   options.levels = {0};
   options.rounds = 1;
+  options.cheaperModels = false;  // cheaper_model_test.cpp
   const AccuracyReport report = measureAccuracy(reader(swinging), options);
   INFO(describe(report));
   CHECK(report.reference.agrees);

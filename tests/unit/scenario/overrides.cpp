@@ -21,6 +21,22 @@ TEST_CASE("overrides make the maps that are missing") {
   CHECK(read(small, {parseOverride("division.plane=random"), parseOverride("physics={}")}).scene.mechanics);
 }
 
+TEST_CASE("null takes away what the file gives, whole sections too") {
+  REQUIRE(read(everyPart).scene.mechanics->contact);
+  for (const char* nothing : {"null", "~"}) {
+    CHECK_FALSE(
+        read(everyPart, {parseOverride(std::string("physics.contact=") + nothing)}).scene.mechanics->contact);
+    CHECK(read(everyPart, {parseOverride(std::string("physics.drag=") + nothing)})
+              .scene.mechanics->physics.drag == PhysicsParameters{}.drag);
+  }
+  // What is not there needs no taking away, but a name that is nothing's is a mistake.
+  CHECK(read(everyPart, {parseOverride("check.bullet=null")}).resolved == read(everyPart).resolved);
+  CHECK(complaints(everyPart, {parseOverride("physics.contct=null")}) ==
+        "--set physics.contct: unknown key; did you mean contact?");
+  CHECK_THAT(complaints(everyPart, {parseOverride("name=null")}),
+             ContainsSubstring("test.yaml:1:1: name: is missing"));
+}
+
 TEST_CASE("the resolved form holds the overrides, the bytes do not") {
   const auto s = read(everyPart, {parseOverride("physics.drag=0.5")});
   CHECK(s.bytes == everyPart);

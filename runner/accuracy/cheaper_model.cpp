@@ -1,0 +1,36 @@
+#include "accuracy/cheaper_model.h"
+
+#include "mesh/connectivity.h"
+#include "mesh/measures.h"
+
+namespace morula {
+
+std::vector<CellModel> cheaperThan(CellModel model) {
+  if (model == CellModel::shell) return {CellModel::shapeMatching, CellModel::sphere};
+  if (model == CellModel::shapeMatching) return {CellModel::sphere};
+  return {};
+}
+
+const char* name(CellModel model) {
+  if (model == CellModel::shell) return "shell";
+  return model == CellModel::sphere ? "sphere" : "shape-matching";
+}
+
+ShapeMatchingParameters matchShell(const PhysicsParameters& shell, const Mesh& egg) {
+  double edges = 0, inertia = 0;
+  for (const auto& [i, j] : makeConnectivity(egg).edges) {
+    const Vector edge = egg.vertices[j] - egg.vertices[i];
+    edges += dot(edge, edge);
+  }
+  for (const Point& x : egg.vertices) inertia += dot(x, x);
+  inertia *= shell.cell.mass / static_cast<double>(egg.vertices.size());
+  const double volume = measureVolume(egg.vertices, egg.faces);
+  const double stretching = 0.4 * edges / inertia;
+  const double breathing =
+      (shell.membrane.stiffness * edges + 3 * shell.pressure.constant + 6 * shell.pressure.outside * volume) /
+      inertia;
+  return {breathing, 1 - stretching * shell.membrane.stiffness / breathing,
+          stretching * shell.membrane.damping};
+}
+
+}  // namespace morula
