@@ -2,6 +2,7 @@
 #include "physics/physics_kernels.h"
 
 #include "physics/euler_kernel.h"
+#include "physics/lone_kernel.h"
 #include "physics/pressure_kernel.h"
 #include "physics/ring_kernel.h"
 #include "physics/runge_kutta_kernel.h"
@@ -36,6 +37,10 @@ const PhysicsKernels physics = {
       driftXpbd<false, ShellShape::ellipsoid>},
      {driftXpbd<true, ShellShape::none>, driftXpbd<true, ShellShape::sphere>,
       driftXpbd<true, ShellShape::ellipsoid>}},
+    {{endAndDrift<false, ShellShape::none>, endAndDrift<false, ShellShape::sphere>,
+      endAndDrift<false, ShellShape::ellipsoid>},
+     {endAndDrift<true, ShellShape::none>, endAndDrift<true, ShellShape::sphere>,
+      endAndDrift<true, ShellShape::ellipsoid>}},
     {kick<Kick::none, false>, kick<Kick::none, true>, kickSpheres<kick<Kick::none, false>>},
     {kick<Kick::half, false>, kick<Kick::half, true>, kickSpheres<kick<Kick::half, false>>},
     {kick<Kick::whole, false>, kick<Kick::whole, true>, kickSpheres<kick<Kick::whole, false>>},

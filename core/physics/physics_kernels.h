@@ -17,6 +17,7 @@ struct PhysicsKernels {
   TimedStage driftExplicitEuler[4], driftSymplecticEuler[4];  // [ShellShape]
   TimedStage driftRungeKutta[4][4];                           // [ShellShape][evaluation]
   TimedStage driftXpbd[2][3];                                 // [damped][ShellShape], not around spheres
+  TimedStage endAndDrift[2][3];  // [dragged][ShellShape], not around spheres: velocity Verlet's
   TimedStage endEvaluation[3], kickVelocityVerlet[3], kickSymplecticEuler[3];  // [KickShell]
   Stage findSpringCoefficients, findDampedSpringCoefficients;
   Stage gatherRings, gatherRingsWithoutSprings;

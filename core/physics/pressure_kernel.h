@@ -4,22 +4,34 @@
 
 namespace morula::MORULA_ISA {
 
-/// force += P∇V, and with drag −drag·m·w: the medium's resistance in proportion to mass. pressure ← P.
+/// What the contents of a block's cells, and with drag the medium, do to their vertices. pressure ← P.
+template <bool dragged>
+struct Contents {
+  MORULA_INLINE Contents(const BlockView& b, const KernelParameters& p) {
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+      const Lanes pressure = load(b.pressureConstant + lane) / load(b.volume + lane) - p.outsidePressure;
+      store(b.pressure + lane, pressure);
+      sixth[group] = pressure / 6.0;
+      if constexpr (dragged) resistance[group] = p.drag * load(b.vertexMass + lane);
+    }
+  }
+
+  /// The spring force with P∇V, and with drag −drag·m·w: in proportion to mass.
+  MORULA_INLINE Vec forceWith(const BlockView& b, int v, int lane, int group) const {
+    Vec force = loadVec(b.acceleration, v, lane) + sixth[group] * loadVec(b.gradient, v, lane);
+    if constexpr (dragged) force -= resistance[group] * loadVec(b.predicted, v, lane);
+    return force;
+  }
+
+  Lanes sixth[blockLanes / width], resistance[blockLanes / width];
+};
+
 template <bool dragged>
 inline void addPressureForces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
-  Lanes sixth[blockLanes / width], resistance[blockLanes / width];
-  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
-    const Lanes pressure = load(b.pressureConstant + lane) / load(b.volume + lane) - p.outsidePressure;
-    store(b.pressure + lane, pressure);
-    sixth[group] = pressure / 6.0;
-    if constexpr (dragged) resistance[group] = p.drag * load(b.vertexMass + lane);
-  }
+  const Contents<dragged> contents(b, p);
   for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
-      Vec force = loadVec(b.acceleration, v, lane) + sixth[group] * loadVec(b.gradient, v, lane);
-      if constexpr (dragged) force -= resistance[group] * loadVec(b.predicted, v, lane);
-      storeVec(b.acceleration, v, lane, force);
-    }
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
+      storeVec(b.acceleration, v, lane, contents.forceWith(b, v, lane, group));
 }
 
 /// pressure ← P alone, where another stage moves the contents.

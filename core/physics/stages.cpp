@@ -68,10 +68,14 @@ PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
             surfaces ? k.gatherRingsWithoutSprings : nothing,
             k.findShapeForces[resisted][!surfaces]};
   }
-  return {
-      move.drift,         kick,
-      move.furtherDrifts, p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,
-      k.gatherRings,      p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces};
+  return {move.drift,
+          kick,
+          move.furtherDrifts,
+          p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,
+          k.gatherRings,
+          p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces,
+          p.integrator == Integrator::velocityVerlet ? k.endAndDrift[p.drag > 0][static_cast<int>(shape)]
+                                                     : nullptr};
 }
 
 Isa narrowestIsa(int cells, Isa widest, Precision precision) {
@@ -101,6 +105,52 @@ void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView&
 void kick(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
   const TemplateView mesh = bodies.meshAt(block.coarseness).view();
   stages.kick(mesh, block, bodies.kernelParameters, timeStep);
+}
+
+namespace {
+
+bool areSound(const BlockView& block) {
+  for (int lane = 0; lane < block.liveLanes; ++lane)
+    if (!isSound(block.volume[lane], block.pressure[lane])) return false;
+  return true;
+}
+
+/// A time step with all its evaluations.
+void moveAlone(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
+  advance(stages, bodies, block, timeStep);
+  kick(stages, bodies, block, timeStep);
+  for (std::size_t i = 0; i < stages.furtherDrifts.size(); ++i) {
+    const PhysicsStages further = furtherStages(stages, i);
+    advance(further, bodies, block, timeStep);
+    kick(further, bodies, block, timeStep);
+  }
+}
+
+}  // namespace
+
+bool goAlone(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep,
+             std::uint64_t steps) {
+  const TemplateView mesh = bodies.meshAt(block.coarseness).view();
+  const KernelParameters& p = bodies.kernelParameters;
+  if (stages.endAndDrift && steps > 1) {
+    stages.drift(mesh, block, p, timeStep);
+    for (; steps > 1; --steps) {
+      stages.findSpringCoefficients(mesh, block, p);
+      stages.gatherRings(mesh, block, p);
+      stages.endAndDrift(mesh, block, p, timeStep);
+      if (!areSound(block)) return false;
+    }
+    stages.findSpringCoefficients(mesh, block, p);
+    stages.gatherRings(mesh, block, p);
+    stages.addPressureForces(mesh, block, p);
+    stages.kick(mesh, block, p, timeStep);
+    return areSound(block);
+  }
+  for (; steps > 0; --steps) {
+    moveAlone(stages, bodies, block, timeStep);
+    if (!areSound(block)) return false;
+  }
+  return true;
 }
 
 }  // namespace morula

@@ -13,6 +13,9 @@ struct PhysicsStages {
   // Of the evaluations after the first in a time step: Runge–Kutta's second to fourth; none elsewhere.
   std::span<const PhysicsKernels::TimedStage> furtherDrifts;
   PhysicsKernels::Stage findSpringCoefficients, gatherRings, addPressureForces;
+  // The end of a step and the next one's drift in one, for cells that need no other (goAlone); null where
+  // there is no such kernel.
+  PhysicsKernels::TimedStage endAndDrift = nullptr;
 };
 
 /// `surfaces`: whether somebody, contacts, needs the vertices' area vectors of each evaluation. Springs with
@@ -32,5 +35,17 @@ PhysicsStages furtherStages(const PhysicsStages& stages, std::size_t evaluation)
 
 /// Once the outer forces are added: turns forces into accelerations and ends the time step.
 void kick(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);
+
+/// True unless the volume is not a positive number below the largest sensible one, or so with the pressure.
+inline bool isSound(double volume, double pressure) {
+  // Written so that a NaN fails: it does not compare.
+  return volume > 0 && volume < 1e300 && pressure < 1e300;
+}
+
+/// So many whole time steps of a block whose cells nothing else acts on, one after the other while it is hot:
+/// the same bits as advance and kick. False at once when a cell is not sound (isSound) after a step; the
+/// block's state is then of no use.
+bool goAlone(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep,
+             std::uint64_t steps);
 
 }  // namespace morula

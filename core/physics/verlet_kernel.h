@@ -12,7 +12,17 @@
 
 namespace morula::MORULA_ISA {
 
-/// x ← x', velocity ← v½, predicted ← w; and the shell keeps what would leave it.
+/// One vertex: x ← x', velocity ← v½, predicted ← w; and the shell keeps what would leave it.
+template <ShellShape shell>
+MORULA_INLINE void driftVertex(const ShellSlope& slope, Lanes halfStep, Lanes step, const Vec& acceleration,
+                               Vec& x, Vec& velocity, Vec& predicted) {
+  const Vec impulse = halfStep * acceleration;
+  velocity += impulse;
+  predicted = velocity + impulse;
+  x += step * velocity;
+  if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
+}
+
 template <ShellShape shell>
 inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                 double dt) {
@@ -20,11 +30,9 @@ inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, co
   const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const Vec impulse = halfStep * loadVec(b.acceleration, v, lane);
-      Vec half = loadVec(b.velocity, v, lane) + impulse, predicted = half + impulse;
-      Vec x = loadVec(b.position, v, lane) + step * half;
-      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, half, predicted);
-      storeVec(b.velocity, v, lane, half);
+      Vec x = loadVec(b.position, v, lane), velocity = loadVec(b.velocity, v, lane), predicted;
+      driftVertex<shell>(slope, halfStep, step, loadVec(b.acceleration, v, lane), x, velocity, predicted);
+      storeVec(b.velocity, v, lane, velocity);
       storeVec(b.predicted, v, lane, predicted);
       storeVec(b.position, v, lane, x);
     }
@@ -58,21 +66,32 @@ struct InverseMass {
 /// How much of a time step the velocity still lacks when the new acceleration is known.
 enum class Kick { none, half, whole };
 
-/// Force → acceleration, and velocity ← v' where the drift has left some of it. The shell bears what presses
-/// against it.
+/// One vertex: the acceleration of a force, and velocity ← v' where the drift has left some of it. The shell
+/// bears what presses against it.
+template <Kick lacking, bool shell>
+MORULA_INLINE Vec kickVertex(const ShellSlope& slope, Lanes inverseMass, Lanes step, const Vec& force,
+                             const Vec& x, Vec& velocity) {
+  Vec a = inverseMass * force;
+  if constexpr (lacking != Kick::none) velocity += step * a;
+  if constexpr (shell) slideOnShell(slope, x, velocity, a);
+  return a;
+}
+
+/// Force → acceleration, of all vertices.
 template <Kick lacking, bool shell>
 inline void kick(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  constexpr bool moves = lacking != Kick::none || shell;
   const Lanes step = lacking == Kick::half ? 0.5 * dt : dt;
   const InverseMass inverseMass(b);
   const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
-      Vec a = load(inverseMass.value + lane) * loadVec(b.acceleration, v, lane);
-      Vec velocity;
-      if constexpr (lacking != Kick::none || shell) velocity = loadVec(b.velocity, v, lane);
-      if constexpr (lacking != Kick::none) velocity += step * a;
-      if constexpr (shell) slideOnShell(slope, loadVec(b.position, v, lane), velocity, a);
-      if constexpr (lacking != Kick::none || shell) storeVec(b.velocity, v, lane, velocity);
+      Vec x, velocity;
+      if constexpr (shell) x = loadVec(b.position, v, lane);
+      if constexpr (moves) velocity = loadVec(b.velocity, v, lane);
+      const Vec a = kickVertex<lacking, shell>(slope, load(inverseMass.value + lane), step,
+                                               loadVec(b.acceleration, v, lane), x, velocity);
+      if constexpr (moves) storeVec(b.velocity, v, lane, velocity);
       storeVec(b.acceleration, v, lane, a);
     }
 }

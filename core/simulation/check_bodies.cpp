@@ -50,8 +50,7 @@ void checkBodies(const World& world) {
   for (int cell = 0; cell < b.count; ++cell) {
     const int slot = b.slots[cell];
     const double volume = b.volume[slot];
-    // Written so that a NaN fails: it does not compare.
-    if (volume > 0 && volume < 1e300 && b.pressure[slot] < 1e300) continue;
+    if (isSound(volume, b.pressure[slot])) continue;
     throw NumericalError(
         world.cells.path[cell].text(), world.clock.step,
         volume <= 0 ? "its volume is " + numberText(volume) + ": the cell is inside out"

@@ -6,6 +6,13 @@
 
 namespace morula {
 
+/// [time] What the clock shows so many steps from now.
+double timeAfter(const Clock& clock, std::uint64_t steps);
+
+/// [time] What the clock shows, or more, once the planned end has come; infinite without one. The world has
+/// bodies.
+double plannedStop(const World& world);
+
 /// Moves all cells on by `timeStep` and evaluates every force at the new positions; 0 only evaluates.
 void movePhysics(World& world, double timeStep);
 

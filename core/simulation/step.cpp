@@ -5,16 +5,21 @@
 
 namespace morula {
 
+double timeAfter(const Clock& clock, std::uint64_t steps) {
+  return clock.epochTime + static_cast<double>(clock.step + steps - clock.epochStep) * clock.timeStep;
+}
+
 void step(World& world) {
   Clock& clock = world.clock;
-  ++clock.step;
   if (world.bodies) {
-    clock.time = clock.epochTime + static_cast<double>(clock.step - clock.epochStep) * clock.timeStep;
+    clock.time = timeAfter(clock, 1);
+    ++clock.step;
     growCells(world, clock.timeStep);
     movePhysics(world, clock.timeStep);
     checkBodies(world);
     releaseConnections(world);
   } else {
+    ++clock.step;
     clock.time = clock.nextCycle;
   }
   if (clock.time >= clock.nextCycle) runCellCycles(world);

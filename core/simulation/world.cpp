@@ -75,10 +75,14 @@ bool finished(const World& world) {
   const Scene& scene = world.model;
   if (world.cells.path.empty()) return true;  // everybody died
   if (scene.stop.cells && world.cells.path.size() >= *scene.stop.cells) return true;
+  if (world.bodies) return world.clock.time >= plannedStop(world);
   const std::optional<double> end = plannedEnd(scene);
-  if (!end) return false;
-  const double last = *end + slack * scene.cycle.length;
-  return world.bodies ? world.clock.time >= *end * (1 - slack) : world.clock.nextCycle > last;
+  return end && world.clock.nextCycle > *end + slack * scene.cycle.length;
+}
+
+double plannedStop(const World& world) {
+  const std::optional<double> end = plannedEnd(world.model);
+  return end ? *end * (1 - slack) : INFINITY;
 }
 
 }  // namespace morula

@@ -42,6 +42,11 @@ struct Clock {
   double nextCycle = 0;  // [time] when the next cell cycle of any cell is due
 };
 
+/// What bodies would go back to if several steps at once should fail.
+struct BodyCopy {
+  Reals position, velocity, acceleration;
+};
+
 /// One entry for the start and one for each change; changes happen at divisions and deaths, and at cell
 /// cycles where cells may grow or shrink.
 struct TimeStepChange {
@@ -67,6 +72,8 @@ struct World {
   std::optional<Connections> connections;  // absent: nothing connects
   Lineage lineage;
   std::vector<TimeStepChange> timeSteps;
+
+  std::optional<BodyCopy> before;  // scratch of takeSteps
 };
 
 /// Builds the world at time 0: one egg, or the scene's start cells. Throws InputError if the scene cannot
@@ -80,6 +87,13 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
 /// deaths and connections that are due. Throws NumericalError when the physics cannot go on; the world then
 /// holds the failed state.
 void step(World& world);
+
+/// Goes on by up to `most` steps, but not past a cell cycle or the planned end: the same as so many calls of
+/// step. Where no cell needs another they go through all of these steps block by block.
+void takeSteps(World& world, std::uint64_t most);
+
+/// Steps until the clock shows that time [time] or a later one; 1 at least.
+std::uint64_t stepsUntil(const Clock& clock, double time);
 
 /// True once one of the scene's stop conditions holds.
 bool finished(const World& world);

@@ -1,10 +1,27 @@
 #include "cli/simulate.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "cli/signals.h"
 #include "parts/parts.h"
 
 namespace morula::cli {
+
+namespace {
+
+// Between looks for signals and at progress.
+constexpr std::uint64_t mostStepsAtOnce = 64;
+
+/// After how many steps somebody wants to see the world.
+std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunHooks& hooks) {
+  if (hooks.watch) return 1;
+  std::uint64_t steps = std::min(mostStepsAtOnce, recorder.stepsUntilDue(world));
+  if (hooks.keepEvery > 0) steps = std::min(steps, hooks.keepEvery - world.clock.step % hooks.keepEvery);
+  return steps;
+}
+
+}  // namespace
 
 World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
   try {
@@ -51,7 +68,7 @@ Simulation simulate(World world, Recorder recorder, Progress& progress, const Ru
         if (hooks.keep) hooks.keep(run.world, recorder);
         break;
       }
-      step(run.world);
+      takeSteps(run.world, stepsUntilLook(run.world, recorder, hooks));
       observe();
       if (hooks.keepEvery > 0 && run.world.clock.step % hooks.keepEvery == 0) hooks.keep(run.world, recorder);
     }

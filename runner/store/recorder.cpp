@@ -1,6 +1,8 @@
 // The only place where the store meets the simulation.
 #include "store/recorder.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "simulation/hash.h"
@@ -15,6 +17,15 @@ void Recorder::observe(const World& world) {
   if (!isDue(clock.time)) return;
   sample(world);
   expectNext(clock.time);
+}
+
+std::uint64_t Recorder::stepsUntilDue(const World& world) const {
+  const Clock& clock = world.clock;
+  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
+  if (options_.hashEvery) steps = *options_.hashEvery - clock.step % *options_.hashEvery;
+  if (options_.every && world.bodies)
+    steps = std::min(steps, stepsUntil(clock, static_cast<double>(next_) * *options_.every));
+  return steps;
 }
 
 bool Recorder::isDue(double time) const {

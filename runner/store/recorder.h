@@ -22,6 +22,9 @@ class Recorder {
   /// sample is taken at the first step at or after its time and carries the time of that step.
   void observe(const World& world);
 
+  /// After how many steps `observe` has something to do; 1 at least. It need not be called in between.
+  std::uint64_t stepsUntilDue(const World& world) const;
+
   /// Goes on with what was recorded before the world was stopped: samples and hashes up to its step, apart
   /// from a sample that was taken only because the run was stopped. States of cells are those of this world.
   void resume(const World& world, const RunResults& earlier);

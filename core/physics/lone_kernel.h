@@ -1,0 +1,31 @@
+#pragma once
+// Of cells that need no other: the end of one time step and the drift of the next in one pass. Between the
+// two nobody else adds a force, so accelerations need not be kept, and velocities are read and written once
+// instead of twice.
+#include "physics/pressure_kernel.h"
+#include "physics/verlet_kernel.h"
+
+namespace morula::MORULA_ISA {
+
+/// Velocity Verlet's addPressureForces, kick<Kick::half> and driftVelocityVerlet, to the bit. Leaves forces
+/// in the place of accelerations: the last step of all ends with those three.
+template <bool dragged, ShellShape shell>
+inline void endAndDrift(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  const Contents<dragged> contents(b, p);
+  const Lanes halfStep = 0.5 * dt, step = dt;
+  const InverseMass inverseMass(b);
+  const ShellSlope slope(p);
+  for (int v = 0; v < mesh.vertexCount; ++v)
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
+      Vec x = loadVec(b.position, v, lane), velocity = loadVec(b.velocity, v, lane), predicted;
+      const Vec a = kickVertex<Kick::half, shell != ShellShape::none>(
+          slope, load(inverseMass.value + lane), halfStep, contents.forceWith(b, v, lane, group), x,
+          velocity);
+      driftVertex<shell>(slope, halfStep, step, a, x, velocity, predicted);
+      storeVec(b.velocity, v, lane, velocity);
+      storeVec(b.predicted, v, lane, predicted);
+      storeVec(b.position, v, lane, x);
+    }
+}
+
+}  // namespace morula::MORULA_ISA

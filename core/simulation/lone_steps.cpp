@@ -1,0 +1,64 @@
+// Cells that need no other: where nothing passes between them, a block goes through many time steps while it
+// is hot.
+#include <algorithm>
+#include <atomic>
+
+#include "base/parallel.h"
+#include "simulation/stages.h"
+
+namespace morula {
+
+namespace {
+
+bool areAlone(const World& world) {
+  return world.bodies && !world.contacts && !world.connections &&
+         std::all_of(world.cells.growth.begin(), world.cells.growth.end(), [](double g) { return g == 0; });
+}
+
+/// False if a cell did not stay sound; the bodies are then as they were.
+bool moveAlone(World& world, std::uint64_t steps) {
+  Bodies& b = *world.bodies;
+  if (!world.before) world.before.emplace();
+  BodyCopy& before = *world.before;
+  before.position = b.position, before.velocity = b.velocity, before.acceleration = b.acceleration;
+  std::atomic<bool> sound = true;
+  parallelFor(b.blockCount(), world.execution.threads, [&](int i) {
+    const BlockView block = b.block(i, threadNumber());
+    if (!goAlone(world.stagesOfLanes[block.liveLanes - 1], b, block, world.clock.timeStep, steps))
+      sound = false;
+  });
+  if (sound) return true;
+  std::swap(b.position, before.position);
+  std::swap(b.velocity, before.velocity);
+  std::swap(b.acceleration, before.acceleration);
+  return false;
+}
+
+}  // namespace
+
+std::uint64_t stepsUntil(const Clock& clock, double time) {
+  const double missing = (time - clock.time) / clock.timeStep;
+  if (!(missing < 1e15)) return std::uint64_t(1) << 50;
+  auto steps = static_cast<std::uint64_t>(std::max(1.0, missing));
+  // The quotient may be off by its rounding; what the clock will show decides.
+  while (steps > 1 && timeAfter(clock, steps - 1) >= time) --steps;
+  while (timeAfter(clock, steps) < time) ++steps;
+  return steps;
+}
+
+void takeSteps(World& world, std::uint64_t most) {
+  Clock& clock = world.clock;
+  std::uint64_t steps = 1;
+  if (areAlone(world))
+    steps = std::min({most, stepsUntil(clock, clock.nextCycle), stepsUntil(clock, plannedStop(world))});
+  if (steps <= 1) return step(world);
+  if (!moveAlone(world, steps)) {
+    for (; steps > 0; --steps) step(world);  // one of which says what is wrong
+    return;
+  }
+  clock.time = timeAfter(clock, steps);
+  clock.step += steps;
+  if (clock.time >= clock.nextCycle) runCellCycles(world);
+}
+
+}  // namespace morula

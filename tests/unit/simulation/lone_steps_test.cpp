@@ -1,0 +1,124 @@
+// Many steps at once are the same as one by one: to the bit, to the cell cycle, and to the step at which a
+// run fails.
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+struct Variant {
+  std::string name;
+  Scene scene;
+};
+
+/// Dividing cells that pass through one another, with everything that a step may hold but other cells.
+std::vector<Variant> variants() {
+  Scene plain = scenes::withBodies(scenes::everybodyDivides, 5);
+  plain.stop.time = 4.5;
+  plain.cycle.length = 0.7;
+  std::vector<Variant> list{{"plain", plain}};
+  const auto vary = [&](const std::string& name, auto change) {
+    list.push_back({name, plain});
+    change(list.back().scene.mechanics->physics);
+  };
+  vary("drag in a sphere", [](auto& p) { p.drag = 0.5, p.shell = ShellParameters{{1, 1, 1}}; });
+  vary("ellipsoid", [](auto& p) { p.shell = ShellParameters{{1.1, 1, 0.96}}; });
+  vary("single", [](auto& p) { p.precision = Precision::binary32; });
+  vary("thesis' Verlet", [](auto& p) { p.integrator = Integrator::thesisVerlet; });
+  vary("symplectic Euler", [](auto& p) { p.integrator = Integrator::symplecticEuler; });
+  vary("Runge-Kutta", [](auto& p) { p.integrator = Integrator::rungeKutta4, p.drag = 0.5; });
+  vary("XPBD", [](auto& p) { p.integrator = Integrator::xpbd, p.timeStep = 0x1p-6; });
+  vary("shape matching", [](auto& p) { p.cell.model = CellModel::shapeMatching; });
+  list.push_back({"spheres", plain});
+  list.back().scene.mechanics->physics.cell.model = CellModel::sphere;
+  list.back().scene.mechanics->physics.timeStep = 0x1p-6;
+  list.back().scene.mechanics->division.plane = DivisionPlane::random;
+  list.push_back({"coarsening", plain});
+  Scene& coarsening = list.back().scene;
+  coarsening.mechanics->mesh = scenes::scaled(makeIcosphere(2), 0.95);
+  coarsening.mechanics->coarser = {scenes::scaled(makeIcosphere(1), 0.95)};
+  coarsening.mechanics->physics.coarsen = 0.4;
+  return list;
+}
+
+/// A cell that is fine for some time and then blows up: its step is above what its springs bear.
+World blowingUp() {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 5);
+  const Mesh& egg = scene.mechanics->mesh;
+  std::vector<Body> cells;
+  for (std::uint32_t i = 0; i < 20; ++i) cells.push_back(shakenBody(egg, 0.01, 0.01, i));
+  for (Body& b : cells) b.pressureConstant = 200;
+  World world = worldOf(scene, cells, {bestIsa(), 2});
+  world.clock.timeStep = 0.04;
+  return world;
+}
+
+std::string failureOf(World& world, std::uint64_t atOnce) {
+  try {
+    for (int i = 0; i < 100000; ++i) takeSteps(world, atOnce);
+  } catch (const NumericalError& error) { return error.what(); }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("Cells that need no other take many steps at once, with the bits of single ones") {
+  for (const auto& [name, scene] : variants())
+    for (const Execution& how : {Execution{Isa::scalar, 1}, Execution{bestIsa(), 2}}) {
+      INFO(name << ", " << morula::name(how.isa));
+      World one = makeWorld(scene, how), many = makeWorld(scene, how);
+      std::uint64_t most = 1, turns = 0, steps = 0;
+      for (; !finished(many); ++turns) {
+        most = most * 5 % 97;  // 5, 25, 28, …
+        const std::uint64_t before = many.clock.step;
+        takeSteps(many, most);
+        steps += many.clock.step - before;
+        CHECK(many.clock.step - before <= most);
+        while (one.clock.step < many.clock.step) step(one);
+        REQUIRE(stateHash(one) == stateHash(many));
+      }
+      CHECK(finished(one));
+      CHECK(many.cells.path.size() == 32);
+      CHECK(turns * 4 < steps);
+    }
+}
+
+TEST_CASE("The step that fails is the one that fails alone, and leaves the same state") {
+  World one = blowingUp();
+  const std::string why = failureOf(one, 1);
+  CHECK_THAT(why, ContainsSubstring("step"));
+  for (const std::uint64_t atOnce : {7u, 64u, 1000u}) {
+    World many = blowingUp();
+    CHECK(failureOf(many, atOnce) == why);
+    CHECK(many.clock.step == one.clock.step);
+    CHECK(many.clock.step > 3);
+    CHECK(many.bodies->position == one.bodies->position);
+    CHECK(many.bodies->velocity == one.bodies->velocity);
+  }
+}
+
+TEST_CASE("Cells that touch, hold on to each other or grow take one step at a time") {
+  Scene touching = scenes::packed(), growing = scenes::withBodies("START: a0\ng1(a0|a0)\ng2(grow|a0)\n", 3);
+  growing.mechanics->physics.growth = GrowthParameters{0.1};
+  for (const Scene& scene : {touching, growing}) {
+    World world = makeWorld(scene);
+    while (world.clock.time < 1.5) takeSteps(world, 1);
+    const std::uint64_t before = world.clock.step;
+    takeSteps(world, 50);
+    CHECK(world.clock.step == before + 1);
+  }
+}
+
+TEST_CASE("Steps until a time are as many as it takes") {
+  for (const double timeStep : {0x1p-7, 0.1, 1 / 3.0, 1e-3})
+    for (const double start : {0.0, 0.7, 12345.678})
+      for (const double ahead : {-1.0, 0.0, 1e-12, 0.1, 0.3, 0.7, 1.0, 2.5}) {
+        Clock clock{start, 1000, timeStep, start, 1000, INFINITY};
+        const std::uint64_t steps = stepsUntil(clock, start + ahead);
+        CHECK(steps >= 1);
+        CHECK(timeAfter(clock, steps) >= start + ahead);
+        if (steps > 1) CHECK(timeAfter(clock, steps - 1) < start + ahead);
+      }
+  CHECK(stepsUntil({0, 0, 0.1, 0, 0, 0}, INFINITY) > 1'000'000'000);
+}
