@@ -20,7 +20,15 @@
 namespace morula::MORULA_ISA {
 
 template <bool withFriction>
-MORULA_INLINE Vec pairForce(const Rows& i, const Rows& j, const ContactConstants& c) {
+struct PairLaw {
+  static MORULA_INLINE Rows load(const RowMemory* rows, const VertexNumber* index) {
+    return loadRows(rows, index);
+  }
+  static MORULA_INLINE Vec force(const Rows& i, const Rows& j, const ContactConstants& c);
+};
+
+template <bool withFriction>
+MORULA_INLINE Vec PairLaw<withFriction>::force(const Rows& i, const Rows& j, const ContactConstants& c) {
   const Vec apart = i.x - j.x, relative = i.v - j.v, h = 0.5 * (j.n - i.n);
   const Lanes gap = larger(dot(apart, j.n), -dot(apart, i.n));
   const Lanes distanceSquared = dot(apart, apart), alongSquared = distanceSquared - gap * gap;
@@ -46,18 +54,7 @@ template <bool withFriction>
 inline void addPairForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
                           const RowMemory* rows, const ContactConstants& c, const double*,
                           RealPointer force) {
-  for (std::int64_t s = 0; s < count; ++s)
-    for (int lane = 0; lane < blockLanes; lane += width) {
-      const NeighbourSlice& slice = slices[s];
-      const Rows i = loadRows(rows, slice.vertex + lane);
-      Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
-      const std::int32_t* index = indices + slice.start * blockLanes + lane;
-      for (int k = 0; k < slice.length; ++k, index += blockLanes) {
-        fetchAhead(rows, index);
-        sum += pairForce<withFriction>(i, loadRows(rows, index), c);
-      }
-      addToForces(force, slice.vertex + lane, c.vertices, sum);
-    }
+  addSlices<PairLaw<withFriction>>(slices, count, indices, rows, c, force);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -66,6 +66,34 @@ MORULA_INLINE void addToForces(Real* force, const VertexNumber* vertex, std::int
   }
 }
 
+/// To each vertex of the slices, lane by lane: the sum of what a law gives it from its neighbours. `Law`:
+/// load(rows, index) → what it knows of `width` vertices; force(i, j, c) → on i.
+template <class Law>
+MORULA_INLINE void addSlices(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
+                             const RowMemory* rows, const ContactConstants& c, Real* force) {
+  for (std::int64_t s = 0; s < count; ++s)
+    for (int lane = 0; lane < blockLanes; lane += width) {
+      const NeighbourSlice& slice = slices[s];
+      const auto i = Law::load(rows, slice.vertex + lane);
+      Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+      const std::int32_t* index = indices + slice.start * blockLanes + lane;
+      for (int k = 0; k < slice.length; ++k, index += blockLanes) {
+        fetchAhead(rows, index);
+        sum += Law::force(i, Law::load(rows, index), c);
+      }
+      addToForces(force, slice.vertex + lane, c.vertices, sum);
+    }
+}
+
+/// The largest lane; a NaN counts as nothing.
+MORULA_INLINE double largestOf(Lanes a) {
+  Real spread[width];
+  store(spread, a);
+  double result = 0;
+  for (Real s : spread) result = s > result ? s : result;
+  return result;
+}
+
 /// [ContactKernels::takeSnapshot]
 inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
                            RealPointer reference, RowMemory* rows) {
@@ -79,11 +107,7 @@ inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const d
       const Vec moved = x - loadVec(reference, v, lane);
       farthest = larger(dot(moved, moved), farthest);
     }
-  Real spread[width];
-  store(spread, farthest);
-  double result = 0;
-  for (Real s : spread) result = s > result ? s : result;
-  return result;
+  return largestOf(farthest);
 }
 
 }  // namespace morula::MORULA_ISA

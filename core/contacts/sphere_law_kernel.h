@@ -14,13 +14,6 @@ struct Spheres {
   Lanes radius;
 };
 
-// In rows of spheres a radius stands where a mesh's have the normal.
-MORULA_INLINE Spheres loadSpheres(const RowMemory* rows, const VertexNumber* index) {
-  Lanes c[rowColumns];
-  loadRows(numbersOf(rows), index, c);
-  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
-}
-
 /// [ContactKernels::takeSnapshot]
 inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const double* inverseRadiusSquared,
                                  RealPointer reference, RowMemory* rows) {
@@ -39,15 +32,26 @@ inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const 
     const Vec moved = x - loadVec(reference, 0, lane);
     farthest = larger(dot(moved, moved), farthest);
   }
-  Real spread[width];
-  store(spread, farthest);
-  double result = 0;
-  for (Real s : spread) result = s > result ? s : result;
-  return result;
+  return largestOf(farthest);
 }
 
 template <bool withFriction>
-MORULA_INLINE Vec sphereForce(const Spheres& i, const Spheres& j, const ContactConstants& c) {
+struct SphereLaw {
+  static MORULA_INLINE Spheres load(const RowMemory* rows, const VertexNumber* index);
+  static MORULA_INLINE Vec force(const Spheres& i, const Spheres& j, const ContactConstants& c);
+};
+
+// In rows of spheres a radius stands where a mesh's have the normal.
+template <bool withFriction>
+MORULA_INLINE Spheres SphereLaw<withFriction>::load(const RowMemory* rows, const VertexNumber* index) {
+  Lanes c[rowColumns];
+  loadRows(numbersOf(rows), index, c);
+  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
+}
+
+template <bool withFriction>
+MORULA_INLINE Vec SphereLaw<withFriction>::force(const Spheres& i, const Spheres& j,
+                                                 const ContactConstants& c) {
   const Vec apart = i.x - j.x, relative = i.v - j.v;
   const Lanes distance = squareRoot(dot(apart, apart)), depth = (i.radius + j.radius) - distance;
   const Vec n = (1.0 / (distance + nothing)) * apart;
@@ -68,18 +72,7 @@ template <bool withFriction>
 inline void addSphereForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
                             const RowMemory* rows, const ContactConstants& c, const double*,
                             RealPointer force) {
-  for (std::int64_t s = 0; s < count; ++s)
-    for (int lane = 0; lane < blockLanes; lane += width) {
-      const NeighbourSlice& slice = slices[s];
-      const Spheres i = loadSpheres(rows, slice.vertex + lane);
-      Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
-      const std::int32_t* index = indices + slice.start * blockLanes + lane;
-      for (int k = 0; k < slice.length; ++k, index += blockLanes) {
-        fetchAhead(rows, index);
-        sum += sphereForce<withFriction>(i, loadSpheres(rows, index), c);
-      }
-      addToForces(force, slice.vertex + lane, c.vertices, sum);
-    }
+  addSlices<SphereLaw<withFriction>>(slices, count, indices, rows, c, force);
 }
 
 }  // namespace morula::MORULA_ISA

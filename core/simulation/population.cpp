@@ -101,6 +101,15 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
 
 }  // namespace
 
+void addFounder(World& world, const CellPath& path, StateId state) {
+  world.cells.path.push_back(path);
+  world.cells.state.push_back(state);
+  world.cells.lastCycle.push_back(0);
+  world.cells.growth.push_back(0);
+  world.cells.entry.push_back(static_cast<std::uint32_t>(world.lineage.entries.size()));
+  world.lineage.entries.push_back({path, 0, 0, 0, 0, Fate::alive, state});
+}
+
 void changePopulation(World& world, const std::vector<CellChange>& changes) {
   const auto changesHere = [](CellChange c) { return c == CellChange::divides || c == CellChange::dies; };
   if (std::none_of(changes.begin(), changes.end(), changesHere)) return;

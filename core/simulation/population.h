@@ -12,6 +12,10 @@ enum class CellChange : std::uint8_t { none, cycled, divides, dies };
 /// the world change. Throws NumericalError for a division that cannot be done, with its reason.
 void changePopulation(World& world, const std::vector<CellChange>& changes);
 
+/// A living cell that no division made, at time 0, without a body yet; cells come in the order of their
+/// paths.
+void addFounder(World& world, const CellPath& path, StateId state);
+
 /// The start of life with a new set of bodies: lists, forces and the time step for them.
 void beginWithBodies(World& world);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "simulation/world.h"
+#include "simulation/population.h"
 
 namespace morula {
 
@@ -16,19 +16,10 @@ StateId stateOf(const StartCell& cell, BiologicalUnit& biology) {
   return biology.stateOf(description);
 }
 
-void addCell(World& world, const CellPath& path, StateId state) {
-  world.cells.path.push_back(path);
-  world.cells.state.push_back(state);
-  world.cells.lastCycle.push_back(0);
-  world.cells.growth.push_back(0);
-  world.cells.entry.push_back(static_cast<std::uint32_t>(world.lineage.entries.size()));
-  world.lineage.entries.push_back({path, 0, 0, 0, 0, Fate::alive, state});
-}
-
 /// A mother before her daughters, A before B: the order of births.
 void found(World& world, const CellPath& path, std::span<const StartCell> cells) {
   if (cells.size() == 1) {
-    addCell(world, path, stateOf(cells[0], *world.biology));
+    addFounder(world, path, stateOf(cells[0], *world.biology));
     return;
   }
   world.lineage.entries.push_back({path, 0, 0, 0, 0, Fate::divided, world.biology->startState()});
@@ -40,7 +31,7 @@ void found(World& world, const CellPath& path, std::span<const StartCell> cells)
 }  // namespace
 
 void foundCells(World& world) {
-  if (world.model.cells.empty()) addCell(world, CellPath{}, world.biology->startState());
+  if (world.model.cells.empty()) addFounder(world, CellPath{}, world.biology->startState());
   else found(world, CellPath{}, world.model.cells);
   world.clock.nextCycle = world.biology->cycleLength(world.cells.state[0]);
   for (StateId state : world.cells.state)

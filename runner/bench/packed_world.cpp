@@ -112,14 +112,7 @@ World makeWorldOf(const Scene& scene, const std::vector<CellPath>& paths, const 
   const StateId state = world.cells.state[0];
   world.cells = {};
   world.lineage.entries.clear();
-  for (const CellPath& path : paths) {
-    world.cells.path.push_back(path);
-    world.cells.state.push_back(state);
-    world.cells.lastCycle.push_back(0);
-    world.cells.growth.push_back(0);
-    world.cells.entry.push_back(static_cast<std::uint32_t>(world.lineage.entries.size()));
-    world.lineage.entries.push_back({path, 0, 0, 0, 0, Fate::alive, state});
-  }
+  for (const CellPath& path : paths) addFounder(world, path, state);
   setBodies(*world.bodies, bodies);
   return world;
 }

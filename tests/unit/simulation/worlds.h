@@ -34,12 +34,7 @@ inline World worldOf(const Scene& scene, const std::vector<Body>& bodies,
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     CellPath path;
     for (int k = letters - 1; k >= 0; --k) path = path.daughter(i >> k & 1);
-    world.cells.path.push_back(path);
-    world.cells.state.push_back(state);
-    world.cells.lastCycle.push_back(0);
-    world.cells.growth.push_back(0);
-    world.cells.entry.push_back(i);
-    world.lineage.entries.push_back({path, 0, 0, 0, 0, Fate::alive, state});
+    addFounder(world, path, state);
   }
   world.clock.nextCycle = INFINITY;
   setBodies(*world.bodies, bodies);
