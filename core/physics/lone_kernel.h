@@ -15,16 +15,17 @@ inline void endAndDrift(const TemplateView& mesh, const BlockView& b, const Kern
   const Lanes halfStep = 0.5 * dt, step = dt;
   const InverseMass inverseMass(b);
   const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
-      Vec x = loadVec(b.position, v, lane), velocity = loadVec(b.velocity, v, lane), predicted;
+  Real* __restrict position = b.position, * __restrict velocities = b.velocity, * __restrict predictions = b.predicted;
+  const int vertices = mesh.vertexCount, liveLanes = b.liveLanes;
+  for (int v = 0; v < vertices; ++v)
+    for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
+      Vec x = loadVec(position, v, lane), velocity = loadVec(velocities, v, lane), predicted;
       const Vec a = kickVertex<Kick::half, shell != ShellShape::none>(
-          slope, load(inverseMass.value + lane), halfStep, contents.forceWith(b, v, lane, group), x,
-          velocity);
+          slope, load(inverseMass.value + lane), halfStep, contents.forceWith(v, lane, group), x, velocity);
       driftVertex<shell>(slope, halfStep, step, a, x, velocity, predicted);
-      storeVec(b.velocity, v, lane, velocity);
-      storeVec(b.predicted, v, lane, predicted);
-      storeVec(b.position, v, lane, x);
+      storeVec(velocities, v, lane, velocity);
+      storeVec(predictions, v, lane, predicted);
+      storeVec(position, v, lane, x);
     }
 }
 

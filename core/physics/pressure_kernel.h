@@ -7,7 +7,8 @@ namespace morula::MORULA_ISA {
 /// What the contents of a block's cells, and with drag the medium, do to their vertices. pressure ← P.
 template <bool dragged>
 struct Contents {
-  MORULA_INLINE Contents(const BlockView& b, const KernelParameters& p) {
+  MORULA_INLINE Contents(const BlockView& b, const KernelParameters& p)
+      : forces(b.acceleration), gradients(b.gradient), predicted(b.predicted) {
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       const Lanes pressure = load(b.pressureConstant + lane) / load(b.volume + lane) - p.outsidePressure;
       store(b.pressure + lane, pressure);
@@ -17,12 +18,13 @@ struct Contents {
   }
 
   /// The spring force with P∇V, and with drag −drag·m·w: in proportion to mass.
-  MORULA_INLINE Vec forceWith(const BlockView& b, int v, int lane, int group) const {
-    Vec force = loadVec(b.acceleration, v, lane) + sixth[group] * loadVec(b.gradient, v, lane);
-    if constexpr (dragged) force -= resistance[group] * loadVec(b.predicted, v, lane);
+  MORULA_INLINE Vec forceWith(int v, int lane, int group) const {
+    Vec force = loadVec(forces, v, lane) + sixth[group] * loadVec(gradients, v, lane);
+    if constexpr (dragged) force -= resistance[group] * loadVec(predicted, v, lane);
     return force;
   }
 
+  const Real *forces, *gradients, *predicted;
   Lanes sixth[blockLanes / width], resistance[blockLanes / width];
 };
 
@@ -31,7 +33,7 @@ inline void addPressureForces(const TemplateView& mesh, const BlockView& b, cons
   const Contents<dragged> contents(b, p);
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
-      storeVec(b.acceleration, v, lane, contents.forceWith(b, v, lane, group));
+      storeVec(b.acceleration, v, lane, contents.forceWith(v, lane, group));
 }
 
 /// pressure ← P alone, where another stage moves the contents.

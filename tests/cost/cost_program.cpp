@@ -1,12 +1,11 @@
 // Costs that can be counted instead of timed.
 //
-//   cost_program counts                    steps, searches and pairs of two scenes: the same on every machine
-//   cost_program build                     what instructions depend on: the compiler, and whether it
-//   optimised cost_program kernels                   the names that `work` knows cost_program work KERNEL ISA
-//   TURNS FOLDER
-//                                          does it so often, for a program that counts instructions, and
-//                                          prints the number of vertices in one turn; FOLDER keeps the packed
-//                                          cells
+//   cost_program counts          steps, searches and pairs of two scenes: the same on every machine
+//   cost_program build           what instructions depend on: the compiler, and whether it optimised
+//   cost_program kernels         the names that `work` knows
+//   cost_program work KERNEL ISA TURNS FOLDER
+//                                does it so often, for a program that counts instructions, and prints the
+//                                number of vertices in one turn; FOLDER keeps the packed cells
 #include <cstring>
 #include <iostream>
 #include <map>
@@ -76,6 +75,7 @@ const std::map<std::string, Work>& works() {
          refreshList(*world.contacts, *world.bodies, 1);
        }},
       {"step", [](World& world) { step(world); }},
+      {"sixteen-steps-alone", [](World& world) { takeSteps(world, 16); }},
   };
   return all;
 }
@@ -98,8 +98,9 @@ int main(int argc, char** argv) {
     for (const auto& [name, work] : works()) std::cout << name << '\n';
   } else if (verb == "work" && argc == 6 && works().contains(argv[2])) {
     // Two blocks of cells with coarse meshes: counting programs are slow.
-    World world = makePackedWorld({.cells = 16, .level = 1, .friction = 0.3}, {.isa = parseIsa(argv[3])},
-                                  argv[5], [](const std::string&) {});
+    const bool alone = std::string_view(argv[2]).ends_with("alone");
+    World world = makePackedWorld({.cells = 16, .level = 1, .friction = 0.3, .contact = !alone},
+                                  {.isa = parseIsa(argv[3])}, argv[5], [](const std::string&) {});
     const Work work = works().at(argv[2]);
     work(world);  // what is allocated once does not count
     countedWork(work, &world, std::atoi(argv[4]));
