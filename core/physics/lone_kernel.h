@@ -15,7 +15,7 @@ inline void endAndDrift(const TemplateView& mesh, const BlockView& b, const Kern
   const Lanes halfStep = 0.5 * dt, step = dt;
   const InverseMass inverseMass(b);
   const ShellSlope slope(p);
-  Real* __restrict position = b.position, * __restrict velocities = b.velocity, * __restrict predictions = b.predicted;
+  Real *position = b.position, *velocities = b.velocity, *predictions = b.predicted;
   const int vertices = mesh.vertexCount, liveLanes = b.liveLanes;
   for (int v = 0; v < vertices; ++v)
     for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
