@@ -22,20 +22,28 @@ std::string stepLabel(double timeStep) {
 Image drawAccuracy(const AccuracyReport& report) {
   Chart chart;
   chart.title = "Error against cost: " + report.scenario;
-  chart.caption =
-      fmt::format("up to time {}; points are labelled with their time steps; reference good to {:.1g}",
-                  numberText(report.times.back()), report.reference.left.error);
+  chart.caption = fmt::format(
+      "up to time {}; points are labelled with their time steps, hollow ones up to where other cells live; "
+      "reference good to {:.1g}",
+      numberText(report.times.back()), report.reference.left.error);
   chart.xLabel = "CPU time [s]";
   chart.yLabel = "largest error of centroids, surfaces [egg radii] and volumes";
   chart.xScale = Chart::Scale::decades;
+  std::vector<std::string> series;  // in the order of their colours; those beyond the colours are dashed
   for (const AccuracyRow& row : report.rows) {
-    if (!row.error || !row.resolved || row.partedAt || !(row.cpuSeconds > 0)) continue;
-    if (chart.lines.empty() || chart.lines.back().label != row.series) {
-      const std::size_t number = chart.lines.size();  // those beyond the colours are dashed
-      chart.lines.push_back(
-          {row.series, colours[number % std::size(colours)], {}, number >= std::size(colours), {}});
+    if (!row.error || !row.resolved || !(row.cpuSeconds > 0)) continue;
+    if (series.empty() || series.back() != row.series) series.push_back(row.series);
+    const Colour colour = colours[(series.size() - 1) % std::size(colours)];
+    const Spot point{row.cpuSeconds, *row.error};
+    if (row.partedAt) {
+      chart.marks.push_back({point, colour,
+                             fmt::format("{}, {} until {}", row.series, stepLabel(row.setting.timeStep),
+                                         numberText(*row.partedAt))});
+      continue;
     }
-    chart.lines.back().points.push_back({row.cpuSeconds, *row.error});
+    if (chart.lines.empty() || chart.lines.back().label != row.series)
+      chart.lines.push_back({row.series, colour, {}, series.size() > std::size(colours), {}});
+    chart.lines.back().points.push_back(point);
     chart.lines.back().pointLabels.push_back(stepLabel(row.setting.timeStep));
   }
   return drawChart(chart);

@@ -6,7 +6,8 @@
 
 namespace morula {
 
-/// One line per series; what failed, parted or is not resolved is not drawn.
+/// One line per series; what failed or is not resolved is not drawn. A run in which other cells live from
+/// some time on is a hollow point by itself, with that time.
 Image drawAccuracy(const AccuracyReport& report);
 
 }  // namespace morula

@@ -34,6 +34,14 @@ struct Sheet {
   }
 };
 
+std::vector<Spot> allPoints(const Chart& chart) {
+  std::vector<Spot> points;
+  for (const ChartLine& line : chart.lines)
+    points.insert(points.end(), line.points.begin(), line.points.end());
+  for (const ChartMark& mark : chart.marks) points.push_back(mark.at);
+  return points;
+}
+
 double widestLabel(const Chart& chart, double size) {
   double widest = 0;
   for (const ChartLine& line : chart.lines) widest = std::max(widest, textWidth(line.label, {.size = size}));
@@ -48,8 +56,7 @@ Sheet makeSheet(const Chart& chart, const Annotations& words) {
   s.right = chart.width - widestLabel(chart, s.textSize) - 2.5 * s.textSize;
   s.top = bands.top + s.textSize;
   s.bottom = chart.height - bands.bottom - 4 * s.textSize;
-  for (const ChartLine& line : chart.lines)
-    for (const Spot& p : line.points) s.xRange.see(p.x), s.yRange.see(p.y);
+  for (const Spot& p : allPoints(chart)) s.xRange.see(p.x), s.yRange.see(p.y);
   if (chart.xScale == Chart::Scale::decades) s.xRange.low *= 0.8, s.xRange.high *= 1.25;
   s.yRange.low *= 0.8, s.yRange.high *= 1.25;
   if (!(s.xRange.low < s.xRange.high)) s.xRange = {s.xRange.low / 2, 2 * s.xRange.low};
@@ -120,35 +127,43 @@ struct Box {
 
 /// Labels beside their points, each at the nearest place of a few where it covers neither a point nor another
 /// label.
-void drawPointLabels(Image& image, const Sheet& s, const Chart& chart) {
-  const double size = 0.75 * s.textSize, gap = 0.5 * s.textSize, dot = 4;
-  std::vector<Box> taken;
-  for (const ChartLine& line : chart.lines)
-    for (const Spot& point : line.points) {
-      const Spot p = s.place(point);
-      taken.push_back({p.x - dot, p.y - dot, p.x + dot, p.y + dot});
+class PointLabels {
+ public:
+  PointLabels(Image& image, const Sheet& sheet, const Chart& chart) : image_(image), sheet_(sheet) {
+    constexpr double reach = 4;
+    for (const Spot& point : allPoints(chart)) {
+      const Spot p = sheet.place(point);
+      taken_.push_back({p.x - reach, p.y - reach, p.x + reach, p.y + reach});
     }
-  for (const ChartLine& line : chart.lines)
-    for (std::size_t i = 0; i < line.pointLabels.size(); ++i) {
-      const Spot p = s.place(line.points[i]);
-      const double wide = textWidth(line.pointLabels[i], {.size = size});
-      const auto at = [&](int turn) {
-        const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;  // right or left of the point,
-        const double y =
-            p.y + (turn / 2 % 2 == 0 ? -1 : 1) * (0.35 + turn / 4) * s.textSize;  // above or below
-        return Box{x, y - size, x + wide, y + 0.25 * size};
-      };
-      Box box = at(0);
-      for (int turn = 0; turn < 12; ++turn) {
-        const Box other = at(turn);
-        if (std::any_of(taken.begin(), taken.end(), [&](const Box& b) { return b.touches(other); })) continue;
-        box = other;
-        break;
-      }
-      taken.push_back(box);
-      drawText(image, box.left, box.top + size, line.pointLabels[i], {.size = size, .colour = line.colour});
+  }
+
+  void add(const Spot& point, const std::string& label, Colour colour) {
+    const double size = 0.75 * sheet_.textSize, gap = 0.5 * sheet_.textSize;
+    const Spot p = sheet_.place(point);
+    const double wide = textWidth(label, {.size = size});
+    const auto at = [&](int turn) {
+      const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;  // right or left of the point,
+      const double y =
+          p.y + (turn / 2 % 2 == 0 ? -1 : 1) * (0.35 + turn / 4) * sheet_.textSize;  // above or below
+      return Box{x, y - size, x + wide, y + 0.25 * size};
+    };
+    Box box = at(0);
+    for (int turn = 0; turn < 12; ++turn) {
+      const Box other = at(turn);
+      if (other.right > sheet_.right || other.left < sheet_.left) continue;
+      if (std::any_of(taken_.begin(), taken_.end(), [&](const Box& b) { return b.touches(other); })) continue;
+      box = other;
+      break;
     }
-}
+    taken_.push_back(box);
+    drawText(image_, box.left, box.top + size, label, {.size = size, .colour = colour});
+  }
+
+ private:
+  Image& image_;
+  const Sheet& sheet_;
+  std::vector<Box> taken_;
+};
 
 /// Labels beside the ends of their lines, moved apart where they would touch.
 void drawLabels(Image& image, const Sheet& s, const Chart& chart) {
@@ -176,9 +191,7 @@ Image drawChart(const Chart& chart) {
   const Annotations words{chart.title, chart.caption, {}};
   Image image(chart.width, chart.height, paper);
   annotate(image, words);
-  bool empty = true;
-  for (const ChartLine& line : chart.lines) empty = empty && line.points.empty();
-  if (empty) return image;
+  if (allPoints(chart).empty()) return image;
   const Sheet sheet = makeSheet(chart, words);
   drawAxes(image, sheet, chart);
   for (const ChartLine& line : chart.lines) {
@@ -188,7 +201,15 @@ Image drawChart(const Chart& chart) {
     else if (places.size() > 1) drawStroke(image, places, 2.2, line.colour);
     for (const Spot& p : places) drawDisc(image, p, 3.6, line.colour);
   }
-  drawPointLabels(image, sheet, chart);
+  for (const ChartMark& mark : chart.marks) {
+    drawDisc(image, sheet.place(mark.at), 4.4, mark.colour);
+    drawDisc(image, sheet.place(mark.at), 2.8, paper);
+  }
+  PointLabels labels(image, sheet, chart);
+  for (const ChartLine& line : chart.lines)
+    for (std::size_t i = 0; i < line.pointLabels.size(); ++i)
+      labels.add(line.points[i], line.pointLabels[i], line.colour);
+  for (const ChartMark& mark : chart.marks) labels.add(mark.at, mark.label, mark.colour);
   drawLabels(image, sheet, chart);
   return image;
 }

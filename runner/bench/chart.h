@@ -16,10 +16,18 @@ struct ChartLine {
   std::vector<std::string> pointLabels = {};  // one for each point, or none at all
 };
 
+/// A point that no line goes through: a hollow one.
+struct ChartMark {
+  Spot at;  // both > 0
+  Colour colour;
+  std::string label;
+};
+
 struct Chart {
   enum class Scale { powersOfTwo, decades };
   std::string title, caption, xLabel, yLabel;
   std::vector<ChartLine> lines;
+  std::vector<ChartMark> marks;
   Scale xScale = Scale::powersOfTwo;
   int width = 1100, height = 760;
 };

@@ -226,8 +226,8 @@ int act(const AccuracyWords& words) {
     throw UsageError(
         fmt::format("--until: {} is after the scene's end; needs at most {}", words.until, numberText(*end)));
   makeScenarioWorld(scenario, options.execution);  // its mistakes are told with their places
-  const auto target =
-      words.target.empty() ? std::optional<double>() : positiveOption("--target", words.target);
+  std::optional<double> target;
+  if (!words.target.empty()) target = positiveOption("--target", words.target);
   const auto folder = std::filesystem::path(words.out) / "accuracy";
   makeFolder(folder);
   const auto report = measureAccuracy(read, options);

@@ -143,6 +143,23 @@ TEST_CASE(
   CHECK(speeds[2].ourSeconds == Approx(100));
 }
 
+TEST_CASE("The picture shows a run that parts by a hollow point of its series' colour, joined to nothing") {
+  AccuracyReport report;
+  report.times = {1};
+  report.rows = {row("one", 0.1, 0.1, 1), row("one", 0.05, 0.01, 2), row("one", 0.025, 0.03, 8)};
+  const auto inked = [&] {
+    const Image picture = drawAccuracy(report);
+    return std::count(picture.pixels.begin(), picture.pixels.end(), Colour{0x0b, 0x3c, 0x6f});
+  };
+  const auto joined = inked();
+  report.rows.back().partedAt = 0.5;
+  const auto apart = inked();
+  CHECK(apart > 0);
+  CHECK(apart < joined);
+  report.rows.pop_back();
+  CHECK(inked() != apart);  // its own place on the sheet, and its ring
+}
+
 TEST_CASE("A smooth scene: every integrator has its order, and the reference its witness") {
   AccuracyOptions options;
   options.integrators = {std::begin(allIntegrators), std::end(allIntegrators)};
