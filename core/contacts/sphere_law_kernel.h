@@ -14,6 +14,17 @@ struct Spheres {
   Lanes radius;
 };
 
+template <bool withFriction>
+struct SphereLaw {
+  // In rows of spheres a radius stands where a mesh's have the normal.
+  static MORULA_INLINE Spheres load(const RowMemory* rows, const VertexNumber* index) {
+    Lanes c[rowColumns];
+    loadRows(numbersOf(rows), index, c);
+    return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
+  }
+  static MORULA_INLINE Vec force(const Spheres& i, const Spheres& j, const ContactConstants& c);
+};
+
 /// [ContactKernels::takeSnapshot]
 inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const double* inverseRadiusSquared,
                                  RealPointer reference, RowMemory* rows) {
@@ -33,20 +44,6 @@ inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const 
     farthest = larger(dot(moved, moved), farthest);
   }
   return largestOf(farthest);
-}
-
-template <bool withFriction>
-struct SphereLaw {
-  static MORULA_INLINE Spheres load(const RowMemory* rows, const VertexNumber* index);
-  static MORULA_INLINE Vec force(const Spheres& i, const Spheres& j, const ContactConstants& c);
-};
-
-// In rows of spheres a radius stands where a mesh's have the normal.
-template <bool withFriction>
-MORULA_INLINE Spheres SphereLaw<withFriction>::load(const RowMemory* rows, const VertexNumber* index) {
-  Lanes c[rowColumns];
-  loadRows(numbersOf(rows), index, c);
-  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
 }
 
 template <bool withFriction>

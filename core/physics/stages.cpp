@@ -134,14 +134,13 @@ bool goAlone(const PhysicsStages& stages, const Bodies& bodies, const BlockView&
   const KernelParameters& p = bodies.kernelParameters;
   if (stages.endAndDrift && steps > 1) {
     stages.drift(mesh, block, p, timeStep);
-    for (; steps > 1; --steps) {
+    for (;; --steps) {
       stages.findSpringCoefficients(mesh, block, p);
       stages.gatherRings(mesh, block, p);
+      if (steps == 1) break;
       stages.endAndDrift(mesh, block, p, timeStep);
       if (!areSound(block)) return false;
     }
-    stages.findSpringCoefficients(mesh, block, p);
-    stages.gatherRings(mesh, block, p);
     stages.addPressureForces(mesh, block, p);
     stages.kick(mesh, block, p, timeStep);
     return areSound(block);

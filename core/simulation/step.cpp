@@ -11,15 +11,14 @@ double timeAfter(const Clock& clock, std::uint64_t steps) {
 
 void step(World& world) {
   Clock& clock = world.clock;
+  ++clock.step;
   if (world.bodies) {
-    clock.time = timeAfter(clock, 1);
-    ++clock.step;
+    clock.time = timeAfter(clock, 0);
     growCells(world, clock.timeStep);
     movePhysics(world, clock.timeStep);
     checkBodies(world);
     releaseConnections(world);
   } else {
-    ++clock.step;
     clock.time = clock.nextCycle;
   }
   if (clock.time >= clock.nextCycle) runCellCycles(world);

@@ -168,7 +168,8 @@ class Experiment {
     try {
       const World world = makeWorld(read_(changesFor(s)).scene, options_.execution);
       const double apart = report_.times.front();
-      const double step = apart / std::ceil(apart / timeStepLimit(world));
+      const double step =
+          apart / std::max(1.0, std::ceil(apart / timeStepLimit(world)));  // any, if all are stable
       for (const double time : report_.times)
         if (std::abs(time / apart - std::round(time / apart)) > 1e-9) return 0;
       return step;

@@ -20,8 +20,8 @@ void applyOverrides(Node& root, const std::vector<Override>& overrides, Problems
         problems.add(place, change.path, "given twice",
                      "keep one of '" + other.value + "' and '" + change.value + "'");
     const auto& table = parameterTable();
-    const bool removes = change.value == "null" || change.value == "~";
-    if (removes && (remove(root, change.path) || table.section(change.path) || table.parameter(change.path)))
+    if (change.removes &&
+        (remove(root, change.path) || table.section(change.path) || table.parameter(change.path)))
       continue;
     assign(root, change.path, readYamlValue(change.value, change.place, problems));
   }
@@ -42,7 +42,8 @@ Override parseOverride(const std::string& text) {
       path.find("..") != path.npos)
     throw InputError("--set " + text +
                      ": is not an assignment; needs path=value, as physics.time_step=0.001");
-  return {path, text.substr(equals + 1), "--set " + path};
+  const auto value = text.substr(equals + 1);
+  return {path, value, "--set " + path, value == "null" || value == "~"};
 }
 
 Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,

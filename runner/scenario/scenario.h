@@ -89,14 +89,15 @@ struct Scenario {
   Hash meaning;  // of all that decides results: neither format, comments and key order nor colours count
 };
 
-/// One `--set path=value`. The value is what would stand in the file; null or ~ takes away what stands there.
+/// One `--set path=value`. The value is what would stand in the file.
 struct Override {
-  std::string path;   // physics.time_step
-  std::string value;  // 0.001, auto, {sphere: 1}, …
-  std::string place;  // how messages name it: "--set physics.time_step", "--seed"
+  std::string path;      // physics.time_step
+  std::string value;     // 0.001, auto, {sphere: 1}, …
+  std::string place;     // how messages name it: "--set physics.time_step", "--seed"
+  bool removes = false;  // what stands there in the file is taken away
 };
 
-/// Reads `--set path=value`. Throws InputError without a path or '='.
+/// Reads `--set path=value`; null or ~ for the value removes. Throws InputError without a path or '='.
 Override parseOverride(const std::string& text);
 
 /// Reads, overrides and checks a scenario file. Throws InputError with one line per mistake, all of them at

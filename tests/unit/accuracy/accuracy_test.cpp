@@ -8,6 +8,7 @@
 #include "accuracy/table.h"
 #include "base/error.h"
 #include "catch.h"
+#include "reader.h"
 
 using namespace morula;
 
@@ -31,14 +32,6 @@ const std::string swinging =
     "morula: 1\nname: swinging\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\n"
     "physics:\n  mesh: {icosphere: 1}\n  membrane: {stiffness: 10, damping: 0.02}\n"
     "  pressure: {constant: 8, outside: 0}\n  drag: 4\n";
-
-ReadScenario reader(const std::string& text) {
-  return [text](const std::vector<std::string>& changes) {
-    std::vector<Override> overrides;
-    for (const auto& change : changes) overrides.push_back(parseOverride(change));
-    return readScenario(text, "test.yaml", ".", overrides);
-  };
-}
 
 const SeriesOrder& orderIn(const AccuracyReport& report, const std::string& series) {
   for (const SeriesOrder& o : report.orders)

@@ -35,6 +35,8 @@ TEST_CASE("null takes away what the file gives, whole sections too") {
         "--set physics.contct: unknown key; did you mean contact?");
   CHECK_THAT(complaints(everyPart, {parseOverride("name=null")}),
              ContainsSubstring("test.yaml:1:1: name: is missing"));
+  CHECK(complaints(everyPart, {{"seed", "null", "--seed"}}) ==
+        "--seed: is empty; needs a whole number from 0 to 9223372036854775807");
 }
 
 TEST_CASE("the resolved form holds the overrides, the bytes do not") {

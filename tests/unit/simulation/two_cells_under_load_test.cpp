@@ -71,7 +71,7 @@ double pushedArea(World& world) {
 TEST_CASE("Two spheres under a load overlap by load over stiffness") {
   for (const double load : {0.1, 0.7}) {
     World world = pressedTogether(CellModel::sphere, 1, load, 30, 1.99);
-    comeToRest(world, 1e-13);
+    comeToRest(world, 1e-13);  // a speed of s is a place off by about s · drag · mass / K
     const double distance = norm(world.bodies->vertex(0, 0) - world.bodies->vertex(1, 0));
     CHECK(2 - distance == Approx(load / 30).epsilon(1e-10));
   }
