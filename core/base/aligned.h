@@ -1,20 +1,23 @@
 #pragma once
 // Arrays that start on a cache line, as the kernels expect.
 #include <cstddef>
-#include <new>
 #include <vector>
 
 namespace morula {
 
+/// Memory from a cache line on, to be given back with as many bytes. Large arrays lie in huge pages where the
+/// system has some: what is read here and there then hardly waits for an address. Throws std::bad_alloc.
+void* allocateLines(std::size_t bytes);
+void freeLines(void* memory, std::size_t bytes);
+
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;
-  static constexpr std::align_val_t line{64};
   CacheLineAllocator() = default;
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
+  T* allocate(std::size_t n) { return static_cast<T*>(allocateLines(n * sizeof(T))); }
+  void deallocate(T* p, std::size_t n) { freeLines(p, n * sizeof(T)); }
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
 };
 

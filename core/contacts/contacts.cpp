@@ -91,6 +91,9 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
 
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
   const std::int64_t first = c.list.firstSlice[block], last = c.list.firstSlice[block + 1];
+  const BlockSlices slices{c.list.slices.data() + first, last - first,
+                           &bodies.vertexMass[std::size_t(block) * blockLanes],
+                           bodies.blocks[block].firstLine + bodies.verticesPerLane(block)};
   const ContactConstants constants{c.parameters.stiffness,
                                    c.parameters.damping,
                                    c.parameters.friction,
@@ -98,8 +101,7 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                                    gripShare * c.lightestVertex / timeStep,
                                    timeStep,
                                    bodies.lineCount() * blockLanes};
-  c.addForces(c.list.slices.data() + first, last - first, c.list.indices.data(), c.rows.data(), constants,
-              &bodies.vertexMass[std::size_t(block) * blockLanes], bodies.acceleration.from(0));
+  c.addForces(slices, c.list.indices.data(), c.rows.data(), constants, bodies.acceleration.from(0));
 }
 
 }  // namespace morula

@@ -19,6 +19,14 @@ struct NeighbourSlice {
 /// the far row.
 constexpr int linesFetchedAhead = 8;
 
+/// One block's part of the list, and what else its kernel needs.
+struct BlockSlices {
+  const NeighbourSlice* slices;
+  std::int64_t count;
+  const double* vertexMass;  // [lane]
+  std::int64_t nextLine;     // where the next block's vertices begin (BlockPlace::firstLine)
+};
+
 struct ContactConstants {
   double stiffness, damping, friction;
   double slipSpeed;       // [length/time] below which friction fades out linearly
@@ -33,11 +41,9 @@ struct ContactKernels {
   using TakeSnapshot = double (*)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
                                   RealPointer reference, RowMemory* rows);
   TakeSnapshot takeSnapshot, takeSphereSnapshot;
-  /// force += contact forces, for a range of one block's slices. `force` [all blocks]: vertex g at
-  /// (g / 8)·24 + g % 8. `vertexMass` [lane] of the block.
-  using AddForces = void (*)(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                             const RowMemory* rows, const ContactConstants&, const double* vertexMass,
-                             RealPointer force);
+  /// force += contact forces on one block's vertices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
+  using AddForces = void (*)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows,
+                             const ContactConstants&, RealPointer force);
   AddForces addPairForces, addPairForcesWithFriction, addThesisForces;
   AddForces addSphereForces, addSphereForcesWithFriction;
 };

@@ -51,10 +51,9 @@ MORULA_INLINE Vec PairLaw<withFriction>::force(const Rows& i, const Rows& j, con
 
 /// [ContactKernels::addPairForces]
 template <bool withFriction>
-inline void addPairForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                          const RowMemory* rows, const ContactConstants& c, const double*,
-                          RealPointer force) {
-  addSlices<PairLaw<withFriction>>(slices, count, indices, rows, c, force);
+inline void addPairForces(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
+                          const ContactConstants& c, RealPointer force) {
+  addSlices<PairLaw<withFriction>>(block, indices, rows, c, force);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -66,10 +66,9 @@ MORULA_INLINE Vec SphereLaw<withFriction>::force(const Spheres& i, const Spheres
 
 /// [ContactKernels::addSphereForces]
 template <bool withFriction>
-inline void addSphereForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                            const RowMemory* rows, const ContactConstants& c, const double*,
-                            RealPointer force) {
-  addSlices<SphereLaw<withFriction>>(slices, count, indices, rows, c, force);
+inline void addSphereForces(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
+                            const ContactConstants& c, RealPointer force) {
+  addSlices<SphereLaw<withFriction>>(block, indices, rows, c, force);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -14,13 +14,13 @@
 namespace morula::MORULA_ISA {
 
 /// [ContactKernels::addThesisForces]
-inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, const std::int32_t* indices,
-                            const RowMemory* rows, const ContactConstants& c, const double* vertexMass,
-                            RealPointer forces) {
+inline void addThesisForces(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
+                            const ContactConstants& c, RealPointer forces) {
   Real* force = forces;
-  for (std::int64_t s = 0; s < count; ++s)
+  for (std::int64_t s = 0; s < block.count; ++s) {
+    const NeighbourSlice& slice = block.slices[s];
+    fetchNextBlock(block, s, rows, force);
     for (int lane = 0; lane < blockLanes; lane += width) {
-      const NeighbourSlice& slice = slices[s];
       const Rows i = loadRows(rows, slice.vertex + lane);
       Vec depth{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
       Lanes weights = 0.0;
@@ -48,7 +48,7 @@ inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, co
         const double square = x[l] * x[l] + y[l] * y[l] + z[l] * z[l];
         if (g >= c.vertices || !(square > 0)) continue;
         Real* f = force + std::int64_t(g / blockLanes) * vertexStride + g % blockLanes;
-        const double m = vertexMass[g % blockLanes];
+        const double m = block.vertexMass[g % blockLanes];
         const double length = __builtin_sqrt(square), ux = x[l] / length, uy = y[l] / length,
                      uz = z[l] / length;  // −d̂
         const double other = (f[0] * ux + f[blockLanes] * uy + f[2 * blockLanes] * uz) / m;
@@ -60,6 +60,7 @@ inline void addThesisForces(const NeighbourSlice* slices, std::int64_t count, co
         f[2 * blockLanes] += push * uz;
       }
     }
+  }
 }
 
 }  // namespace morula::MORULA_ISA
