@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -18,7 +17,7 @@
 #include "cli/options.h"
 #include "cli/pictures.h"
 #include "cli/simulate.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "golden/accept.h"
 
 namespace morula::cli {
@@ -251,40 +250,29 @@ int act(const AccuracyWords& words) {
 
 void addAccuracy(CLI::App& app, Action& action) {
   auto words = std::make_shared<AccuracyWords>();
-  auto* verb = app.add_subcommand(
-      "accuracy",
+  Verb verb(
+      app, action, "accuracy",
       "Hold integrators, time steps, meshes, precisions and cell models of a scene against each other: speed "
       "and error");
-  verb->add_option("scenario", words->scenario, "A scenario file")->required()->type_name("FILE");
-  verb->add_option("--until", words->until, "Compare up to this time; default: before chaos sets in")
-      ->type_name("T");
-  verb->add_option("--target", words->target,
-                   "Name the cheapest settings with no larger error, as 1e-2; exit 1 without any")
-      ->type_name("ERROR");
-  verb->add_option("--integrator", words->integrators,
-                   "Only these beside the scenario's own, as rk4,explicit-euler")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  verb->add_option("--level", words->levels, "Other icospheres, as 1,3; default: the next coarser one")
-      ->delimiter(',')
-      ->type_name("N,...");
-  verb->add_flag("--bullet", words->bullet,
-                 "Beside Bullet's soft bodies, where the scene can be put to them");
-  verb->add_flag("--into-golden", words->intoGolden,
-                 "Write the error of the scenario as it is into its golden file");
-  verb->add_flag("--only", words->only,
-                 "No other meshes, precision, contact law or cell model than the scenario's");
-  verb->add_option("--halvings", words->halvings, "Of the longest time step, twice the scenario's smallest")
-      ->type_name("N")
-      ->capture_default_str();
-  verb->add_option("--rounds", words->rounds, "Runs of each, for the CPU time")
-      ->type_name("N")
-      ->capture_default_str();
-  verb->add_option("--out", words->out, "Folder for results")->type_name("FOLDER")->capture_default_str();
-  add(*verb, words->scene);
-  add(*verb, words->execution);
-  add(*verb, words->output);
-  verb->callback([words, &action] { action = [words] { return act(*words); }; });
+  verb.needs("scenario", words->scenario, "FILE", "A scenario file");
+  verb.takes("--until", words->until, "T", "Compare up to this time; default: before chaos sets in");
+  verb.takes("--target", words->target, "ERROR",
+             "Name the cheapest settings with no larger error, as 1e-2; exit 1 without any");
+  verb.takes("--integrator", words->integrators, "NAME,...",
+             "Only these beside the scenario's own, as rk4,explicit-euler");
+  verb.takes("--level", words->levels, "N,...", "Other icospheres, as 1,3; default: the next coarser one");
+  verb.takes("--bullet", words->bullet, "Beside Bullet's soft bodies, where the scene can be put to them");
+  verb.takes("--into-golden", words->intoGolden,
+             "Write the error of the scenario as it is into its golden file");
+  verb.takes("--only", words->only,
+             "No other meshes, precision, contact law or cell model than the scenario's");
+  verb.takes("--halvings", words->halvings, "N", "Of the longest time step, twice the scenario's smallest");
+  verb.takes("--rounds", words->rounds, "N", "Runs of each, for the CPU time");
+  verb.takes("--out", words->out, "FOLDER", "Folder for results");
+  add(verb, words->scene);
+  add(verb, words->execution);
+  add(verb, words->output);
+  verb.does([words] { return act(*words); });
 }
 
 }  // namespace morula::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <sstream>
@@ -16,7 +15,7 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/pictures.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "store/machine_info.h"
 
 namespace morula::cli {
@@ -169,29 +168,19 @@ int act(const BenchWords& words) {
 
 void addBench(CLI::App& app, Action& action) {
   auto words = std::make_shared<BenchWords>();
-  auto* verb =
-      app.add_subcommand("bench", "Measure what each stage costs, beside the machine's limits and Bullet");
-  verb->add_option("--cells", words->cells, "Packed scenes of so many cells, as 64,128")
-      ->delimiter(',')
-      ->type_name("N,...");
-  verb->add_option("--vertices", words->vertices, "Of each cell: 42, 162, 642")
-      ->delimiter(',')
-      ->type_name("N,...");
-  verb->add_option("--isa", words->isas, "Only these of scalar, narrow, avx2 and avx512")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  verb->add_option("--threads", words->threads, "Numbers of threads; default 1,2")
-      ->delimiter(',')
-      ->type_name("N,...");
-  verb->add_option("--stage", words->stages, "Only these of step, internal, contact, rebuild and integrate")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  verb->add_flag("--quick", words->quick, "Few scenes, few rounds");
-  verb->add_flag("--full", words->full, "Up to 4096 cells");
-  verb->add_flag("--no-bullet", words->noBullet, "Without Bullet, which is slow");
-  verb->add_option("--out", words->out, "Folder for results")->type_name("FOLDER")->capture_default_str();
-  add(*verb, words->output);
-  verb->callback([words, &action] { action = [words] { return act(*words); }; });
+  Verb verb(app, action, "bench", "Measure what each stage costs, beside the machine's limits and Bullet");
+  verb.takes("--cells", words->cells, "N,...", "Packed scenes of so many cells, as 64,128");
+  verb.takes("--vertices", words->vertices, "N,...", "Of each cell: 42, 162, 642");
+  verb.takes("--isa", words->isas, "NAME,...", "Only these of scalar, narrow, avx2 and avx512");
+  verb.takes("--threads", words->threads, "N,...", "Numbers of threads; default 1,2");
+  verb.takes("--stage", words->stages, "NAME,...",
+             "Only these of step, internal, contact, rebuild and integrate");
+  verb.takes("--quick", words->quick, "Few scenes, few rounds");
+  verb.takes("--full", words->full, "Up to 4096 cells");
+  verb.takes("--no-bullet", words->noBullet, "Without Bullet, which is slow");
+  verb.takes("--out", words->out, "FOLDER", "Folder for results");
+  add(verb, words->output);
+  verb.does([words] { return act(*words); });
 }
 
 }  // namespace morula::cli

@@ -1,5 +1,4 @@
 // morula check: run scenarios again and hold them against their golden files.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -14,7 +13,7 @@
 #include "cli/options.h"
 #include "cli/pending.h"
 #include "cli/shipped.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "golden/accept.h"
 #include "golden/ci_reports.h"
 
@@ -160,21 +159,16 @@ int act(const CheckOptions& options) {
 
 void addCheck(CLI::App& app, Action& action) {
   auto options = std::make_shared<CheckOptions>();
-  auto* verb = app.add_subcommand("check", "Run scenarios again and compare them with their golden files");
-  verb->add_option("scenario", options->scenarios, "Scenario files; default: all under scenarios/")
-      ->type_name("FILE");
-  verb->add_option("--reports", options->reports, "Write junit.xml, report.json and summary.md there")
-      ->type_name("FOLDER");
-  verb->add_option(
-          "--beside", options->beside,
-          "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
-          "(its contact law), bullet, b1, b2, b3")
-      ->type_name("ENGINES");
-  verb->add_option("--cpu-limit", options->cpuLimit, "CPU time of each of their runs; default: 120")
-      ->type_name("SECONDS");
-  add(*verb, options->execution);
-  add(*verb, options->output);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "check", "Run scenarios again and compare them with their golden files");
+  verb.takes("scenario", options->scenarios, "FILE", "Scenario files; default: all under scenarios/");
+  verb.takes("--reports", options->reports, "FOLDER", "Write junit.xml, report.json and summary.md there");
+  verb.takes("--beside", options->beside, "ENGINES",
+             "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
+             "(its contact law), bullet, b1, b2, b3");
+  verb.takes("--cpu-limit", options->cpuLimit, "SECONDS", "CPU time of each of their runs; default: 120");
+  add(verb, options->execution);
+  add(verb, options->output);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

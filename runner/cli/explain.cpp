@@ -1,7 +1,6 @@
 // morula explain: where and why a result differs.
 #include "explain/explain.h"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "base/error.h"
@@ -13,7 +12,7 @@
 #include "cli/options.h"
 #include "cli/scenario_run.h"
 #include "cli/signals.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "explain/program_run.h"
 #include "explain/stored_run.h"
 #include "explain/text_difference.h"
@@ -192,20 +191,18 @@ int act(const ExplainOptions& options) {
 
 void addExplain(CLI::App& app, Action& action) {
   auto options = std::make_shared<ExplainOptions>();
-  auto* verb = app.add_subcommand(
-      "explain", "Say where and why a result differs: first step, cell, vertex, both values");
-  verb->add_option("scenario", options->scenario, "Scenario file")->required()->type_name("FILE");
-  verb->add_option("--with", options->with,
-                   "Compare with what this Morula program gives, perhaps an older build")
-      ->type_name("PROGRAM");
-  verb->add_option("--db", options->database, "Compare with a stored run")->type_name("FILE");
-  verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
-  verb->add_option("--every", options->every, "Look at every so many steps first; 1 finds also what heals")
-      ->type_name("STEPS")
-      ->capture_default_str();
-  add(*verb, options->execution);
-  add(*verb, options->output);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "explain",
+            "Say where and why a result differs: first step, cell, vertex, both values");
+  verb.needs("scenario", options->scenario, "FILE", "Scenario file");
+  verb.takes("--with", options->with, "PROGRAM",
+             "Compare with what this Morula program gives, perhaps an older build");
+  verb.takes("--db", options->database, "FILE", "Compare with a stored run");
+  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
+  verb.takes("--every", options->every, "STEPS",
+             "Look at every so many steps first; 1 finds also what heals");
+  add(verb, options->execution);
+  add(verb, options->output);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

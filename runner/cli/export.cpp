@@ -2,7 +2,6 @@
 // are.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -12,7 +11,7 @@
 #include "cli/options.h"
 #include "cli/pictures.h"
 #include "cli/ro_crate.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "golden/accept.h"
 
 namespace morula::cli {
@@ -129,19 +128,16 @@ int act(const ExportOptions& options) {
 
 void addExport(CLI::App& app, Action& action) {
   auto options = std::make_shared<ExportOptions>();
-  auto* verb = app.add_subcommand("export", "List the runs of a database, or give one to others as a folder");
-  verb->add_option("file", options->database, "A database")->required()->type_name("FILE");
-  verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
-  verb->add_option("--ro-crate", options->crate, "Write a Process Run Crate (RO-Crate 1.1) there")
-      ->type_name("FOLDER");
-  verb->add_option("--pictures", options->pictures,
-                   "Where the run's pictures lie; default: beside a database of one run")
-      ->type_name("FOLDER");
-  verb->add_option("--agent", options->agent, "Who ran it: a name, or a URI such as an ORCID")
-      ->type_name("WHO");
-  verb->add_option("--license", options->license, "The results' licence, a URI")->type_name("URI");
-  add(*verb, options->output);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "export", "List the runs of a database, or give one to others as a folder");
+  verb.needs("file", options->database, "FILE", "A database");
+  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
+  verb.takes("--ro-crate", options->crate, "FOLDER", "Write a Process Run Crate (RO-Crate 1.1) there");
+  verb.takes("--pictures", options->pictures, "FOLDER",
+             "Where the run's pictures lie; default: beside a database of one run");
+  verb.takes("--agent", options->agent, "WHO", "Who ran it: a name, or a URI such as an ORCID");
+  verb.takes("--license", options->license, "URI", "The results' licence, a URI");
+  add(verb, options->output);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

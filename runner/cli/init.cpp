@@ -1,5 +1,4 @@
 // morula init: something to begin with.
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -9,7 +8,7 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "scenario/schema.h"
 
 namespace morula::cli {
@@ -53,18 +52,15 @@ int act(const InitOptions& options) {
 
 void addInit(CLI::App& app, Action& action) {
   auto options = std::make_shared<InitOptions>();
-  auto* verb = app.add_subcommand("init", "Write a commented scenario, or DNA, to begin with");
-  verb->add_option("file", options->file, "Where to; default: standard output")->type_name("FILE");
-  verb->add_option("-o,--output", options->output, "The same")->type_name("FILE");
-  verb->add_option("--dna", options->dna,
-                   "DNA instead of a scenario; full-tree: every cell divides, all leaves differ")
-      ->type_name("NAME");
-  verb->add_option("--levels", options->levels,
-                   "Divisions from the egg to the leaves of the full tree, 1 to 16")
-      ->type_name("N")
-      ->capture_default_str();
-  verb->add_flag("--force", options->force, "Write over a file that is there");
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "init", "Write a commented scenario, or DNA, to begin with");
+  verb.takes("file", options->file, "FILE", "Where to; default: standard output");
+  verb.takes("-o,--output", options->output, "FILE", "The same");
+  verb.takes("--dna", options->dna, "NAME",
+             "DNA instead of a scenario; full-tree: every cell divides, all leaves differ");
+  verb.takes("--levels", options->levels, "N",
+             "Divisions from the egg to the leaves of the full tree, 1 to 16");
+  verb.takes("--force", options->force, "Write over a file that is there");
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

@@ -1,7 +1,6 @@
 // morula lineage: the tree of cells as text.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -10,7 +9,7 @@
 #include "cli/options.h"
 #include "cli/simulate.h"
 #include "cli/stored.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "store/store.h"
 
 namespace morula::cli {
@@ -77,11 +76,11 @@ int act(const LineageOptions& options) {
 
 void addLineage(CLI::App& app, Action& action) {
   auto options = std::make_shared<LineageOptions>();
-  auto* verb = app.add_subcommand("lineage", "Print the tree of cells of a scenario or a stored run");
-  verb->add_option("file", options->file, "A scenario or a database")->required()->type_name("FILE");
-  verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
-  add(*verb, options->output);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "lineage", "Print the tree of cells of a scenario or a stored run");
+  verb.needs("file", options->file, "FILE", "A scenario or a database");
+  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
+  add(verb, options->output);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

@@ -1,34 +1,31 @@
 #include "cli/options.h"
 
-#include <CLI/CLI.hpp>
-
 #include "base/error.h"
 #include "cli/exit_codes.h"
+#include "cli/verb.h"
 #include "scenario/numbers.h"
 
 namespace morula::cli {
 
-void add(CLI::App& verb, OutputOptions& options) {
-  verb.add_flag("--json", options.json, "One JSON object on standard output");
-  verb.add_flag("--quiet", options.quiet, "No remarks and no progress");
+void add(Verb& verb, OutputOptions& options) {
+  verb.takes("--json", options.json, "One JSON object on standard output");
+  verb.takes("--quiet", options.quiet, "No remarks and no progress");
 }
 
-void add(CLI::App& verb, SceneOptions& options) {
-  verb.add_option("--set", options.set, "Change a parameter: --set physics.time_step=0.001; null takes it away; may repeat")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);  // or --set a=1 FILE would swallow FILE
-  verb.add_option("--seed", options.seed, "Another seed than the scenario's")->type_name("N");
+void add(Verb& verb, SceneOptions& options) {
+  verb.takes(
+      "--set", options.set, "PATH=VALUE",
+      "Change a parameter: --set physics.time_step=0.001; null takes it away; may repeat");  // or --set a=1
+                                                                                             // FILE would
+                                                                                             // swallow FILE
+  verb.takes("--seed", options.seed, "N", "Another seed than the scenario's");
 }
 
-void add(CLI::App& verb, ExecutionOptions& options) {
-  verb.add_option("--threads", options.threads, "Compute with so many threads; changes no result")
-      ->type_name("N")
-      ->capture_default_str();
-  verb.add_option("--isa", options.isa, "Compute with scalar, narrow, avx2 or avx512; changes no result")
-      ->type_name("NAME");
-  verb.add_option("--search", options.search,
-                  "Find contacts by grid, aabb-tree, spatial-hash or brute-force; changes no result")
-      ->type_name("NAME");
+void add(Verb& verb, ExecutionOptions& options) {
+  verb.takes("--threads", options.threads, "N", "Compute with so many threads; changes no result");
+  verb.takes("--isa", options.isa, "NAME", "Compute with scalar, narrow, avx2 or avx512; changes no result");
+  verb.takes("--search", options.search, "NAME",
+             "Find contacts by grid, aabb-tree, spatial-hash or brute-force; changes no result");
 }
 
 std::vector<Override> overrides(const SceneOptions& options) {

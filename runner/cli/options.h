@@ -7,11 +7,9 @@
 #include "scenario/scenario.h"
 #include "simulation/world.h"
 
-namespace CLI {
-class App;
-}
-
 namespace morula::cli {
+
+class Verb;
 
 struct OutputOptions {
   bool json = false, quiet = false;
@@ -29,9 +27,9 @@ struct ExecutionOptions {
   std::string threads = "1", isa, search;
 };
 
-void add(CLI::App& verb, OutputOptions& options);
-void add(CLI::App& verb, SceneOptions& options);
-void add(CLI::App& verb, ExecutionOptions& options);
+void add(Verb& verb, OutputOptions& options);
+void add(Verb& verb, SceneOptions& options);
+void add(Verb& verb, ExecutionOptions& options);
 
 std::vector<Override> overrides(const SceneOptions& options);
 /// Throws UsageError.

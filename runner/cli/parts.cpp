@@ -1,7 +1,6 @@
 // morula parts: what a scenario engages, why, and what each part will cost.
 #include "parts/parts.h"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "base/error.h"
@@ -12,7 +11,7 @@
 #include "cli/options.h"
 #include "cli/pictures.h"
 #include "cli/simulate.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "parts/forecast.h"
 
 namespace morula::cli {
@@ -92,12 +91,12 @@ int act(const PartsOptions& options) {
 
 void addParts(CLI::App& app, Action& action) {
   auto options = std::make_shared<PartsOptions>();
-  auto* verb = app.add_subcommand("parts", "Tell what a scenario engages, why, and what each part will cost");
-  verb->add_option("scenario", options->scenario, "A scenario file")->required()->type_name("FILE");
-  add(*verb, options->scene);
-  add(*verb, options->execution);
-  add(*verb, options->output);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "parts", "Tell what a scenario engages, why, and what each part will cost");
+  verb.needs("scenario", options->scenario, "FILE", "A scenario file");
+  add(verb, options->scene);
+  add(verb, options->execution);
+  add(verb, options->output);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

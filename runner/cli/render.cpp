@@ -1,5 +1,4 @@
 // morula render: one picture of a scenario, or of a stored run, at any time of its life.
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "base/error.h"
@@ -9,7 +8,7 @@
 #include "cli/pictures.h"
 #include "cli/simulate.h"
 #include "cli/stored.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 
 namespace morula::cli {
 
@@ -67,19 +66,16 @@ int act(const RenderOptions& options) {
 
 void addRender(CLI::App& app, Action& action) {
   auto options = std::make_shared<RenderOptions>();
-  auto* verb = app.add_subcommand("render", "Draw a scenario or a stored run, at its end or another time");
-  verb->add_option("file", options->file, "A scenario or a database")->required()->type_name("FILE");
-  verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
-  verb->add_option("--time", options->time, "When; default: at the end")->type_name("TIME");
-  verb->add_option("--style", options->style, "solid, wireframe, both or lineage")
-      ->type_name("NAME")
-      ->capture_default_str();
-  verb->add_option("--size", options->size, "Width in pixels")->type_name("N")->capture_default_str();
-  verb->add_option("-o,--output", options->output, "The PNG; default: the scenario's name")
-      ->type_name("FILE");
-  add(*verb, options->execution);
-  add(*verb, options->messages);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "render", "Draw a scenario or a stored run, at its end or another time");
+  verb.needs("file", options->file, "FILE", "A scenario or a database");
+  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
+  verb.takes("--time", options->time, "TIME", "When; default: at the end");
+  verb.takes("--style", options->style, "NAME", "solid, wireframe, both or lineage");
+  verb.takes("--size", options->size, "N", "Width in pixels");
+  verb.takes("-o,--output", options->output, "FILE", "The PNG; default: the scenario's name");
+  add(verb, options->execution);
+  add(verb, options->messages);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

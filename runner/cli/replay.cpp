@@ -2,7 +2,6 @@
 // bits?
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -13,7 +12,7 @@
 #include "cli/provenance.h"
 #include "cli/simulate.h"
 #include "cli/stored.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "store/store.h"
 
 namespace morula::cli {
@@ -157,19 +156,15 @@ int act(const ReplayOptions& options) {
 
 void addReplay(CLI::App& app, Action& action) {
   auto options = std::make_shared<ReplayOptions>();
-  auto* verb =
-      app.add_subcommand("replay", "Run a stored run again and say what differs, conditions and bits");
-  verb->add_option("what", options->what, "A database, or a run's id with --db")
-      ->required()
-      ->type_name("FILE|ID");
-  verb->add_option("--run", options->run, "Which run of the database; default: the latest")->type_name("ID");
-  verb->add_option("--db", options->database, "The database, if a run's id is given")->type_name("FILE");
-  verb->add_option("--db-out", options->databaseOut, "Store the replayed run there; default: nowhere")
-      ->type_name("FILE");
-  add(*verb, options->execution);
-  verb->get_option("--threads")->default_str("as then");
-  add(*verb, options->output);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "replay", "Run a stored run again and say what differs, conditions and bits");
+  verb.needs("what", options->what, "FILE|ID", "A database, or a run's id with --db");
+  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
+  verb.takes("--db", options->database, "FILE", "The database, if a run's id is given");
+  verb.takes("--db-out", options->databaseOut, "FILE", "Store the replayed run there; default: nowhere");
+  add(verb, options->execution);
+  verb.showDefault("--threads", "as then");
+  add(verb, options->output);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

@@ -1,5 +1,4 @@
 // morula review: what goldens would change, and with a reason the change itself.
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <memory>
 
@@ -11,7 +10,7 @@
 #include "cli/git_text.h"
 #include "cli/options.h"
 #include "cli/pending.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "golden/accept.h"
 #include "golden/succession.h"
 
@@ -138,18 +137,16 @@ int act(const ReviewOptions& options) {
 void addReview(CLI::App& app, Action& action) {
   auto options = std::make_shared<ReviewOptions>();
   if (const char* user = std::getenv("USER")) options->by = user;
-  auto* verb = app.add_subcommand(
-      "review", "Show what golden files would change, and accept or reject it with a reason");
-  verb->add_option("scenario", options->scenarios, "Scenario files; default: those whose results wait")
-      ->type_name("FILE");
-  verb->add_flag("--accept", options->accept, "Run twice more and write the golden files");
-  verb->add_flag("--reject", options->reject, "Throw the waiting results away");
-  verb->add_option("--why", options->why, "What changed and why the new result is right, or is not")
-      ->type_name("TEXT");
-  verb->add_option("--by", options->by, "Who accepts; default: the user's name")->type_name("NAME");
-  add(*verb, options->execution);
-  add(*verb, options->output);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "review",
+            "Show what golden files would change, and accept or reject it with a reason");
+  verb.takes("scenario", options->scenarios, "FILE", "Scenario files; default: those whose results wait");
+  verb.takes("--accept", options->accept, "Run twice more and write the golden files");
+  verb.takes("--reject", options->reject, "Throw the waiting results away");
+  verb.takes("--why", options->why, "TEXT", "What changed and why the new result is right, or is not");
+  verb.takes("--by", options->by, "NAME", "Who accepts; default: the user's name");
+  add(verb, options->execution);
+  add(verb, options->output);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

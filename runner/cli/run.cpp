@@ -1,12 +1,11 @@
 // morula run: simulate, store, check, draw.
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/check_run.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/run_scenario.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 
 namespace morula::cli {
 
@@ -109,26 +108,21 @@ int act(const RunOptions& options) {
 
 void addRun(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
-  auto* verb = app.add_subcommand("run", "Simulate a scenario, store, check and draw it");
-  verb->add_option("scenario", options->scenarios, "Scenario files")->required()->type_name("FILE");
-  add(*verb, options->scene);
-  verb->add_option("--seeds", options->seeds, "One run for each seed of a range: 1..50")
-      ->type_name("FIRST..LAST");
-  verb->add_option("--db", options->database, "Store in this file; default: run.db beside the pictures")
-      ->type_name("FILE");
-  verb->add_option("--out", options->out, "Folder for results, one folder in it per run")
-      ->type_name("FOLDER")
-      ->capture_default_str();
-  verb->add_flag("--no-pictures", options->noPictures, "Do not draw");
-  verb->add_flag("--no-check", options->noCheck, "Do not compare with the golden file");
-  verb->add_option("--checkpoint-every", options->checkpointEvery,
-                   "Keep a checkpoint every so many steps; one is always kept at Ctrl-C")
-      ->type_name("STEPS");
-  verb->add_flag("--resume", options->resume, "Go on from the last checkpoint of the same run");
-  verb->add_flag("--dry-run", options->dryRun, "Read and check everything, run nothing, write nothing");
-  add(*verb, options->execution);
-  add(*verb, options->output);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "run", "Simulate a scenario, store, check and draw it");
+  verb.needs("scenario", options->scenarios, "FILE", "Scenario files");
+  add(verb, options->scene);
+  verb.takes("--seeds", options->seeds, "FIRST..LAST", "One run for each seed of a range: 1..50");
+  verb.takes("--db", options->database, "FILE", "Store in this file; default: run.db beside the pictures");
+  verb.takes("--out", options->out, "FOLDER", "Folder for results, one folder in it per run");
+  verb.takes("--no-pictures", options->noPictures, "Do not draw");
+  verb.takes("--no-check", options->noCheck, "Do not compare with the golden file");
+  verb.takes("--checkpoint-every", options->checkpointEvery, "STEPS",
+             "Keep a checkpoint every so many steps; one is always kept at Ctrl-C");
+  verb.takes("--resume", options->resume, "Go on from the last checkpoint of the same run");
+  verb.takes("--dry-run", options->dryRun, "Read and check everything, run nothing, write nothing");
+  add(verb, options->execution);
+  add(verb, options->output);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

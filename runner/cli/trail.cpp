@@ -1,5 +1,4 @@
 // morula trail: where a run goes, in hashes; one Morula asks another so (explain --with).
-#include <CLI/CLI.hpp>
 #include <limits>
 #include <memory>
 
@@ -8,7 +7,7 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/scenario_run.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 #include "explain/trail_text.h"
 #include "simulation/checkpoint.h"
 
@@ -45,17 +44,15 @@ int act(const TrailOptions& options) {
 
 void addTrail(CLI::App& app, Action& action) {
   auto options = std::make_shared<TrailOptions>();
-  auto* verb =
-      app.add_subcommand("trail", "Print hashes of a run's states, or one state, for another Morula");
-  verb->add_option("scenario", options->scenario, "Scenario file")->required()->type_name("FILE");
-  verb->add_option("--from", options->from, "The first step")->type_name("STEP");
-  verb->add_option("--to", options->to, "The last step")->type_name("STEP");
-  verb->add_option("--every", options->every, "Every so many steps")->type_name("N");
-  verb->add_option("--state", options->state, "Instead, the whole state after this step, as bytes")
-      ->type_name("STEP");
-  add(*verb, options->execution);
-  verb->group("");  // not for people
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "trail", "Print hashes of a run's states, or one state, for another Morula");
+  verb.needs("scenario", options->scenario, "FILE", "Scenario file");
+  verb.takes("--from", options->from, "STEP", "The first step");
+  verb.takes("--to", options->to, "STEP", "The last step");
+  verb.takes("--every", options->every, "N", "Every so many steps");
+  verb.takes("--state", options->state, "STEP", "Instead, the whole state after this step, as bytes");
+  add(verb, options->execution);
+  verb.hide();  // not for people
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

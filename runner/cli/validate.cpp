@@ -1,5 +1,4 @@
 // morula validate: are these scenarios right?
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <sstream>
 
@@ -8,7 +7,7 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/simulate.h"
-#include "cli/verbs.h"
+#include "cli/verb.h"
 
 namespace morula::cli {
 
@@ -59,13 +58,13 @@ int act(const ValidateOptions& options) {
 
 void addValidate(CLI::App& app, Action& action) {
   auto options = std::make_shared<ValidateOptions>();
-  auto* verb = app.add_subcommand("validate", "Tell all mistakes in scenario files");
-  verb->add_option("scenario", options->scenarios, "Scenario files")->required()->type_name("FILE");
-  add(*verb, options->scene);
-  verb->add_flag("--resolved", options->resolved,
-                 "Print every parameter, defaults and changes included, as JSON");
-  add(*verb, options->output);
-  verb->callback([options, &action] { action = [options] { return act(*options); }; });
+  Verb verb(app, action, "validate", "Tell all mistakes in scenario files");
+  verb.needs("scenario", options->scenarios, "FILE", "Scenario files");
+  add(verb, options->scene);
+  verb.takes("--resolved", options->resolved,
+             "Print every parameter, defaults and changes included, as JSON");
+  add(verb, options->output);
+  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

@@ -1,0 +1,43 @@
+#pragma once
+// A verb's place on the command line: what it wants to be told. The one door to CLI11, whose header takes a
+// compiler longer than most verbs do.
+#include <string>
+#include <vector>
+
+#include "cli/verbs.h"
+
+namespace morula::cli {
+
+class Verb {
+ public:
+  Verb(CLI::App& program, Action& chosen, const std::string& name, const std::string& purpose);
+
+  /// What must be given: a word, or one and more.
+  void needs(const std::string& name, std::string& word, const std::string& type, const std::string& help);
+  void needs(const std::string& name, std::vector<std::string>& words, const std::string& type,
+             const std::string& help);
+
+  /// What may be given. What stands in `word` is the default, which the help shows.
+  void takes(const std::string& name, std::string& word, const std::string& type, const std::string& help);
+  /// As often as wanted; where the type ends in ",..." also several with commas between.
+  void takes(const std::string& name, std::vector<std::string>& words, const std::string& type,
+             const std::string& help);
+
+  /// Given or not.
+  void takes(const std::string& name, bool& given, const std::string& help);
+
+  /// What the help shows as an option's default, where it is none of its words.
+  void showDefault(const std::string& name, const std::string& text);
+
+  /// Not among the verbs for people.
+  void hide();
+
+  /// What is done when the verb is chosen.
+  void does(Action action);
+
+ private:
+  CLI::App* verb_;
+  Action* chosen_;
+};
+
+}  // namespace morula::cli
