@@ -58,26 +58,28 @@ MORULA_INLINE void transposeFours(RawLanes a, RawLanes b, RawLanes c, RawLanes d
 
 MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes column[rowColumns]) {
 #if MORULA_WIDTH == 2
+  const double *first = rows + std::int64_t(index[0]) * 8, *second = rows + std::int64_t(index[1]) * 8;
   for (int c = 0; c < 8; c += 2) {
-    const RawLanes a = load(rows + std::int64_t(index[0]) * 8 + c).v,
-                   b = load(rows + std::int64_t(index[1]) * 8 + c).v;
+    const RawLanes a = load(first + c).v, b = load(second + c).v;
     column[c] = MORULA_LOW(a, b);
     column[c + 1] = MORULA_HIGH(a, b);
   }
 #elif MORULA_WIDTH == 4
-  for (int c = 0; c < 8; c += 4) {
-    RawLanes r[4];
-    for (int i = 0; i < 4; ++i) r[i] = load(rows + std::int64_t(index[i]) * 8 + c).v;
-    transposeFours(r[0], r[1], r[2], r[3], column + c);
-  }
+  const double* row[4];
+  for (int i = 0; i < 4; ++i) row[i] = rows + std::int64_t(index[i]) * 8;
+  for (int c = 0; c < 8; c += 4)
+    transposeFours(load(row[0] + c).v, load(row[1] + c).v, load(row[2] + c).v, load(row[3] + c).v,
+                   column + c);
 #else
   typedef double Four __attribute__((vector_size(32)));
+  const double* row[8];
+  for (int i = 0; i < 8; ++i) row[i] = rows + std::int64_t(index[i]) * 8;
   for (int c = 0; c < 8; c += 4) {
     RawLanes r[4];
     for (int i = 0; i < 4; ++i) {
       Four first, second;  // rows i and i + 4, side by side
-      __builtin_memcpy(&first, rows + std::int64_t(index[i]) * 8 + c, sizeof first);
-      __builtin_memcpy(&second, rows + std::int64_t(index[i + 4]) * 8 + c, sizeof second);
+      __builtin_memcpy(&first, row[i] + c, sizeof first);
+      __builtin_memcpy(&second, row[i + 4] + c, sizeof second);
       r[i] = __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
     }
     transposeFours(r[0], r[1], r[2], r[3], column + c);
@@ -131,21 +133,26 @@ MORULA_INLINE Lanes packFloats(Lanes a, Lanes b) {
   return packed;
 }
 
+// With intrinsics where there are some: of __builtin_convertvector compilers make several conversions, by way
+// of memory.
 MORULA_INLINE void unpackFloats(Lanes packed, Lanes& a, Lanes& b) {
   FloatLanes both;
   __builtin_memcpy(&both, &packed.v, sizeof both);
-#if MORULA_WIDTH == 2
-  const HalfFloatLanes first = __builtin_shufflevector(both, both, 0, 2),
-                       second = __builtin_shufflevector(both, both, 1, 3);
+#if MORULA_WIDTH == 2 && defined(__SSE2__)
+  a = Lanes(RawLanes(_mm_cvtps_pd(__builtin_shufflevector(both, both, 0, 2, 0, 2))));
+  b = Lanes(RawLanes(_mm_cvtps_pd(__builtin_shufflevector(both, both, 1, 3, 1, 3))));
+#elif MORULA_WIDTH == 2
+  a = Lanes(__builtin_convertvector(__builtin_shufflevector(both, both, 0, 2), RawLanes));
+  b = Lanes(__builtin_convertvector(__builtin_shufflevector(both, both, 1, 3), RawLanes));
 #elif MORULA_WIDTH == 4
-  const HalfFloatLanes first = __builtin_shufflevector(both, both, 0, 2, 4, 6);
-  const HalfFloatLanes second = __builtin_shufflevector(both, both, 1, 3, 5, 7);
+  const HalfFloatLanes low = __builtin_shufflevector(both, both, 0, 1, 2, 3),
+                       high = __builtin_shufflevector(both, both, 4, 5, 6, 7);
+  a = Lanes(RawLanes(_mm256_cvtps_pd(__builtin_shufflevector(low, high, 0, 2, 4, 6))));
+  b = Lanes(RawLanes(_mm256_cvtps_pd(__builtin_shufflevector(low, high, 1, 3, 5, 7))));
 #else
-  const HalfFloatLanes first = __builtin_shufflevector(both, both, 0, 2, 4, 6, 8, 10, 12, 14);
-  const HalfFloatLanes second = __builtin_shufflevector(both, both, 1, 3, 5, 7, 9, 11, 13, 15);
+  a = Lanes(RawLanes(_mm512_cvtps_pd(__builtin_shufflevector(both, both, 0, 2, 4, 6, 8, 10, 12, 14))));
+  b = Lanes(RawLanes(_mm512_cvtps_pd(__builtin_shufflevector(both, both, 1, 3, 5, 7, 9, 11, 13, 15))));
 #endif
-  a = Lanes(__builtin_convertvector(first, RawLanes));
-  b = Lanes(__builtin_convertvector(second, RawLanes));
 }
 
 #endif

@@ -1,6 +1,6 @@
-// Several cells side by side: the only file that knows SIMD. Only *_kernels.cpp files include it: each is
-// compiled once per instruction set, with MORULA_ISA (a namespace) and MORULA_WIDTH set by the build, so that
-// no inline function of one set can be linked into another.
+// Several cells side by side: with lane_rows_*.h the only place that knows SIMD. Only *_kernels.cpp files
+// include it: each is compiled once per instruction set, with MORULA_ISA (a namespace) and MORULA_WIDTH set
+// by the build, so that no inline function of one set can be linked into another.
 //
 // The determinism contract: every operation here is one IEEE 754 operation per lane, rounded to nearest, so
 // lane k of any width computes what a double would. No fused multiply-add, no approximate reciprocal, no

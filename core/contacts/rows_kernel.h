@@ -70,7 +70,8 @@ MORULA_INLINE void addToForces(Real* force, const VertexNumber* vertex, std::int
   store(z, sum.z);
   for (int i = 0; i < width; ++i) {
     if (vertex[i] >= vertices) continue;
-    Real* f = force + std::int64_t(vertex[i] / blockLanes) * vertexStride + vertex[i] % blockLanes;
+    const auto v = static_cast<std::uint32_t>(vertex[i]);  // dividing it by eight is a shift
+    Real* f = force + std::size_t(v / blockLanes) * vertexStride + v % blockLanes;
     f[0] += x[i];
     f[blockLanes] += y[i];
     f[2 * blockLanes] += z[i];
