@@ -50,7 +50,9 @@ BenchRow withShares(const MeasuredRow& measured, const MachineLimits& limits) {
   const Isa isa = parseIsa(row.isa);
   const double time = 1e-9 * row.nsPerVertexStep;
   row.shareOfLimit = leastTime(*measured.work, limits, isa, double(row.cells) * row.vertices) / time;
-  row.shareOfPeak = measured.work->operations / limits.arithmetic.at(isa).operations / time;
+  const auto& peak = limits.arithmetic.at(isa);
+  row.shareOfPeak = measured.work->operations / peak.operations / time;
+  row.shareWithRoots = *row.shareOfPeak + measured.work->roots / peak.roots / time;
   return row;
 }
 

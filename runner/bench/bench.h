@@ -48,6 +48,7 @@ struct BenchRow {
   double spread = 0;                        // half the distance between quartiles, over the median
   std::optional<double> shareOfLimit;       // the least time that the machine would need, over this one
   std::optional<double> shareOfPeak;        // the same for multiplications and additions alone
+  std::optional<double> shareWithRoots;     // the same with roots and their quotients after those
   std::optional<double> nsPerVertexSearch;  // rebuild: of one search, however often there is one
   // Counted, not measured: the same on every machine.
   std::optional<double> pairsPerVertexStep, rebuildsPerStep;

@@ -81,6 +81,9 @@ void kernels(const Table& t, std::vector<BenchRatio>& ratios) {
     if (const BenchRow* row = t.packed(Stage::internal, 64, isa); row && row->shareOfPeak)
       ratios.push_back({fmt::format("inner forces, share of the multiply–add peak, 64 cells, {}", isa),
                         *row->shareOfPeak, 0.7, true});
+    if (const BenchRow* row = t.packed(Stage::internal, 64, isa); row && row->shareWithRoots)
+      ratios.push_back({fmt::format("the same with an edge's root and quotient counted, 64 cells, {}", isa),
+                        *row->shareWithRoots, 0.7, true, "tells what the rest is"});
     const BenchRow *step = t.free(Stage::step, 64, isa), *internal = t.free(Stage::internal, 64, isa);
     if (step && internal)
       ratios.push_back({fmt::format("step without contact over inner forces, 64 cells, {}", isa),

@@ -119,6 +119,7 @@ Json toJson(const BenchRow& row) {
           {"spread", row.spread},
           {"share_of_limit", orNull(row.shareOfLimit)},
           {"share_of_peak", orNull(row.shareOfPeak)},
+          {"share_with_roots", orNull(row.shareWithRoots)},
           {"ns_per_vertex_search", orNull(row.nsPerVertexSearch)},
           {"pairs_per_vertex_step", orNull(row.pairsPerVertexStep)},
           {"rebuilds_per_step", orNull(row.rebuildsPerStep)}};

@@ -38,7 +38,7 @@ TEST_CASE("Ratios are formed of the rows that are there, and held against their 
       row("morula", Stage::step, 64, 40),    row("morula", Stage::step, 128, 44),
       row("morula", Stage::step, 256, 66),   row("bullet-b1", Stage::step, 64, 2000, ""),
       row("morula", Stage::internal, 64, 8), row("scalar", Stage::internal, 64, 45, "")};
-  rows[4].shareOfPeak = 0.75;
+  rows[4].shareOfPeak = 0.75, rows[4].shareWithRoots = 0.9;
   rows.push_back(row("morula", Stage::step, 512, 60));
   rows.back().wallClock = true;
   rows.push_back(rows.back());
@@ -58,6 +58,8 @@ TEST_CASE("Ratios are formed of the rows that are there, and held against their 
   CHECK_FALSE(find(ratios, "256 over 128 cells")->holds());
   CHECK_FALSE(find(ratios, "2048 over 64"));
   CHECK(find(ratios, "multiply–add peak")->holds());
+  CHECK(find(ratios, "root and quotient")->value == 0.9);
+  CHECK_FALSE(find(ratios, "root and quotient")->notJudged.empty());
   CHECK(find(ratios, "step of 64 cells over")->value == Approx(40.0 / 45));
   CHECK(find(ratios, "without contact")->value == 9.0 / 8);
   CHECK_FALSE(find(ratios, "without contact")->holds());
@@ -110,6 +112,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
       CHECK(r->shareOfLimit.has_value() == (stage != Stage::rebuild));
       CHECK(r->pairsPerVertexStep.has_value() == (stage != Stage::internal && stage != Stage::integrate));
       if (r->shareOfLimit) CHECK(*r->shareOfLimit > 0);
+      if (r->shareOfPeak) CHECK(*r->shareWithRoots >= *r->shareOfPeak);
     }
   CHECK(find(report.rows, "packed", "scalar", Stage::internal, 8, 42, ""));
   CHECK(find(report.rows, "free", "morula", Stage::step, 8, 42, name(bestIsa())));
