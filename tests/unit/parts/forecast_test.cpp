@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "bench/work.h"
 #include "catch.h"
 #include "parts/memory.h"
 #include "parts/outlook.h"
@@ -186,8 +187,12 @@ TEST_CASE("Measuring rates changes nothing, and what the scene lacks has none") 
     const StepRates rates = measureRates(world, 1e5);
     CHECK(stateHash(world) == before);
     CHECK(world.contacts->list.pairs == pairs);
-    CHECK(rates.springs > 0);
-    CHECK(rates.pressure > 0);
+    // Differences of times, which on a busy machine may be nothing; what is told apart by counting is exact.
+    PhysicsParameters plain = scene.mechanics->physics;
+    plain.membrane.damping = plain.drag = 0;
+    const double share = springShare(world.bodies->mesh, plain);
+    CHECK(rates.springs >= 0);
+    CHECK((1 - share) * rates.springs == Approx(share * rates.pressure));
     CHECK(rates.integration > 0);
     CHECK(rates.pair > 0);
     CHECK(rates.search > 0);
