@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "bench/packed_world.h"
 #include "bench/work.h"
 #include "catch.h"
 #include "parts/memory.h"
@@ -158,6 +159,14 @@ TEST_CASE("Memory is that of the arrays") {
   CHECK(measureMemory(world).total() == measureMemory(world).cells);
   world = makeWorld(scenes::packed());
   CHECK(measureMemory(world).snapshots > 64 * 8 * n);
+}
+
+TEST_CASE("Packed cells take at most 400 B per vertex, with all that finds and keeps their contacts") {
+  World world = makePackedWorld({.cells = 64}, {}, "", [](const std::string&) {});
+  for (int i = 0; i < 100; ++i) step(world);
+  const double vertices = world.bodies->livingVertices;
+  CHECK(world.contacts->list.pairs > 4 * vertices);
+  CHECK(measureMemory(world).total() / vertices <= 400);
 }
 
 TEST_CASE("Time steps of later generations are those that a run takes") {
