@@ -34,9 +34,10 @@ int act(const TrailOptions& options) {
     print(saveState(*run.stateAt(step)));
     return fine;
   }
-  print(writeTrail(run.trail(naturalOption("--from", options.from, 0, toTheEnd),
-                             naturalOption("--to", options.to, 0, toTheEnd),
-                             naturalOption("--every", options.every, 1, toTheEnd))));
+  const auto from = naturalOption("--from", options.from, 0, toTheEnd);
+  const auto to = naturalOption("--to", options.to, 0, toTheEnd);
+  if (to < from) throw UsageError("--to " + options.to + " comes before --from " + options.from);
+  print(writeTrail(run.trail(from, to, naturalOption("--every", options.every, 1, toTheEnd))));
   return fine;
 }
 

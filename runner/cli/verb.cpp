@@ -28,7 +28,7 @@ void Verb::takes(const std::string& name, std::vector<std::string>& words, const
                  const std::string& help) {
   auto* option = verb_->add_option(name, words, help)->type_name(type);
   if (type.ends_with(",...")) option->delimiter(',');
-  if (name.starts_with("-")) option->allow_extra_args(false);  // or --set a=1 FILE would swallow FILE
+  else if (name.starts_with("-")) option->allow_extra_args(false);  // or --set a=1 FILE would swallow FILE
 }
 
 void Verb::takes(const std::string& name, bool& given, const std::string& help) {

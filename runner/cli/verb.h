@@ -1,6 +1,6 @@
 #pragma once
-// A verb's place on the command line: what it wants to be told. The one door to CLI11, whose header takes a
-// compiler longer than most verbs do.
+// A verb's place on the command line: what it wants to be told. The verbs' one door to CLI11, whose header
+// takes a compiler longer than most of them do.
 #include <string>
 #include <vector>
 
@@ -19,7 +19,7 @@ class Verb {
 
   /// What may be given. What stands in `word` is the default, which the help shows.
   void takes(const std::string& name, std::string& word, const std::string& type, const std::string& help);
-  /// As often as wanted; where the type ends in ",..." also several with commas between.
+  /// As often as wanted; where the type ends in ",..." also several with commas or blanks between.
   void takes(const std::string& name, std::vector<std::string>& words, const std::string& type,
              const std::string& help);
 

@@ -50,7 +50,7 @@ TEST_CASE("misspelt verbs and options are guessed") {
   refused({"run", four, "--thread=2"}, 2, "did you mean --threads?");
   refused({"run", "--frobnicate", four}, 2, "run --help lists the options");
   refused({"run"}, 2, "run: scenario is required");
-  refused({"accuracy", "--level", "1", "nowhere.yaml"}, 6, "'nowhere.yaml' cannot be read");  // not a level
+  refused({"accuracy", "--level", "1", "3", "nowhere.yaml"}, 6, "'nowhere.yaml' cannot be read");
   refused({"schema", "surplus"}, 2, "'surplus' is not expected");
 }
 
