@@ -6,16 +6,29 @@
 
 namespace morula {
 
-Vector principalAxis(std::span<const Point> points) {
+namespace {
+
+/// The iterative solver: tridiagonalisation and QR use + − × ÷ and square roots only. (computeDirect uses
+/// acos.)
+Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solveCovariance(std::span<const Point> points, int options) {
   const Point c = measureCentroid(points);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const Point& p : points) {
     const Eigen::Vector3d d(p.x - c.x, p.y - c.y, p.z - c.z);
     covariance += d * d.transpose();
   }
-  // The iterative solver: tridiagonalisation and QR use + − × ÷ and square roots only. (computeDirect uses
-  // acos.)
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, options);
+}
+
+}  // namespace
+
+double extentRatio(std::span<const Point> points) {
+  const Eigen::Vector3d values = solveCovariance(points, Eigen::EigenvaluesOnly).eigenvalues();  // rising
+  return values[1] > 0 ? std::sqrt(values[2] / values[1]) : INFINITY;
+}
+
+Vector principalAxis(std::span<const Point> points) {
+  const auto solver = solveCovariance(points, Eigen::ComputeEigenvectors);
   const Eigen::Vector3d& values = solver.eigenvalues();  // rising
   const Eigen::Matrix3d& vectors = solver.eigenvectors();
 

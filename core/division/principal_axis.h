@@ -6,6 +6,10 @@
 
 namespace morula {
 
+/// [1] The two largest extents over each other, 1 or more: root mean square distances from the mean along the
+/// principal axes. 1 for a sphere and a disc; infinite for points on a line.
+double extentRatio(std::span<const Point> points);
+
 /// The unit eigenvector of the largest eigenvalue of the points' covariance. Rounding must not decide: it
 /// points to the side of (1, 0.55, 0.2), a direction to which no symmetric shape lies at right angles. Where
 /// the largest eigenvalues agree to 1e-6 (a sphere, a disc), it is the vector of their eigenspace nearest to

@@ -23,6 +23,26 @@ double measureVolume(Points vertices, Faces faces) {
   return sum / 6;
 }
 
+namespace {
+
+Mesh scaleBy(Mesh mesh, double factor) {
+  for (Point& x : mesh.vertices) x *= factor;
+  return mesh;
+}
+
+}  // namespace
+
+Mesh scaleToVolume(Mesh mesh, double volume) {
+  const double own = measureVolume(mesh.vertices, mesh.faces);
+  return scaleBy(std::move(mesh), cubeRoot(volume / own));
+}
+
+// The radius is not cubed: the volume of a tiny or huge cell may be no number.
+Mesh scaleToRadius(Mesh mesh, double radius) {
+  const double own = measureVolume(mesh.vertices, mesh.faces);
+  return scaleBy(std::move(mesh), radius * cubeRoot(4 * std::numbers::pi / 3 / own));
+}
+
 double measureArea(Points vertices, Faces faces) {
   double sum = 0;
   for (const auto& [a, b, c] : faces)

@@ -14,6 +14,13 @@ using Faces = std::span<const Face>;
 /// inverted.
 double measureVolume(Points vertices, Faces faces);
 
+/// The mesh, scaled about the origin, that encloses this volume [length³]. Its own must be positive.
+Mesh scaleToVolume(Mesh mesh, double volume);
+
+/// The same with the volume of a sphere of this radius [length]. An inscribed icosphere encloses less than
+/// its sphere (97 % with 162 vertices), so its vertices come to lie a little farther out than the radius.
+Mesh scaleToRadius(Mesh mesh, double radius);
+
 /// [length²]
 double measureArea(Points vertices, Faces faces);
 

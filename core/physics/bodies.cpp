@@ -13,13 +13,6 @@ namespace {
 /// [mass] of the vertices of lanes without a cell
 double immovable(Precision precision) { return precision == Precision::binary64 ? 0x1p900 : 0x1p100; }
 
-/// The mesh, scaled about the origin.
-Mesh withVolume(Mesh mesh, double volume) {
-  const double scale = cubeRoot(volume / measureVolume(mesh.vertices, mesh.faces));
-  for (Point& x : mesh.vertices) x *= scale;
-  return mesh;
-}
-
 /// Gives every cell its slot, and every block its lines.
 void arrange(Bodies& b, const std::vector<Body>& cells) {
   b.count = static_cast<int>(cells.size());
@@ -81,7 +74,7 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
   if (b.areSpheres()) b.surface = egg;
   for (const Mesh& mesh : coarser) {
     const Mesh& finer = b.meshAt(static_cast<int>(b.coarser.size())).mesh;
-    CoarserMesh next{makeTemplate(withVolume(mesh, measureVolume(finer.vertices, finer.faces))), {}};
+    CoarserMesh next{makeTemplate(scaleToVolume(mesh, measureVolume(finer.vertices, finer.faces))), {}};
     next.nested = findNested(next.mesh.mesh.vertices, finer.vertices);
     b.coarser.push_back(std::move(next));
   }

@@ -25,7 +25,7 @@ enum class CellModel {
 };
 
 struct CellParameters {
-  double radius = 1;  // [length] of the egg: the mesh's farthest vertex from its centre
+  double radius = 1;  // [length] of the sphere whose volume the egg encloses at rest, whatever its mesh
   double mass = 1;    // [mass] of the egg, spread evenly over the vertices [Nilsson 2008, eq. 4.1]
   CellModel model = CellModel::shell;
 };

@@ -68,6 +68,10 @@ void checkBodies(const SavedState& s, const World& world) {
   const auto& b = s.bodies;
   demandLength(s.cells.path.size(), "bodies", b.coarseness, b.vertexMass, b.restScale, b.pressureConstant,
                b.volume, b.pressure);
+  const auto& d = s.divisions;
+  demandLength(d.path.size(), "divisions", d.time, d.step, d.share, d.extentRatio);
+  demandLength(3 * d.path.size(), "divisions", d.axis);
+  for (const std::string& path : d.path) CellPath::parse(path);
   const std::size_t coordinates = countCoordinates(s, *world.bodies);
   demandLength(coordinates, "bodies", b.position, b.velocity, b.acceleration);
   for (const auto* values : {&b.vertexMass, &b.restScale})

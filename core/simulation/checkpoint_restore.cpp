@@ -33,6 +33,19 @@ Lineage makeLineage(const SavedState& s, const std::vector<StateId>& states) {
   return lineage;
 }
 
+std::vector<DivisionRecord> makeDivisions(const SavedState& s) {
+  const auto& d = s.divisions;
+  std::vector<DivisionRecord> divisions;
+  for (std::size_t i = 0; i < d.path.size(); ++i)
+    divisions.push_back({CellPath::parse(d.path[i]),
+                         d.time[i],
+                         d.step[i],
+                         {d.axis[3 * i], d.axis[3 * i + 1], d.axis[3 * i + 2]},
+                         d.share[i],
+                         d.extentRatio[i] > 0 ? std::optional(d.extentRatio[i]) : std::nullopt});
+  return divisions;
+}
+
 /// Of all cells, in the order of lineage paths.
 void writeVectors(const Columns& values, const Bodies& b, Reals& array) {
   std::size_t i = 0;
@@ -139,6 +152,7 @@ void takeOver(World& world, const SavedState& s) {
   for (std::size_t i = 0; i < s.timeSteps.time.size(); ++i)
     world.timeSteps.push_back({s.timeSteps.time[i], s.timeSteps.step[i], s.timeSteps.timeStep[i]});
   if (world.bodies) {
+    world.divisions = makeDivisions(s);
     makeRoom(*world.bodies, s.bodies.coarseness);
     placeBodies(s, *world.bodies);
     if (world.contacts) restoreContacts(s, world);

@@ -46,6 +46,17 @@ void describeLineage(SavedState& s, States& states, const World& world) {
   }
 }
 
+void describeDivisions(SavedState& s, const World& world) {
+  for (const DivisionRecord& d : world.divisions) {
+    s.divisions.path.push_back(d.path.text());
+    s.divisions.time.push_back(d.time);
+    s.divisions.step.push_back(d.step);
+    s.divisions.axis.insert(s.divisions.axis.end(), {d.axis.x, d.axis.y, d.axis.z});
+    s.divisions.share.push_back(d.share);
+    s.divisions.extentRatio.push_back(d.extentRatio.value_or(0));
+  }
+}
+
 Columns vectorsOf(const Bodies& b, const Reals& array) {
   Columns values;
   values.reserve(std::size_t(b.livingVertices) * 3);
@@ -115,7 +126,10 @@ SavedState describeState(const World& world) {
     s.timeSteps.step.push_back(t.step);
     s.timeSteps.timeStep.push_back(t.timeStep);
   }
-  if (world.bodies) describeBodies(s, *world.bodies);
+  if (world.bodies) {
+    describeDivisions(s, world);
+    describeBodies(s, *world.bodies);
+  }
   if (world.contacts) describeContacts(s, *world.contacts, *world.bodies);
   if (world.connections) describeConnections(s, *world.connections);
   return s;

@@ -6,18 +6,26 @@
 #include "base/maths.h"
 #include "division/coarsen.h"
 #include "division/cut.h"
+#include "division/principal_axis.h"
 #include "simulation/stages.h"
 
 namespace morula {
 
 namespace {
 
-Daughters divide(const World& world, std::size_t i) {
+struct Division {
+  Daughters daughters;
+  DivisionRecord record;
+};
+
+Division divide(const World& world, std::size_t i) {
   const int slot = world.bodies->slots[i];
   const Body mother = takeBody(*world.bodies, slot);
   const Vector normal = world.divisionPolicy->planeNormal(world.cells.path[i], mother);
+  DivisionRecord record{world.cells.path[i], world.clock.time, world.clock.step, normal, 0.5, {}};
   if (world.bodies->areSpheres())
-    return halveSphere(mother, world.bodies->parameters.cell.radius * mother.restScale, normal);
+    return {halveSphere(mother, world.bodies->parameters.cell.radius * mother.restScale, normal), record};
+  record.extentRatio = extentRatio(mother.position);
   CutResult cut = cutBody(mother, world.bodies->meshOf(slot).mesh.faces, normal,
                           world.bodies->parameters.membrane.production);
   if (!cut.failure.empty())
@@ -25,10 +33,11 @@ Daughters divide(const World& world, std::size_t i) {
         world.cells.path[i].text(), world.clock.step, "it cannot divide: " + cut.failure,
         "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
   auto& [a, b] = cut.daughters;
+  record.share = a.mass / mother.mass;                                  // mass goes by volume
   if (world.bodies->parameters.cell.model == CellModel::shapeMatching)  // a volume at rest, and no membrane
     for (Body* daughter : {&a, &b})
       daughter->restScale = mother.restScale * cubeRoot(daughter->mass / mother.mass);
-  return {coarsen(*world.bodies, std::move(a)), coarsen(*world.bodies, std::move(b))};
+  return {{coarsen(*world.bodies, std::move(a)), coarsen(*world.bodies, std::move(b))}, record};
 }
 
 /// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3]. `centreOf`
@@ -115,10 +124,10 @@ void changePopulation(World& world, const std::vector<CellChange>& changes) {
   if (std::none_of(changes.begin(), changes.end(), changesHere)) return;
 
   // All cuts first: an error leaves the world as it is.
-  std::vector<Daughters> daughters;
+  std::vector<Division> divisions;
   if (world.bodies)
     for (std::size_t i = 0; i < changes.size(); ++i)
-      if (changes[i] == CellChange::divides) daughters.push_back(divide(world, i));
+      if (changes[i] == CellChange::divides) divisions.push_back(divide(world, i));
 
   Population next;
   std::size_t division = 0;
@@ -130,9 +139,10 @@ void changePopulation(World& world, const std::vector<CellChange>& changes) {
       bear(world, next, i, false);
       bear(world, next, i, true);
       if (world.bodies) {
-        next.bodies.push_back(std::move(daughters[division].a));
-        next.bodies.push_back(std::move(daughters[division].b));
-        ++division;
+        auto& [daughters, record] = divisions[division++];
+        next.bodies.push_back(std::move(daughters.a));
+        next.bodies.push_back(std::move(daughters.b));
+        world.divisions.push_back(record);
       }
     } else {
       const Cells& c = world.cells;

@@ -36,6 +36,12 @@ struct SavedState {
     Numbers step;
   } timeSteps;
 
+  struct {  // with physics
+    Texts path;
+    Columns time, axis, share, extentRatio;  // axis [division][xyz]; ratio 0: not measured
+    Numbers step;
+  } divisions;
+
   struct {  // [cell]; with physics
     Numbers coarseness;
     Columns vertexMass, restScale, pressureConstant;
@@ -87,6 +93,12 @@ void forEachField(Io& io, State& s, const World& world) {
   io("time steps.step", s.timeSteps.step);
   io("time steps.time step", s.timeSteps.timeStep);
   if (world.bodies) {
+    io("divisions.path", s.divisions.path);
+    io("divisions.time", s.divisions.time);
+    io("divisions.step", s.divisions.step);
+    io("divisions.axis", s.divisions.axis);
+    io("divisions.share", s.divisions.share);
+    io("divisions.extent ratio", s.divisions.extentRatio);
     io("bodies.coarseness", s.bodies.coarseness);
     io("bodies.vertex mass", s.bodies.vertexMass);
     io("bodies.rest scale", s.bodies.restScale);

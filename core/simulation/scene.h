@@ -27,7 +27,7 @@ struct StopParameters {
 
 struct MechanicsScene {
   PhysicsParameters physics;
-  Mesh mesh;                  // of the egg, scaled to physics.cell.radius
+  Mesh mesh;                  // of the egg; encloses the volume of a sphere of physics.cell.radius
   std::vector<Mesh> coarser;  // that daughters may take if physics.coarsen is given: see makeBodies
   std::optional<ContactParameters> contact;
   DivisionParameters division;

@@ -11,6 +11,7 @@
 #include "connections/connections.h"
 #include "contacts/contacts.h"
 #include "division/policy.h"
+#include "division/record.h"
 #include "physics/bodies.h"
 #include "physics/stages.h"
 #include "simulation/scene.h"
@@ -72,6 +73,7 @@ struct World {
   std::optional<Connections> connections;  // absent: nothing connects
   Lineage lineage;
   std::vector<TimeStepChange> timeSteps;
+  std::vector<DivisionRecord> divisions;  // of cells with bodies, in order of time and path
 
   std::optional<BodyCopy> before;  // scratch of takeSteps
 };

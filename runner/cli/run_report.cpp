@@ -14,6 +14,27 @@ std::string against(const Scenario& scenario) {
   return std::filesystem::exists(golden) ? " (" + golden.string() + ")" : "";
 }
 
+/// Not a failure: the same program cuts the same way every time. What differs a little may cut another way.
+std::string describeAmbiguous(const std::vector<DivisionRecord>& divisions) {
+  if (divisions.empty()) return "";
+  const DivisionRecord& first = divisions.front();
+  return fmt::format(
+      "  warning  division.plane: longest: {} division{} of cells whose two largest extents differ by less "
+      "than {:.2g} %: "
+      "the first is of {} at time {:.4g} (ratio {:.6g}); another mesh, time step or precision may cut "
+      "elsewhere; "
+      "division.plane: {{axis: [x, y, z]}} does not\n",
+      divisions.size(), divisions.size() == 1 ? "" : "s", 100 * (ambiguousExtentRatio - 1),
+      first.path.isEgg() ? "the egg" : "cell " + first.path.text(), first.time, *first.extentRatio);
+}
+
+Json ambiguousToJson(const std::vector<DivisionRecord>& divisions) {
+  Json list = Json::array();
+  for (const DivisionRecord& d : divisions)
+    list.push_back({{"path", d.path.text()}, {"time", d.time}, {"extent_ratio", *d.extentRatio}});
+  return list;
+}
+
 }  // namespace
 
 std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
@@ -33,6 +54,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
     if (looked) text += fmt::format("  checks   all {} pass{}\n", looked, against(scenario));
   } else if (!outcome.checks && end.status == RunStatus::done)
     text += "  checks   none: " + outcome.whyNotChecked + "\n";
+  text += describeAmbiguous(outcome.ambiguous);
   text += "  results  " + settings.database.string() + " (run " + outcome.id + ")\n";
   std::size_t frames = 0;
   for (const auto& file : outcome.pictures) {
@@ -58,6 +80,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettin
             {"resumed_at", orNull(outcome.resumedAt)},
             {"db", settings.database.string()},
             {"pictures", outcome.pictures},
+            {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
             {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()}};
   if (!end.failure.empty()) json["failure"] = end.failure;
   return json;

@@ -63,6 +63,16 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
   writePng(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
 }
 
+/// Where the longest extent decides, and hardly differs from the next one.
+std::vector<DivisionRecord> ambiguousDivisions(const World& world) {
+  std::vector<DivisionRecord> ambiguous;
+  const auto& mechanics = world.model.mechanics;
+  if (!mechanics || mechanics->division.plane != DivisionPlane::longest) return ambiguous;
+  for (const DivisionRecord& d : world.divisions)
+    if (d.extentRatio && *d.extentRatio < ambiguousExtentRatio) ambiguous.push_back(d);
+  return ambiguous;
+}
+
 int exitCodeOf(const RunOutcome& outcome, int signal) {
   if (outcome.end.status == RunStatus::killed) return signalled + signal;
   if (outcome.end.status == RunStatus::failed) return numerical;
@@ -114,6 +124,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   if (run.end.status != RunStatus::killed) checkOutcome(scenario, settings, run, invariants, outcome);
   if (outcome.checks) run.results.checks = outcome.checks->results;
   store.finish(outcome.id, run.end, run.results);
+  outcome.ambiguous = ambiguousDivisions(run.world);
   if (done && settings.draw) outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
   if (done) besideBullet(scenario, settings, run, store, outcome);
   outcome.exitCode = exitCodeOf(outcome, run.signal);

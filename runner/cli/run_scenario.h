@@ -30,6 +30,7 @@ struct RunOutcome {
   std::optional<CheckReport> checks;
   std::string whyNotChecked;  // against a golden
   std::vector<std::string> pictures;
+  std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
   int exitCode = 0;
 };
 

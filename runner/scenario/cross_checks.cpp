@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/did_you_mean.h"
+#include "base/number_text.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/numbers.h"
 
@@ -56,14 +57,28 @@ Place placeOf(const Node& root, const std::string& path) {
   return node->place;
 }
 
-void checkShell(const PhysicsParameters& physics, Reading& reading, const Node& root) {
+/// How far out the egg reaches, in its radii: the vertices of its mesh lie farther out than the sphere of its
+/// volume.
+double reachOf(const MechanicsScene& mechanics) {
+  double farthest = 0;
+  if (mechanics.physics.cell.model != CellModel::sphere)
+    for (const Point& vertex : mechanics.mesh.vertices) farthest = std::max(farthest, norm(vertex));
+  return std::max(1.0, farthest / mechanics.physics.cell.radius);
+}
+
+void checkShell(const MechanicsScene& mechanics, Reading& reading, const Node& root) {
+  const PhysicsParameters& physics = mechanics.physics;
   if (!physics.shell) return;
   const auto& axes = physics.shell->semiAxes;
-  const double smallest = std::min({axes[0], axes[1], axes[2]});
-  if (physics.cell.radius > smallest)
-    reading.problems.add(placeOf(root, "physics.cell.radius"), "physics.cell.radius",
-                         formatReal(physics.cell.radius) + " does not fit into the shell",
-                         "needs at most its smallest semi-axis, " + formatReal(smallest) + " [length]");
+  const double smallest = std::min({axes[0], axes[1], axes[2]}), reach = reachOf(mechanics);
+  if (physics.cell.radius * reach <= smallest) return;
+  constexpr double rounding = 5e-4;  // of a number told with four digits
+  const std::string vertices =
+      reach > 1 ? ": the farthest vertex lies at " + numberText(physics.cell.radius * reach) : "";
+  reading.problems.add(placeOf(root, "physics.cell.radius"), "physics.cell.radius",
+                       formatReal(physics.cell.radius) + " does not fit into the shell" + vertices,
+                       "needs at most " + numberText((1 - rounding) * smallest / reach) +
+                           " [length], for the smallest semi-axis is " + formatReal(smallest));
 }
 
 /// (x/a)² + (y/b)² + (z/c)² of the start cell's vertex where it is largest.
@@ -179,7 +194,7 @@ void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkSubstances(scenario.scene.dna, reading);
   if (const auto& mechanics = scenario.scene.mechanics) {
-    if (scenario.scene.cells.empty()) checkShell(mechanics->physics, reading, root);
+    if (scenario.scene.cells.empty()) checkShell(*mechanics, reading, root);
     else checkStartCells(scenario, reading);
     checkEnergy(scenario, reading, root);
     checkCoarsening(scenario, reading, root);

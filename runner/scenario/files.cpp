@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "mesh/measures.h"
 
 namespace morula {
 
@@ -79,9 +80,9 @@ void readMesh(Scenario& scenario, const Node& root, Problems& problems, const Pl
     if (const auto* file = readNamedFile(scenario, "mesh", *scenario.mesh.file, place, places, problems))
       guarded(problems, place, [&] { mechanics.mesh = readObj(file->content, file->path); });
   }
-  for (auto& vertex : mechanics.mesh.vertices) vertex *= mechanics.physics.cell.radius;
-  for (auto& mesh : mechanics.coarser)
-    for (auto& vertex : mesh.vertices) vertex *= mechanics.physics.cell.radius;
+  const double radius = mechanics.physics.cell.radius;
+  if (!mechanics.mesh.faces.empty()) mechanics.mesh = scaleToRadius(std::move(mechanics.mesh), radius);
+  for (auto& mesh : mechanics.coarser) mesh = scaleToRadius(std::move(mesh), radius);
 }
 
 }  // namespace

@@ -178,8 +178,8 @@ std::vector<Parameter> parameters() {
                    "A membrane around contents under pressure; vertices drawn to the shape at rest, which is "
                    "cheaper and knows no pressure; or a ball that keeps its shape, hundreds of times cheaper",
                    PHYSICS(cell.model))),
-      real("physics.cell.radius", "length", positive, "From the egg's centre to its farthest vertex",
-           PHYSICS(cell.radius)),
+      real("physics.cell.radius", "length", positive,
+           "Of the sphere whose volume the egg encloses, whatever its mesh", PHYSICS(cell.radius)),
       real("physics.cell.mass", "mass", positive,
            "Of the egg, spread evenly over the vertices [Nilsson 2008, eq. 4.1]", PHYSICS(cell.mass)),
 

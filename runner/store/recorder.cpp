@@ -77,7 +77,7 @@ RunResults Recorder::take(const World& world, bool failed) {
   results.lineage = world.lineage.entries;
   if (world.connections) results.connections = world.connections->history;
   for (const TimeStepChange& t : world.timeSteps) results.timeSteps.push_back({t.time, t.step, t.timeStep});
-
+  results.divisions = world.divisions;
   return results;
 }
 

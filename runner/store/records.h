@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "biology/lineage.h"
+#include "division/record.h"
 #include "golden/check_result.h"
 #include "simulation/hash.h"
 #include "simulation/measures.h"
@@ -80,7 +81,8 @@ struct RunResults {
   std::vector<Sample> samples;                // by time
   std::vector<ConnectionRecord> connections;  // in the order in which they were made
   std::vector<TimeStepRecord> timeSteps;
-  std::vector<ChainLink> chain;  // by step
+  std::vector<DivisionRecord> divisions;  // of cells with bodies
+  std::vector<ChainLink> chain;           // by step
   std::vector<CheckResult> checks;
 };
 

@@ -112,7 +112,7 @@ void restartRun(Database& db, const std::string& id, const std::string& started)
             "UPDATE run SET status = 'running', started = ?, ended = NULL, steps = NULL, cells = NULL, "
             "time = NULL, failure = NULL WHERE run_id = ?")
       .run(started, id);
-  for (const char* table : {"cell", "connection", "time_step"})
+  for (const char* table : {"cell", "connection", "time_step", "division"})
     Statement(db, std::string("DELETE FROM ") + table + " WHERE run_id = ?").run(id);
 }
 
@@ -122,7 +122,7 @@ void endRun(Database& db, const std::string& id, const RunEnd& end) {
 }
 
 void deleteResults(Database& db, const std::string& id) {
-  for (const char* table : {"cell", "sample", "cell_sample", "contact", "connection", "time_step",
+  for (const char* table : {"cell", "sample", "cell_sample", "contact", "connection", "time_step", "division",
                             "step_hash", "cell_hash", "bullet_sample"})
     Statement(db, std::string("DELETE FROM ") + table + " WHERE run_id = ?").run(id);
 }
@@ -145,6 +145,10 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
 
   Statement timeStep(db, "INSERT INTO time_step VALUES (?, ?, ?, ?)");
   for (const TimeStepRecord& t : results.timeSteps) timeStep.run(id, t.step, t.time, t.timeStep);
+
+  Statement division(db, "INSERT INTO division VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const DivisionRecord& d : results.divisions)
+    division.run(id, d.path.text(), d.time, d.step, d.axis.x, d.axis.y, d.axis.z, d.share, d.extentRatio);
 
   insertChecks(db, id, results.checks);
 }

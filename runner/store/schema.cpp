@@ -221,7 +221,45 @@ CREATE TABLE bullet_sample (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array migrations{&version1, &version2, &version3};
+// Version 3 to 4: how each cell was cut, and a further kind of check: what every run with bodies is held to.
+// SQLite cannot change a constraint, so the table of checks is made anew.
+const char* const version4 = R"sql(
+CREATE TABLE division (
+  run_id       TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  path         TEXT NOT NULL,        -- of the mother
+  time         REAL NOT NULL,
+  step         INTEGER NOT NULL,
+  axis_x       REAL NOT NULL,        -- unit normal of the plane; points to daughter A
+  axis_y       REAL NOT NULL,
+  axis_z       REAL NOT NULL,
+  share        REAL NOT NULL,        -- of the mother's volume that daughter A has
+  extent_ratio REAL,                 -- of the mother's two largest extents; towards 1 it is ambiguous which is the longest
+  PRIMARY KEY (run_id, path)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE check_result_4 (
+  run_id             TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  number             INTEGER NOT NULL,
+  "check"            TEXT NOT NULL,
+  kind               TEXT NOT NULL CHECK (kind IN ('golden', 'bullet', 'invariant', 'sanity')),
+  expected           TEXT NOT NULL,
+  actual             TEXT NOT NULL,
+  tolerance          TEXT NOT NULL,
+  passed             INTEGER NOT NULL CHECK (passed IN (0, 1)),
+  class              TEXT NOT NULL, -- '' when passed
+  first_step         INTEGER,
+  cell               TEXT,
+  field              TEXT NOT NULL,
+  share_of_tolerance REAL,
+  message            TEXT NOT NULL,
+  PRIMARY KEY (run_id, number)
+) STRICT, WITHOUT ROWID;
+INSERT INTO check_result_4 SELECT * FROM check_result;
+DROP TABLE check_result;
+ALTER TABLE check_result_4 RENAME TO check_result;
+)sql";
+
+constexpr std::array migrations{&version1, &version2, &version3, &version4};
 
 /// Throws unless the file is empty or Morula's and not newer
 /// than this program. Returns its version, 0 when empty.

@@ -193,6 +193,17 @@ RunResults Store::results(const std::string& id) {
   for (timeStep.start(id); timeStep.next();)
     results.timeSteps.push_back({timeStep.real(0), timeStep.natural(1), timeStep.real(2)});
 
+  Statement division(db_,
+                     "SELECT path, time, step, axis_x, axis_y, axis_z, share, extent_ratio FROM division "
+                     "WHERE run_id = ? ORDER BY step, path");
+  for (division.start(id); division.next();)
+    results.divisions.push_back({CellPath::parse(division.text(0)),
+                                 division.real(1),
+                                 division.natural(2),
+                                 {division.real(3), division.real(4), division.real(5)},
+                                 division.real(6),
+                                 division.isNull(7) ? std::nullopt : std::optional(division.real(7))});
+
   results.chain = chain(id);
   results.checks = checks(id);
   return results;

@@ -100,3 +100,15 @@ TEST_CASE("Which end is the front does not depend on rounding, along axes and di
         }
       }
 }
+
+TEST_CASE("The ratio of the two largest extents is that of an ellipsoid's axes, turned anyhow") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Frame frame(seed);
+    CHECK(extentRatio(ellipsoid(3, 2, 1, frame)) == Approx(1.5).epsilon(1e-12));
+    CHECK(extentRatio(ellipsoid(1, 4, 2, frame)) == Approx(2).epsilon(1e-12));
+    CHECK(extentRatio(ellipsoid(1.01, 1, 1, frame)) == Approx(1.01).epsilon(1e-12));
+    CHECK(extentRatio(ellipsoid(2, 2, 1, frame)) == Approx(1).epsilon(1e-12));  // a disc has no longest extent
+    CHECK(extentRatio(ellipsoid(1, 1, 1, frame)) == Approx(1).epsilon(1e-12));
+    CHECK(extentRatio(ellipsoid(1, 1, 1, frame)) >= 1);
+  }
+}

@@ -147,3 +147,17 @@ TEST_CASE("Faces turned inward are counted") {
   CHECK(countFacesTurnedInward(cube.vertices, cube.faces, {2, -2, 0}) == 4);
   CHECK(countFacesTurnedInward(cube.vertices, cube.faces, {2, -2, 2}) == 6);
 }
+
+TEST_CASE("A mesh scaled to a radius holds that sphere's volume, and keeps its shape") {
+  for (const auto& animal : zoo::all())
+    for (const double radius : {1e-6, 0.95, 1.0, 1e6}) {
+      CAPTURE(animal.name, radius);
+      const Mesh scaled = scaleToRadius(animal.mesh, radius);
+      CHECK(volumeOf(scaled) == Approx(4 * pi / 3 * radius * radius * radius).epsilon(1e-13));
+      CHECK(scaled.faces == animal.mesh.faces);
+      const double factor = norm(scaled.vertices[0]) / norm(animal.mesh.vertices[0]);
+      for (std::size_t v = 0; v < scaled.vertices.size(); ++v)
+        CHECK(norm(scaled.vertices[v] - factor * animal.mesh.vertices[v]) <=
+              1e-13 * factor * norm(animal.mesh.vertices[v]));
+    }
+}

@@ -1,5 +1,8 @@
 // What a scenario says arrives in the structs, and what it does not say has the structs' own defaults.
+#include <numbers>
+
 #include "helpers.h"
+#include "mesh/measures.h"
 
 using namespace morula;
 using namespace morula::test;
@@ -70,12 +73,16 @@ TEST_CASE("every key arrives in its field") {
   CHECK(s.check.endRoundness == 0.75);
   CHECK(s.check.endOverlap == 0.125);
   CHECK(s.check.fails == std::vector<std::string>{"springs", "physics.time_step"});
-  // The mesh is scaled to the cell's radius.
+  // The mesh holds the volume of a sphere of the cell's radius: its vertices lie farther out, all equally.
   REQUIRE(scene.mechanics->mesh.vertices.size() == 642);
   REQUIRE(scene.mechanics->coarser.size() == 1);
   CHECK(scene.mechanics->coarser[0].vertices.size() == 162);
   CHECK(scene.mechanics->physics.coarsen == 0.5);
-  for (const auto& v : scene.mechanics->mesh.vertices) CHECK(norm(v) == Approx(0.5).epsilon(1e-15));
+  const Mesh& mesh = scene.mechanics->mesh;
+  CHECK(measureVolume(mesh.vertices, mesh.faces) == Approx(4 * std::numbers::pi / 3 / 8).epsilon(1e-14));
+  const double farthest = norm(mesh.vertices[0]);
+  CHECK(farthest > 0.501);
+  for (const auto& v : mesh.vertices) CHECK(norm(v) == Approx(farthest).epsilon(1e-15));
 }
 
 TEST_CASE("what is not said has the defaults of the structs") {

@@ -95,6 +95,7 @@ TEST_CASE("From a checkpoint at any step, the run goes on as if it had never sto
       CAPTURE(scene.name, step, last);
       CHECK(stateHash(restored) == hash);
       CHECK((saveState(restored) == end));  // the history of time steps, and what was counted, too
+      CHECK((restored.divisions == world.divisions));
     }
   }
 }

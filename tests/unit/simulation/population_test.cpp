@@ -188,3 +188,27 @@ TEST_CASE("A daughter made by shape matching rounds off to the egg's shape at he
   for (const CellMeasures& cell : measureCells(world)) CHECK(cell.pressure == 0);
   CHECK(measureWorld(world).meanPressure == 0);
 }
+
+TEST_CASE("A division is kept with its axis, the share of daughter A and the ratio of the extents") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 3);
+  scene.mechanics->division = {DivisionPlane::axis, {0, -2, 0}};
+  const World world = ranToEnd(scene);
+  REQUIRE(world.divisions.size() == 3);
+  CHECK(world.divisions[0].path.isEgg());
+  CHECK(world.divisions[1].path.text() == "A");
+  CHECK(world.divisions[2].path.text() == "B");
+  for (const DivisionRecord& d : world.divisions) {
+    CHECK(d.axis == Vector{0, -1, 0});
+    CHECK(d.time == entry(world, d.path.text().c_str()).ended);
+    CHECK(d.step == entry(world, d.path.text().c_str()).endedStep);
+  }
+  CHECK(world.divisions[0].share == Approx(0.5).epsilon(1e-6));
+  CHECK(*world.divisions[0].extentRatio == Approx(1).epsilon(1e-6));  // the egg is round
+  CHECK(*world.divisions[1].extentRatio >= 1);
+  CHECK(ranToEnd(scenes::lineageOnly(scenes::uniqueFour, 3)).divisions.empty());
+  Scene spheres = scenes::spheres();
+  spheres.stop = {.cycles = 2, .time = {}, .cells = {}};
+  const World balls = ranToEnd(spheres);
+  REQUIRE(!balls.divisions.empty());
+  CHECK(!balls.divisions[0].extentRatio);
+}

@@ -50,6 +50,7 @@ TEST_CASE("the tables have the columns that others rely on") {
   expectColumns("contact", {"run_id", "time", "a", "b", "area"});
   expectColumns("connection", {"run_id", "a", "b", "made", "released", "cause"});
   expectColumns("check_result", {"run_id", "check", "kind", "expected", "actual", "tolerance", "passed"});
+  expectColumns("division", {"run_id", "path", "time", "axis_x", "axis_y", "axis_z", "share", "extent_ratio"});
   expectColumns("step_hash", {"run_id", "step", "hash"});
   expectColumns("time_step", {"run_id", "step", "time", "time_step"});
 }

@@ -65,6 +65,8 @@ inline RunResults exampleResults() {
   r.connections = {{CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, 0.1 + 0.2, "died"},
                    {CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, -1, ""}};
   r.timeSteps = {{0, 0, 0.00048828125}, {1.0 / 3, 683, 0.000244140625}};
+  r.divisions = {{{}, 1.0 / 3, 683, {0.6, -0.8, 1e-17}, 0.58, 1.0000000000000002},
+                 {CellPath::parse("A"), 0.1 + 0.2, 700, {0, 0, 1}, 0.5, {}}};
   r.chain = {{0, {1, 2}, {{3, 4}, {5, 6}, {{CellPath(), {7, 8}}}, {}, {9, 10}}},
              {512,
               {0xffffffffffffffffu, 0},

@@ -130,6 +130,7 @@ TEST_CASE("every table comes back") {
     REQUIRE(std::string(out.connections[i].cause) == in.connections[i].cause);
   }
   REQUIRE(out.timeSteps == in.timeSteps);
+  REQUIRE(out.divisions == in.divisions);
   REQUIRE(out.chain == in.chain);
   REQUIRE(out.checks == in.checks);
 }
