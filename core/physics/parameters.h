@@ -41,8 +41,9 @@ struct MembraneParameters {
 /// P = k_p/V − P_0 [Nilsson 2008, eq. 4.3].
 struct PressureParameters {
   double constant =
-      200;  // k_p [force·length], nRT of the egg; daughters share it by volume; higher: stiffer contents
-  double outside = 48;  // P_0 [force/length²]; k_p/P_0 is the volume that the cell is at rest with
+      207;  // k_p [force·length], nRT of the egg; daughters share it by volume; higher: stiffer contents
+  double outside = 48;  // P_0 [force/length²]; k_p/P_0 is the volume that the contents want: 3 % more than an
+                        // egg of radius 1 has, so that its membrane is taut
 };
 
 /// a = −k (x − goal), with goals that move and turn with the cell (shape_kernel.h); instead of membrane and
