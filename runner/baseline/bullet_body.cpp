@@ -14,14 +14,14 @@ Point fromBullet(const btVector3& a) { return {a.x(), a.y(), a.z()}; }
 
 void configure(btSoftBody& body, const BulletScene& scene) {
   btSoftBody::Config& c = body.m_cfg;
-  c.piterations = 1;
   c.viterations = c.diterations = c.citerations = 0;
   c.m_psequence.clear();
   c.m_vsequence.clear();
   c.m_dsequence.clear();
-  if (scene.contact) c.m_psequence.push_back(btSoftBody::ePSolver::SContacts);
+  if (scene.touching()) c.m_psequence.push_back(btSoftBody::ePSolver::SContacts);
   if (scene.baseline == Baseline::b2) c.m_psequence.push_back(btSoftBody::ePSolver::Linear);
-  c.collisions = scene.contact ? btSoftBody::fCollision::VF_SS : 0;
+  c.piterations = c.m_psequence.size() > 0 ? scene.iterations : 0;
+  c.collisions = scene.touching() ? btSoftBody::fCollision::VF_SS : 0;
   c.kSHR = 1;  // contacts are resolved wholly in the step that finds them
   c.kDF = 0;   // no friction
   // Bullet takes the share kDP of the velocity away each step; ours drags by −drag·v, and B1 adds that force.
@@ -43,16 +43,18 @@ std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTem
   for (std::size_t v = 0; v < cell.velocity.size(); ++v)
     body->m_nodes[static_cast<int>(v)].m_v = toBullet(cell.velocity[v]);
 
-  // A link moves its ends by kLST (l² − L0²)/(2 (l² + L0²)) of its length per iteration; one iteration is as
-  // stiff as k_s if kLST = k_s Δt² (1/m + 1/m).
+  configure(*body, scene);
+  if (scene.baseline == Baseline::b1 && !scene.touching()) return body;  // nodes are all that moves
+
+  // A link moves its ends by kLST (l² − L0²)/(2 (l² + L0²)) of its length per iteration; n iterations are as
+  // stiff as k_s if kLST = k_s Δt² (1/m + 1/m)/n.
   const double dt = scene.timeStep, inverseMasses = 2 / vertexMass;
   btSoftBody::Material* material = body->appendMaterial();
-  material->m_kLST = scene.physics.membrane.stiffness * dt * dt * inverseMasses;
+  material->m_kLST = scene.physics.membrane.stiffness * dt * dt * inverseMasses / scene.iterations;
   for (int e = 0; e < mesh.edgeCount(); ++e)
     body->appendLink(mesh.edges[2 * e], mesh.edges[2 * e + 1], material);
   for (const Face& f : mesh.mesh.faces) body->appendFace(f[0], f[1], f[2], material);
 
-  configure(*body, scene);
   // Appending makes Bullet's next step take every length as it finds it for the rest length. So that step is
   // told that all is up to date, and what it would have set is set here.
   body->updateConstants();
@@ -63,7 +65,7 @@ std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTem
     btSoftBody::Link& link = body->m_links[e];
     link.m_c1 = link.m_rl * link.m_rl;
   }
-  body->initializeFaceTree();
+  if (scene.touching()) body->initializeFaceTree();
   body->updateNormals();
   return body;
 }
@@ -82,12 +84,14 @@ void makeWeightless(btSoftBodyWorldInfo& info, btBroadphaseInterface& broadphase
   info.m_sparsesdf.Initialize();
 }
 
-void checkPrecision(const BulletScene& scene, const std::vector<std::unique_ptr<btSoftBody>>& bodies) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const double ours = measureVolume(scene.cells[i].position, scene.mesh.faces);
-    CHECK(std::abs(bodies[i]->getVolume() - ours) <= 1e-12 * ours,
-          "Bullet's library measures another volume: is it of another precision than its headers?");
-  }
+void checkPrecision(const Mesh& egg, btSoftBodyWorldInfo& info) {
+  std::vector<btVector3> places;
+  for (const Point& x : egg.vertices) places.push_back(toBullet(x));
+  btSoftBody body(&info, static_cast<int>(places.size()), places.data(), nullptr);
+  for (const Face& f : egg.faces) body.appendFace(f[0], f[1], f[2]);
+  const double ours = measureVolume(egg.vertices, egg.faces);
+  CHECK(std::abs(body.getVolume() - ours) <= 1e-12 * ours,
+        "Bullet's library measures another volume: is it of another precision than its headers?");
 }
 
 std::vector<Body> readCells(const BulletScene& scene,

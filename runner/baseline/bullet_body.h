@@ -8,8 +8,9 @@
 
 namespace morula {
 
-/// Nodes, links with the cell's own rest lengths, faces. B1 keeps the links, which Bullet's face tree needs,
-/// and does not solve them.
+/// Nodes, links with the cell's own rest lengths, faces; a tree of faces only where cells touch, for Bullet
+/// updates it in every step. B1 does not solve links: it has them, and faces, only where cells touch, for
+/// Bullet's tree of faces needs them.
 std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTemplate& mesh, const Body& cell,
                                          btSoftBodyWorldInfo& info);
 
@@ -19,9 +20,9 @@ void setPressure(btSoftBody& body, double pressureConstant, double outside);
 /// Neither gravity nor air acts on bodies of this world.
 void makeWeightless(btSoftBodyWorldInfo& info, btBroadphaseInterface& broadphase, btDispatcher& dispatcher);
 
-/// Throws BugError if Bullet measures other volumes than we do: then its headers and its library are of
-/// different precision.
-void checkPrecision(const BulletScene& scene, const std::vector<std::unique_ptr<btSoftBody>>& bodies);
+/// Throws BugError if Bullet measures another volume of the egg than we do: then its headers and its library
+/// are of different precision.
+void checkPrecision(const Mesh& egg, btSoftBodyWorldInfo& info);
 
 /// The scene's cells as the bodies are now.
 std::vector<Body> readCells(const BulletScene& scene, const std::vector<std::unique_ptr<btSoftBody>>& bodies);

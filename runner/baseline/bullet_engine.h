@@ -12,7 +12,7 @@ class BulletEngine {
  public:
   virtual ~BulletEngine() = default;
   virtual void step() = 0;
-  virtual std::vector<Body> cells() const = 0;
+  virtual std::vector<Body> cells() = 0;  // velocities at the time of the positions
 };
 
 /// B1 and B2: btSoftRigidDynamicsWorld, symplectic Euler, with contact.

@@ -16,8 +16,9 @@ Bodies makeNotebook(const BulletScene& scene) {
 
 struct ExplicitEngine final : BulletEngine {
   BulletScene scene;
-  Bodies notebook;
+  Bodies notebook;                  // of B1, `acceleration` is that of the nodes as they are
   PhysicsStages forces{}, shell{};  // one without a shell, one for its sake
+  bool secondOrder;                 // B1 as velocity Verlet: Bullet's velocities lag by half a step
 
   btSoftBodyRigidBodyCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
@@ -26,21 +27,31 @@ struct ExplicitEngine final : BulletEngine {
   btSoftRigidDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
   std::vector<std::unique_ptr<btSoftBody>> bodies;
 
-  explicit ExplicitEngine(const BulletScene& asked) : scene(asked), notebook(makeNotebook(asked)) {
-    // The thesis' Verlet, for its prediction of the velocity is the velocity itself, as Bullet's.
+  explicit ExplicitEngine(const BulletScene& asked)
+      : scene(asked),
+        notebook(makeNotebook(asked)),
+        secondOrder(asked.baseline == Baseline::b1 &&
+                    asked.physics.integrator != Integrator::thesisVerlet) {
+    // With no time step this one's drift leaves all in place, and predicts the velocity that stands there.
     scene.physics.integrator = Integrator::thesisVerlet;
     PhysicsParameters open = scene.physics;
     open.shell.reset();
-    forces = chooseStages(open, bestIsa());
-    shell = chooseStages(scene.physics, bestIsa());
+    const Isa isa = narrowestIsa(notebook.count, bestIsa(), Precision::binary64);
+    forces = chooseStages(open, isa);
+    shell = chooseStages(scene.physics, isa);
     world.setGravity({0, 0, 0});
     btSoftBodyWorldInfo& info = world.getWorldInfo();
     makeWeightless(info, broadphase, dispatcher);
+    checkPrecision(scene.mesh, info);
     for (const Body& cell : scene.cells) {
       bodies.push_back(makeSoftBody(scene, notebook.mesh, cell, info));
       world.addSoftBody(bodies.back().get());
     }
-    checkPrecision(scene, bodies);
+    if (scene.baseline != Baseline::b1) return;
+    evaluateForces();
+    // Half a step back, so that Bullet's first whole kick ends half a step after the start.
+    if (secondOrder)
+      eachNode([&](btSoftBody::Node& node, std::size_t at) { node.m_v -= halfKick(at); });
   }
   ~ExplicitEngine() override {
     for (auto& body : bodies) world.removeSoftBody(body.get());
@@ -58,12 +69,16 @@ struct ExplicitEngine final : BulletEngine {
   static void write(Reals& array, std::size_t at, const btVector3& a) {
     array[at] = a.x(), array[at + blockLanes] = a.y(), array[at + 2 * blockLanes] = a.z();
   }
+  btVector3 halfKick(std::size_t at) const {
+    return 0.5 * scene.timeStep * read(notebook.acceleration, at);
+  }
 
-  void addOurForces() {
-    for (int i = 0; i < notebook.blockCount(); ++i) advance(forces, notebook, notebook.block(i, 0), 0);
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      for (int v = 0; v < notebook.vertexCount(); ++v)
-        bodies[i]->addForce(read(notebook.acceleration, notebook.at(static_cast<int>(i), v)), v);
+  /// The accelerations at the notebook's positions and velocities. The shell bears what presses against it.
+  void evaluateForces() {
+    for (int i = 0; i < notebook.blockCount(); ++i) {
+      advance(forces, notebook, notebook.block(i, 0), 0);
+      kick(shell, notebook, notebook.block(i, 0), 0);
+    }
   }
 
   /// Bullet has no contact on the inside of a shell: the core's, at the end of a drift that takes no time.
@@ -77,7 +92,10 @@ struct ExplicitEngine final : BulletEngine {
   }
 
   void step() override {
-    if (scene.baseline == Baseline::b1) addOurForces();
+    if (scene.baseline == Baseline::b1)
+      eachNode([&](btSoftBody::Node& node, std::size_t at) {
+        node.m_f += read(notebook.acceleration, at) / node.m_im;
+      });
     else
       for (std::size_t i = 0; i < bodies.size(); ++i)
         setPressure(*bodies[i], scene.cells[i].pressureConstant, scene.physics.pressure.outside);
@@ -88,8 +106,26 @@ struct ExplicitEngine final : BulletEngine {
       write(notebook.velocity, at, node.m_v);
     });
     if (scene.physics.shell) keepAllInShell();
+    if (scene.baseline != Baseline::b1) return;
+    // w = v + ½Δt a, with the acceleration that led here: the velocity at the time of the positions, as
+    // velocity Verlet predicts it.
+    if (secondOrder)
+      eachNode([&](const btSoftBody::Node& node, std::size_t at) {
+        write(notebook.velocity, at, node.m_v + halfKick(at));
+      });
+    evaluateForces();
   }
-  std::vector<Body> cells() const override { return readCells(scene, bodies); }
+
+  std::vector<Body> cells() override {
+    std::vector<Body> cells = readCells(scene, bodies);
+    if (secondOrder)
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        for (int v = 0; v < notebook.vertexCount(); ++v) {
+          const btVector3 rest = halfKick(notebook.at(static_cast<int>(i), v));
+          cells[i].velocity[static_cast<std::size_t>(v)] += {rest.x(), rest.y(), rest.z()};
+        }
+    return cells;
+  }
 };
 
 }  // namespace

@@ -81,6 +81,7 @@ struct ImplicitEngine final : BulletEngine {
     world.setImplicit(true);
     world.setUseProjection(true);
     makeWeightless(world.getWorldInfo(), broadphase, dispatcher);
+    checkPrecision(scene.mesh, world.getWorldInfo());
     const MeshTemplate mesh = makeTemplate(scene.mesh);
     for (const Body& cell : scene.cells) {
       bodies.push_back(makeSoftBody(scene, mesh, cell, world.getWorldInfo()));
@@ -88,14 +89,13 @@ struct ImplicitEngine final : BulletEngine {
       world.addForce(bodies.back().get(), &springs);
       world.addForce(bodies.back().get(), &contents);
     }
-    checkPrecision(scene, bodies);
   }
   ~ImplicitEngine() override {
     for (auto& body : bodies) world.removeSoftBody(body.get());
   }
 
   void step() override { world.stepSimulation(scene.timeStep, 0); }
-  std::vector<Body> cells() const override { return readCells(scene, bodies); }
+  std::vector<Body> cells() override { return readCells(scene, bodies); }
 };
 
 }  // namespace

@@ -101,6 +101,8 @@ void writeRequest(std::ostream& out, const BulletRequest& request) {
   w.word("time_step").number(s.timeStep);
   w.word("contact").number(s.contact);
   w.word("margin").number(s.margin);
+  w.word("iterations").number(s.iterations);
+  w.word("integrator").number(static_cast<int>(s.physics.integrator));
   w.word("membrane").number(s.physics.membrane.stiffness).number(s.physics.membrane.damping);
   w.word("outside").number(s.physics.pressure.outside);
   w.word("drag").number(s.physics.drag);
@@ -131,6 +133,11 @@ BulletRequest readRequest(std::istream& in) {
   s.timeStep = r.number("time_step");
   s.contact = r.number("contact") != 0;
   s.margin = r.number("margin");
+  s.iterations = static_cast<int>(r.count("iterations"));
+  const std::size_t integrator = r.count("integrator");
+  if (integrator > static_cast<std::size_t>(Integrator::xpbd))
+    throw InputError("Bullet's message: there is no such integrator");
+  s.physics.integrator = static_cast<Integrator>(integrator);
   s.physics.membrane.stiffness = r.number("membrane");
   s.physics.membrane.damping = r.number();
   s.physics.pressure.outside = r.number("outside");

@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "baseline/bullet_world.h"
-#include "baseline/child_process.h"
 #include "baseline/wire.h"
+#include "process/child_process.h"
 
 namespace morula {
 
@@ -39,7 +39,7 @@ void serveBullet(std::istream& in, std::ostream& out) {
 BulletResult runInBullet(const BulletRequest& request, const std::string& program) {
   std::ostringstream text;
   writeRequest(text, request);
-  const ChildEnd end = talkToChild(program, "bullet-worker", text.str());
+  const ChildEnd end = runChild({program, "bullet-worker"}, {.input = text.str()});
   if (!end.well()) throw FileError("Bullet's process " + program + " " + end.text());
   std::istringstream in(end.said);
   return readResult(in);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "baseline/bullet_scene.h"
-#include "baseline/child_process.h"  // ownProgram
+#include "process/child_process.h"  // ownProgram
 
 namespace morula {
 

@@ -11,7 +11,6 @@
 #include "accuracy/picture.h"
 #include "accuracy/table.h"
 #include "base/number_text.h"
-#include "baseline/child_process.h"
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
@@ -19,6 +18,7 @@
 #include "cli/simulate.h"
 #include "cli/verb.h"
 #include "golden/accept.h"
+#include "process/child_process.h"
 
 namespace morula::cli {
 

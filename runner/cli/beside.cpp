@@ -1,14 +1,15 @@
 #include "cli/beside.h"
 
 #include <atomic>
+#include <mutex>
 #include <sstream>
 #include <thread>
 
 #include "base/error.h"
 #include "baseline/bullet_scene.h"
-#include "baseline/child_process.h"
 #include "cli/exit_codes.h"
 #include "golden/accept.h"
+#include "process/child_process.h"
 #include "scenario/bullet_fit.h"
 
 namespace morula::cli {
@@ -55,7 +56,9 @@ Verdict ask(const Scenario& scenario, Engine engine, const BesideOptions& option
                      static_cast<Baseline>(static_cast<int>(engine) - static_cast<int>(Engine::b1)));
   } catch (const InputError& error) {
     return notAsked(std::string("cannot be asked: ") + error.what());
-  } catch (const FileError& error) { return {Verdict::Kind::noAnswer, error.what(), {}}; }
+  } catch (const std::exception& error) {  // whatever it is: it ends this question, not the others
+    return {Verdict::Kind::noAnswer, std::string("no answer: ") + error.what(), {}};
+  }
 }
 
 const char* title(Engine engine) {
@@ -98,12 +101,14 @@ std::vector<BesideRow> lookBeside(const std::vector<Scenario>& scenarios, const 
   }
   // Each question is another process and each answer has its own place, so who is first does not matter.
   std::atomic<std::size_t> next = 0;
+  std::mutex console;  // one line at a time
   const std::size_t count = scenarios.size() * options.engines.size();
   const auto work = [&] {
     for (std::size_t i; (i = next++) < count;) {
       const std::size_t row = i / options.engines.size(), column = i % options.engines.size();
       Verdict& verdict = rows[row].verdicts[1 + column] =
           ask(scenarios[row], options.engines[column], options);
+      const std::lock_guard<std::mutex> alone(console);
       tell(rows[row].scenario + ", " + title(options.engines[column]) + ": " + verdict.text, options.quiet);
     }
   };

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "baseline/bullet_scene.h"
-#include "baseline/child_process.h"
 #include "cli/beside.h"
+#include "process/child_process.h"
 
 namespace morula::cli {
 
@@ -17,6 +17,11 @@ CheckResult about(const char* failureClass, const std::string& text) {
   return r;
 }
 
+/// Bullet's step is that of either Verlet (BulletScene::physics).
+bool isVerlet(Integrator integrator) {
+  return integrator == Integrator::thesisVerlet || integrator == Integrator::velocityVerlet;
+}
+
 }  // namespace
 
 bool wasSkipped(const CheckResult& result) { return result.kind == "bullet" && result.expected == skipped; }
@@ -27,7 +32,7 @@ BulletCheck tolerancesFor(const Scenario& scenario) {
   const MechanicsScene& mechanics = *scenario.scene.mechanics;
   if (mechanics.contact && scenario.scene.cells.size() > 1) {
     check.distance = 0.01, check.volume = 0.001, check.aspect = 0.02;
-  } else if (check.baseline == Baseline::b1 && mechanics.physics.integrator == Integrator::thesisVerlet) {
+  } else if (check.baseline == Baseline::b1 && isVerlet(mechanics.physics.integrator)) {
     check.positions = 1e-10 * mechanics.physics.cell.radius;
   } else {
     check.radius = check.volume = check.baseline == Baseline::b3 ? 1e-8 : 1e-6;
@@ -48,8 +53,11 @@ BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bo
   tell("the same in Bullet, " + std::string(name(check.baseline)), quiet);
   OtherRun bullet;
   try {
-    bullet =
-        runElsewhere(scenario, {.engine = engineOf(check.baseline), .margin = check.margin}, ownProgram());
+    bullet = runElsewhere(scenario,
+                          {.engine = engineOf(check.baseline),
+                           .margin = check.margin,
+                           .integrator = scenario.scene.mechanics->physics.integrator},
+                          ownProgram());
   } catch (const FileError& error) { return {{about("SETUP", error.what())}, {}}; }
   const bool silent = bullet.end == OtherRun::End::silent;
   if (bullet.end != OtherRun::End::done)

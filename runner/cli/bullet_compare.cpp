@@ -35,8 +35,9 @@ double aspect(const Shape& shape) {
 }
 
 double meanRadius(const Shape& shape) {
+  const Point centre = measureCentroid(shape);
   double sum = 0;
-  for (const Point& p : shape) sum += norm(p - measureCentroid(shape));
+  for (const Point& p : shape) sum += norm(p - centre);
   return sum / static_cast<double>(shape.size());
 }
 

@@ -6,15 +6,16 @@ namespace morula::cli {
 
 namespace {
 
-BulletScene sceneOf(const World& world, Baseline baseline, double margin) {
+BulletScene sceneOf(const World& world, Baseline baseline, double margin, Integrator integrator) {
   const MechanicsScene& mechanics = *world.model.mechanics;
   BulletScene scene;
   scene.baseline = baseline;
   scene.mesh = mechanics.mesh;
   scene.physics = mechanics.physics;
+  scene.physics.integrator = integrator;
   for (const int slot : world.bodies->slots) scene.cells.push_back(takeBody(*world.bodies, slot));
   scene.timeStep = world.clock.timeStep;
-  scene.contact = mechanics.contact && scene.cells.size() > 1;
+  scene.contact = mechanics.contact.has_value();
   scene.margin = margin * mechanics.physics.cell.radius;
   return scene;
 }
@@ -31,8 +32,8 @@ World makeBulletStart(Scenario scenario) {
   return world;
 }
 
-BulletRun::BulletRun(const Scenario& scenario, Baseline baseline, double margin)
-    : world_(makeBulletStart(scenario)), bullet_(sceneOf(world_, baseline, margin)) {}
+BulletRun::BulletRun(const Scenario& scenario, Baseline baseline, double margin, Integrator integrator)
+    : world_(makeBulletStart(scenario)), bullet_(sceneOf(world_, baseline, margin, integrator)) {}
 
 void BulletRun::step() {
   bullet_.step();

@@ -8,8 +8,9 @@ namespace morula::cli {
 class BulletRun {
  public:
   /// The scenario's start. Bullet takes the scenario's time step whatever we think of its stability, as a
-  /// float, and without one ours. `margin` in radii of the egg. Throws InputError if there is no start.
-  BulletRun(const Scenario& scenario, Baseline baseline, double margin);
+  /// float, and without one ours. `margin` in radii of the egg; `integrator`: of B1, as in BulletScene. Throws
+  /// InputError if there is no start.
+  BulletRun(const Scenario& scenario, Baseline baseline, double margin, Integrator integrator);
 
   void step();
   const World& world() const { return world_; }

@@ -1,14 +1,15 @@
 #include "cli/git_text.h"
 
-#include "explain/child.h"
+#include "process/child_process.h"
 
 namespace morula::cli {
 
 std::optional<std::string> committedText(const std::filesystem::path& file) {
   const auto folder = std::filesystem::absolute(file).parent_path();
-  auto answer = ask({"git", "-C", folder.string(), "show", "HEAD:./" + file.filename().string()}, true);
-  if (!answer || answer->exitCode != 0) return std::nullopt;
-  return std::move(answer->output);
+  ChildEnd git = runChild({"git", "-C", folder.string(), "show", "HEAD:./" + file.filename().string()},
+                          {.silent = true});
+  if (!git.well()) return std::nullopt;
+  return std::move(git.said);
 }
 
 }  // namespace morula::cli

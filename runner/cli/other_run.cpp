@@ -7,10 +7,10 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "baseline/child_process.h"
 #include "cli/bullet_run.h"
 #include "cli/invariants.h"
 #include "cli/other_run_json.h"
+#include "process/child_process.h"
 #include "simulation/measures.h"
 
 namespace morula::cli {
@@ -74,7 +74,8 @@ OtherRun runHere(const Json& question, std::ostream& out) {
       goThrough(run, scenario, answer, out);
     } else {
       const auto baseline = static_cast<Baseline>(static_cast<int>(engine) - static_cast<int>(Engine::b1));
-      BulletRun run(scenario, baseline, question.at("margin"));
+      BulletRun run(scenario, baseline, question.at("margin"),
+                    static_cast<Integrator>(question.at("integrator").get<int>()));
       goThrough(run, scenario, answer, out);
     }
   } catch (const NumericalError& error) {
@@ -121,8 +122,10 @@ OtherRun runElsewhere(const Scenario& scenario, const OtherQuestion& question, c
                   {"file", scenario.file},
                   {"files", files},
                   {"engine", static_cast<int>(question.engine)},
-                  {"margin", question.margin}};
-  const ChildEnd end = talkToChild(program, "other-worker", text.dump(), question.cpuSeconds);
+                  {"margin", question.margin},
+                  {"integrator", static_cast<int>(question.integrator)}};
+  const ChildEnd end =
+      runChild({program, "other-worker"}, {.input = text.dump(), .cpuSeconds = question.cpuSeconds});
   OtherRun silent;
   silent.step = lastStep(end.said);
   if (end.outOfTime())

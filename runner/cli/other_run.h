@@ -27,6 +27,7 @@ inline constexpr int usualCpuSeconds = 120;
 struct OtherQuestion {
   Engine engine = Engine::b1;
   double margin = 0.01;              // [radii of the egg] Bullet's
+  Integrator integrator = Integrator::velocityVerlet;  // B1's, as in BulletScene
   int cpuSeconds = usualCpuSeconds;  // of the process; then it is ended
 };
 

@@ -1,8 +1,8 @@
 #include "explain/program_run.h"
 
 #include "base/error.h"
-#include "explain/child.h"
 #include "explain/trail_text.h"
+#include "process/child_process.h"
 #include "simulation/checkpoint.h"
 #include "simulation/world.h"
 
@@ -14,12 +14,12 @@ ProgramRun::ProgramRun(std::string program, std::string scenario, std::function<
 std::string ProgramRun::answer(const std::vector<std::string>& arguments) const {
   std::vector<std::string> command{program_, "trail", scenario_};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  const auto said = ask(command, false);
-  if (!said) throw InputError(program_ + ": cannot be started; give a Morula program");
-  if (said->exitCode != 0)
-    throw InputError(program_ + ": ended with exit code " + std::to_string(said->exitCode) +
+  ChildEnd end = runChild(command);
+  if (end.notStarted()) throw InputError(program_ + ": cannot be started; give a Morula program");
+  if (!end.well())
+    throw InputError(program_ + ": ended with exit code " + std::to_string(end.code()) +
                      "; is it a Morula that knows `trail` and this scenario?");
-  return said->output;
+  return std::move(end.said);
 }
 
 Trail ProgramRun::trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) {

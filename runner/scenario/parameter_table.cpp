@@ -90,8 +90,8 @@ std::vector<Section> sections() {
       {.path = "check.bullet",
        .meaning = "The same scene computed by Bullet, and how far apart the two may be at the end. Without "
                   "any tolerance: positions 1e-10 radii where nothing touches and the integrator is "
-                  "thesis-verlet, Bullet's own; where nothing touches otherwise radius and volume, 1e-6 with "
-                  "b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and aspect 0.02",
+                  "velocity-verlet or thesis-verlet, as Bullet's then is too; where nothing touches otherwise "
+                  "radius and volume, 1e-6 with b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and aspect 0.02",
        .absent = "not held against Bullet",
        .decides = Decides::presentation,
        .make = [](Scenario& s) { s.check.bullet.emplace(); },

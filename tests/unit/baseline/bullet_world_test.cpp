@@ -7,12 +7,13 @@
 
 using namespace morula;
 
-TEST_CASE("B1 without contact is symplectic Euler with our forces") {
+TEST_CASE("B1 as the thesis' Verlet is symplectic Euler with our forces") {
   NEEDS_BULLET
   BulletScene scene = pressurisedCell(2, Baseline::b1, 0.25);
   scene.physics.membrane.damping = 0.05;
   scene.physics.pressure.outside = 1;
   scene.timeStep = 0x1p-7;
+  scene.physics.integrator = Integrator::thesisVerlet;
   const MeshTemplate mesh = makeTemplate(scene.mesh);
   Body byHand = scene.cells[0];
   BulletWorld world(scene);

@@ -21,6 +21,8 @@ BulletRequest everything() {
   s.timeStep = 0x1p-9;
   s.contact = true;
   s.margin = 0.0125;
+  s.iterations = 3;
+  s.physics.integrator = Integrator::thesisVerlet;
   s.cells.push_back(s.cells[0]);
   s.cells[1].velocity[3] = {-0.0, std::numeric_limits<double>::denorm_min(), 1e308};
   s.cells[1].mass = 0.1, s.cells[1].restScale = 0.2, s.cells[1].pressureConstant = 0.3;
@@ -54,6 +56,8 @@ TEST_CASE("A request arrives as it was sent") {
   CHECK(b.timeStep == a.timeStep);
   CHECK(b.contact == a.contact);
   CHECK(b.margin == a.margin);
+  CHECK(b.iterations == a.iterations);
+  CHECK(b.physics.integrator == a.physics.integrator);
   REQUIRE(b.cells.size() == 2);
   CHECK(same(b.cells[0], a.cells[0]));
   CHECK(same(b.cells[1], a.cells[1]));

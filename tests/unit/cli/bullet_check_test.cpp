@@ -88,9 +88,10 @@ TEST_CASE("Without tolerances those hold that fit the scene") {
   };
   CHECK(of(pair, "", "").distance == 0.01);
   CHECK(!of(pair, "", "").positions);
-  const BulletCheck alone = of(pair, ", contact: {}", "");
-  CHECK((alone.radius == 1e-6 && alone.volume == 1e-6 && !alone.distance));
+  const BulletCheck alone = of(pair, "contact: {}", "integrator: rk4");
+  CHECK((alone.radius == 1e-6 && alone.volume == 1e-6 && !alone.distance && !alone.positions));
   CHECK(of(pair, "contact: {}", "integrator: thesis-verlet").positions == 1e-10);
+  CHECK(of(pair, ", contact: {}", "").positions == 1e-10);  // velocity-verlet
   const BulletCheck implicit =
       of(pair, ", contact: {}}\ncheck: {bullet: {margin: 0.05}}", "}\ncheck: {bullet: {baseline: b3}}");
   CHECK(implicit.radius == 1e-8);

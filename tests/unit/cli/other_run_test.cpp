@@ -31,7 +31,8 @@ OtherRun serve(const Scenario& scenario, Engine engine) {
                       {"file", "two.yaml"},
                       {"files", Json::array()},
                       {"engine", static_cast<int>(engine)},
-                      {"margin", 0.01}};
+                      {"margin", 0.01},
+                      {"integrator", static_cast<int>(Integrator::velocityVerlet)}};
   std::istringstream in(question.dump());
   std::ostringstream out;
   serveOtherRun(in, out);

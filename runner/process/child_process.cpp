@@ -1,4 +1,4 @@
-#include "baseline/child_process.h"
+#include "process/child_process.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -80,20 +80,28 @@ bool ChildEnd::well() const { return WIFEXITED(status) && WEXITSTATUS(status) ==
 
 bool ChildEnd::outOfTime() const { return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU; }
 
+bool ChildEnd::notStarted() const { return WIFEXITED(status) && WEXITSTATUS(status) == 127; }
+
+int ChildEnd::code() const { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
+
 std::string ChildEnd::text() const {
   if (WIFEXITED(status)) return "ended with code " + std::to_string(WEXITSTATUS(status));
   return "was ended by signal " + std::to_string(WTERMSIG(status));
 }
 
-ChildEnd talkToChild(const std::string& program, const char* verb, const std::string& text, int cpuSeconds) {
+ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& options) {
+  std::vector<char*> words;  // before the fork: after it only what is safe in a signal handler may be called
+  for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
   Pipe question, answer;
   const pid_t process = ::fork();
   if (process < 0) throw failed("cannot be started");
   if (process == 0) {
-    limitCpuTime(cpuSeconds);
+    limitCpuTime(options.cpuSeconds);
+    if (options.silent) ::dup2(::open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
     ::dup2(question.read, STDIN_FILENO);
     ::dup2(answer.write, STDOUT_FILENO);
-    ::execl(program.c_str(), "morula", verb, static_cast<char*>(nullptr));
+    ::execvp(words[0], words.data());
     ::_exit(127);
   }
   question.closeRead();
@@ -104,7 +112,7 @@ ChildEnd talkToChild(const std::string& program, const char* verb, const std::st
     sigemptyset(&pipes);
     sigaddset(&pipes, SIGPIPE);
     pthread_sigmask(SIG_BLOCK, &pipes, nullptr);
-    send(question.write, text);
+    send(question.write, options.input);
     question.closeWrite();
   });
   ChildEnd end;
