@@ -64,6 +64,7 @@ struct BulletSpeed {
   double error = 0;
   std::string ours, bullets;  // series
   double ourSeconds = 0, bulletSeconds = 0;
+  double bulletMostSeconds = 0;  // of its series that have that error, the slowest
 };
 
 /// Of the settings tried, those that are as exact as the scenario is and cost the least.

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "base/error.h"
@@ -42,9 +44,12 @@ BulletRequest requestOf(const World& world, const BulletSetting& setting, const 
                    {},
                    setting.timeStep,
                    world.contacts.has_value(),
-                   setting.margin * b.parameters.cell.radius};
+                   setting.margin * b.parameters.cell.radius,
+                   setting.iterations};
+  request.scene.physics.integrator = Integrator::velocityVerlet;
   for (const int slot : b.slots) request.scene.cells.push_back(takeBody(b, slot));
-  for (const double time : times) request.reports.push_back(static_cast<int>(time / setting.timeStep));
+  for (const double time : times)
+    request.reports.push_back(static_cast<int>(std::lround(time / setting.timeStep)));
   request.steps = request.reports.back();
   return request;
 }
@@ -52,23 +57,31 @@ BulletRequest requestOf(const World& world, const BulletSetting& setting, const 
 }  // namespace
 
 std::string seriesName(const BulletSetting& s, bool touching) {
-  return fmt::format("bullet {}{}", name(s.baseline),
-                     touching ? ", margin " + numberText(s.margin) : std::string());
+  std::string text = fmt::format("bullet {}", name(s.baseline));
+  if (touching) text += ", margin " + numberText(s.margin);
+  if (s.iterations > 1) text += fmt::format(", {} iterations", s.iterations);
+  return text;
 }
 
-std::vector<BulletSetting> bulletSettings(const Scenario& scenario, double longest, int halvings,
-                                          const std::vector<double>& times) {
-  std::vector<BulletSetting> list;
-  if (!bulletIsAvailable()) return list;
-  const bool touching = scenario.scene.mechanics->contact && scenario.scene.cells.size() > 1;
-  for (const Baseline baseline : {Baseline::b1, Baseline::b2, Baseline::b3}) {
-    if (!scenario::unfitForBullet(scenario, baseline).empty()) continue;
-    for (const double margin : touching ? std::vector<double>{0.01, 0.0025} : std::vector<double>{0.01})
-      for (int i = -bulletDoublings; i <= halvings; ++i)
-        if (const double timeStep = std::ldexp(longest, -i); areMultiples(times, timeStep))
-          list.push_back({baseline, timeStep, margin});
-  }
-  return list;
+std::vector<BulletSetting> bulletChoices(Baseline baseline, bool touching) {
+  const bool iterates = baseline == Baseline::b2 || (baseline == Baseline::b1 && touching);
+  std::vector<BulletSetting> choices;
+  for (const double margin : touching ? std::vector{0.02, 0.01, 0.005, 0.0025} : std::vector{0.01})
+    for (int iterations = 1; iterations <= (iterates ? 4 : 1); ++iterations)
+      choices.push_back({baseline, 0, margin, iterations});
+  return choices;
+}
+
+std::vector<double> bulletTimeSteps(double longest, double longestStable, int halvings,
+                                    const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (int i = -bulletDoublings; i <= halvings; ++i)
+    if (const double step = std::ldexp(longest, -i); areMultiples(times, step)) steps.push_back(step);
+  if (longestStable > longest) steps.push_back(longestStable);
+  std::sort(steps.rbegin(), steps.rend());
+  for (double& step : steps) step = static_cast<float>(step);
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
 }
 
 Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, const std::vector<double>& times,
@@ -77,7 +90,9 @@ Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, con
   const BulletRequest request = requestOf(world, setting, times);
   Trial trial;
   trial.setting = settingOf(scenario, setting.timeStep);
-  trial.setting.integrator = Integrator::symplecticEuler;  // B1's and B2's; B3's is of first order too
+  // B2's links see places half a step ahead, and B3 is implicit: both are of first order, as this one.
+  trial.setting.integrator =
+      setting.baseline == Baseline::b1 ? Integrator::velocityVerlet : Integrator::symplecticEuler;
   std::vector<double> seconds;
   for (int round = 0; round < rounds; ++round) {
     BulletResult result;
@@ -102,6 +117,79 @@ Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, con
       if (!(cell.volume > 0 && norm(cell.centroid) < 1e9) && trial.failure.empty())
         trial.failure = "a cell is inside out or no number by time " + numberText(shapes.time);
   return trial;
+}
+
+std::vector<bool> unbeaten(const std::vector<std::optional<double>>& errors,
+                           const std::vector<double>& seconds) {
+  std::vector<bool> best;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    bool beaten = !errors[i];
+    for (std::size_t j = 0; j < errors.size() && !beaten; ++j)
+      beaten = j != i && errors[j] && *errors[j] <= *errors[i] && seconds[j] < seconds[i];
+    best.push_back(!beaten);
+  }
+  return best;
+}
+
+namespace {
+
+/// The choices of a baseline that are worth going on with.
+std::vector<BulletSetting> bestChoices(const std::vector<BulletSetting>& choices,
+                                       const std::vector<BulletTrial>& trials,
+                                       const std::function<std::optional<double>(const Trial&)>& errorOf) {
+  std::vector<std::optional<double>> errors;
+  std::vector<double> seconds;
+  for (const BulletTrial& t : trials)
+    errors.push_back(errorOf(t.trial)), seconds.push_back(t.trial.cpuSeconds);
+  const auto best = unbeaten(errors, seconds);
+  std::vector<BulletSetting> list;
+  for (const BulletSetting& c : choices)
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      if (best[i] && trials[i].setting.margin == c.margin && trials[i].setting.iterations == c.iterations) {
+        list.push_back(c);
+        break;
+      }
+  return list.empty() ? choices : list;  // none has come to the end yet: shorter steps may
+}
+
+}  // namespace
+
+std::vector<BulletTrial> tryBullet(const Scenario& scenario, const BulletSearch& search,
+                                   const std::function<std::optional<double>(const Trial&)>& errorOf,
+                                   const std::function<void(const std::string&)>& tell) {
+  std::vector<BulletTrial> list;
+  if (!bulletIsAvailable()) return list;
+  const bool touching = scenario.scene.mechanics->contact && scenario.scene.cells.size() > 1;
+  const auto steps = bulletTimeSteps(search.longest, search.longestStable, search.halvings, search.times);
+  for (const Baseline baseline : {Baseline::b1, Baseline::b2, Baseline::b3}) {
+    if (!scenario::unfitForBullet(scenario, baseline).empty()) continue;
+    std::vector<BulletTrial> trials;
+    const auto go = [&](BulletSetting setting, double step, int rounds) {
+      setting.timeStep = step;
+      const std::string series = seriesName(setting, touching);
+      tell(fmt::format("{}, time step {}", series, numberText(step)));
+      trials.push_back(
+          {setting, series,
+           runBulletTrial(scenario, setting, search.times, search.execution, rounds, search.program)});
+    };
+    std::vector<BulletSetting> choices = bulletChoices(baseline, touching);
+    if (choices.size() > 1) {
+      for (const BulletSetting& choice : choices)
+        for (const double step : steps)
+          if (step >= search.longest) go(choice, step, 1);
+      choices = bestChoices(choices, trials, errorOf);
+      // Measured once more, as often as ours.
+      std::erase_if(trials, [&](const BulletTrial& t) {
+        return std::any_of(choices.begin(), choices.end(), [&](const BulletSetting& c) {
+          return c.margin == t.setting.margin && c.iterations == t.setting.iterations;
+        });
+      });
+    }
+    for (const BulletSetting& choice : choices)
+      for (const double step : steps) go(choice, step, search.rounds);
+    std::move(trials.begin(), trials.end(), std::back_inserter(list));
+  }
+  return list;
 }
 
 }  // namespace morula

@@ -14,18 +14,51 @@ struct BulletSetting {
   Baseline baseline = Baseline::b1;
   double timeStep = 0;   // [time]
   double margin = 0.01;  // [radii of the egg] of each surface; of account only where cells touch
+  int iterations = 1;    // of Bullet's position solver; of account where cells touch, and to B2's links
 };
 
-/// "bullet b1, margin 0.01"
+/// "bullet b1, margin 0.01, 2 iterations"
 std::string seriesName(const BulletSetting& setting, bool touching);
 
-/// Those that the scene can be put to: none if Bullet is absent or has no such thing (unfitForBullet). Steps
-/// from eight times `longest` down by halves, as far as all times are multiples of them.
-std::vector<BulletSetting> bulletSettings(const Scenario& scenario, double longest, int halvings,
-                                          const std::vector<double>& times);
+/// What a baseline can be tried with, beside the time step, which is left 0: where cells touch four margins,
+/// and one to four iterations where there is something to iterate.
+std::vector<BulletSetting> bulletChoices(Baseline baseline, bool touching);
+
+/// From eight times `longest` down by so many halvings of it, and `longestStable` unless it is 0, as far as
+/// all times are multiples of them: each as Bullet takes it, a float.
+std::vector<double> bulletTimeSteps(double longest, double longestStable, int halvings,
+                                    const std::vector<double>& times);
 
 /// [runTrial] in a process of its own. Cost: CPU time of Bullet's steps alone.
 Trial runBulletTrial(const Scenario& scenario, const BulletSetting& setting, const std::vector<double>& times,
                      const Execution& execution, int rounds, const std::string& program);
+
+struct BulletSearch {
+  double longest = 0;        // [time] step that ours begin with
+  double longestStable = 0;  // [time] of all steps the longest that B1 can bear; 0: not known
+  int halvings = 4;          // of `longest`
+  const std::vector<double>& times;
+  Execution execution;
+  int rounds = 3;
+  std::string program;
+};
+
+struct BulletTrial {
+  BulletSetting setting;
+  std::string series;
+  Trial trial;
+};
+
+/// Bullet at its best: all its baselines that the scene can be put to (unfitForBullet), with all their
+/// choices in time steps down to `longest`, once each. Then those choices of which some run is beaten by no
+/// other in both error and time go on to the shortest steps, in as many rounds as ours. Nothing if Bullet is
+/// absent. `errorOf`: nothing if the trial has failed.
+std::vector<BulletTrial> tryBullet(const Scenario& scenario, const BulletSearch& search,
+                                   const std::function<std::optional<double>(const Trial&)>& errorOf,
+                                   const std::function<void(const std::string&)>& tell);
+
+/// Which of these runs no other beats in both; those without an error are beaten.
+std::vector<bool> unbeaten(const std::vector<std::optional<double>>& errors,
+                           const std::vector<double>& seconds);
 
 }  // namespace morula

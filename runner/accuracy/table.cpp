@@ -99,8 +99,10 @@ std::string describe(const AccuracyReport& report) {
   if (!report.bulletSpeeds.empty())
     text += "\nbeside Bullet: the least CPU time for an error, of all settings that were tried\n";
   for (const BulletSpeed& s : report.bulletSpeeds)
-    text += fmt::format("  error {:g}: {:.4f} s ({}), Bullet {:.4f} s ({}): {:.1f} times\n", s.error,
-                        s.ourSeconds, s.ours, s.bulletSeconds, s.bullets, s.bulletSeconds / s.ourSeconds);
+    text += fmt::format(
+        "  error {:g}: {:.4f} s ({}), Bullet {:.4f} s ({}): {:.1f} times, {:.1f} with its slowest setting\n",
+        s.error, s.ourSeconds, s.ours, s.bulletSeconds, s.bullets, s.bulletSeconds / s.ourSeconds,
+        s.bulletMostSeconds / s.ourSeconds);
   if (report.speeds.empty()) text += "  no error lies between two runs of a series\n";
   return text;
 }

@@ -30,8 +30,7 @@ struct ExplicitEngine final : BulletEngine {
   explicit ExplicitEngine(const BulletScene& asked)
       : scene(asked),
         notebook(makeNotebook(asked)),
-        secondOrder(asked.baseline == Baseline::b1 &&
-                    asked.physics.integrator != Integrator::thesisVerlet) {
+        secondOrder(asked.baseline == Baseline::b1 && asked.physics.integrator != Integrator::thesisVerlet) {
     // With no time step this one's drift leaves all in place, and predicts the velocity that stands there.
     scene.physics.integrator = Integrator::thesisVerlet;
     PhysicsParameters open = scene.physics;
@@ -50,8 +49,7 @@ struct ExplicitEngine final : BulletEngine {
     if (scene.baseline != Baseline::b1) return;
     evaluateForces();
     // Half a step back, so that Bullet's first whole kick ends half a step after the start.
-    if (secondOrder)
-      eachNode([&](btSoftBody::Node& node, std::size_t at) { node.m_v -= halfKick(at); });
+    if (secondOrder) eachNode([&](btSoftBody::Node& node, std::size_t at) { node.m_v -= halfKick(at); });
   }
   ~ExplicitEngine() override {
     for (auto& body : bodies) world.removeSoftBody(body.get());
@@ -69,9 +67,7 @@ struct ExplicitEngine final : BulletEngine {
   static void write(Reals& array, std::size_t at, const btVector3& a) {
     array[at] = a.x(), array[at + blockLanes] = a.y(), array[at + 2 * blockLanes] = a.z();
   }
-  btVector3 halfKick(std::size_t at) const {
-    return 0.5 * scene.timeStep * read(notebook.acceleration, at);
-  }
+  btVector3 halfKick(std::size_t at) const { return 0.5 * scene.timeStep * read(notebook.acceleration, at); }
 
   /// The accelerations at the notebook's positions and velocities. The shell bears what presses against it.
   void evaluateForces() {

@@ -11,12 +11,12 @@ namespace morula {
 
 struct BulletScene {
   Baseline baseline = Baseline::b1;
-  Mesh mesh;                  // the egg in its size: what rest lengths refer to
+  Mesh mesh;  // the egg in its size: what rest lengths refer to
   // Membrane, pressure.outside, drag and shell count; of the integrator, for B1, whether it is thesisVerlet:
-  // Bullet's step is v' = v + Δt a, x' = x + Δt v'. With half a first kick, and forces for the velocity at the
-  // time of the positions, it is velocity Verlet, of second order: what B1 does. With a whole first kick, and
-  // the velocity as Bullet has it, half a step old, it is the thesis' Verlet, of first order: what B1 does for
-  // thesisVerlet, so that the two can be compared vertex by vertex.
+  // Bullet's step is v' = v + Δt a, x' = x + Δt v'. With half a first kick, and forces for the velocity at
+  // the time of the positions, it is velocity Verlet, of second order: what B1 does. With a whole first kick,
+  // and the velocity as Bullet has it, half a step old, it is the thesis' Verlet, of first order: what B1
+  // does for thesisVerlet, so that the two can be compared vertex by vertex.
   PhysicsParameters physics;
   std::vector<Body> cells;
   double timeStep = 0x1p-8;  // [time] a power of two: Bullet takes it as a float, even in double precision

@@ -137,7 +137,8 @@ Json toJson(const AccuracyReport& report, const std::string& picture) {
                             {"series", s.ours},
                             {"cpu_seconds", s.ourSeconds},
                             {"bullet_series", s.bullets},
-                            {"bullet_cpu_seconds", s.bulletSeconds}});
+                            {"bullet_cpu_seconds", s.bulletSeconds},
+                            {"bullet_slowest_cpu_seconds", s.bulletMostSeconds}});
   for (const auto& s : report.speeds)
     speeds.push_back({{"error", s.error},
                       {"series", s.series},

@@ -1,5 +1,6 @@
 #pragma once
-// Another program, or this one once more, in a process of its own: a text on its stdin, its answer on its stdout.
+// Another program, or this one once more, in a process of its own: a text on its stdin, its answer on its
+// stdout.
 #include <string>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct ChildEnd {
   std::string text() const;  // "ended with code 3", "was ended by signal 9"
 };
 
-/// Starts command[0], looked for in PATH if its name holds no slash, with the other words as its arguments, and
-/// waits for its end. Throws FileError if no process can be made.
+/// Starts command[0], looked for in PATH if its name holds no slash, with the other words as its arguments,
+/// and waits for its end. Throws FileError if no process can be made.
 ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& options = {});
 
 /// The running program's own file.

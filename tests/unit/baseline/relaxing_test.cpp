@@ -79,11 +79,11 @@ TEST_CASE("B1 is of second order in the time step, and of first as the thesis' V
       for (int i = 0; i < 4 * stepsInOne; ++i) bullet.step();
       return bullet.cells()[0].position;
     };
-    World exact = makeWorld(relaxing(0x1p-10, 4, Integrator::rungeKutta4));
+    World exact = makeWorld(relaxing(0x1p-11, 4, Integrator::rungeKutta4));
     while (!finished(exact)) step(exact);
     const std::vector<Point> reference = cellVertices(exact, exact.cells.path[0]);
-    const double coarse = farthest(at(64), reference), fine = farthest(at(256), reference);
-    INFO("errors " << coarse << " at 1/64, " << fine << " at 1/256");
+    const double coarse = farthest(at(128), reference), fine = farthest(at(512), reference);
+    INFO("errors " << coarse << " at 1/128, " << fine << " at 1/512");
     const bool second = integrator == Integrator::velocityVerlet;
     CHECK(coarse / fine > (second ? 15 : 3.5));
     CHECK(coarse / fine < (second ? 17 : 4.6));
