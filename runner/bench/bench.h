@@ -33,6 +33,13 @@ struct BenchOptions {
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
+/// One of the settings that Bullet was timed with.
+struct BulletSettingRow {
+  double margin = 0;   // [share radii] of each surface
+  int iterations = 1;  // of its position solver
+  double nsPerVertexStep = 0;
+};
+
 struct BenchRow {
   std::string scene;   // packed, packed-friction, packed-single, free
   std::string engine;  // morula, bullet-b1, bullet-b2, scalar
@@ -52,6 +59,8 @@ struct BenchRow {
   std::optional<double> nsPerVertexSearch;  // rebuild: of one search, however often there is one
   // Counted, not measured: the same on every machine.
   std::optional<double> pairsPerVertexStep, rebuildsPerStep;
+  // Of Bullet's rows: all that it was tried with, the fastest first. That is the row's own.
+  std::vector<BulletSettingRow> bulletSettings = {};
 };
 
 /// What the project has promised itself, as ratios within one run.

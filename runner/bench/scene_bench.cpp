@@ -11,8 +11,6 @@ namespace morula {
 namespace {
 
 constexpr int mostBruteForceVertices = 12'000;  // its time grows with the square
-constexpr int bulletSteps = 5;                  // the first of which does not count
-constexpr double bulletMargin = 0.01;           // [cell radii]
 
 void append(std::vector<double>& to, const std::vector<double>& from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -38,6 +36,14 @@ bool SceneBench::wants(Stage stage) const {
   return std::find(options_.stages.begin(), options_.stages.end(), stage) != options_.stages.end();
 }
 
+BenchRow SceneBench::rowOf(const std::string& engine, Stage stage) const {
+  BenchRow row;
+  row.scene = name_, row.engine = engine, row.stage = stage;
+  row.precision = packed_.precision;
+  row.cells = packed_.cells, row.vertices = subject_.world().bodies->vertexCount();
+  return row;
+}
+
 SceneBench::Series& SceneBench::series(const std::string& engine, Stage stage, const std::string& isa,
                                        int threads, bool wall, const std::string& search) {
   for (Series& s : all_)
@@ -45,10 +51,8 @@ SceneBench::Series& SceneBench::series(const std::string& engine, Stage stage, c
         s.row.wallClock == wall && s.row.search == search)
       return s;
   Series s;
-  s.row.scene = name_, s.row.engine = engine, s.row.stage = stage, s.row.isa = isa;
-  s.row.precision = packed_.precision;
-  s.row.cells = packed_.cells, s.row.vertices = subject_.world().bodies->vertexCount();
-  s.row.threads = threads, s.row.wallClock = wall, s.row.search = search;
+  s.row = rowOf(engine, stage);
+  s.row.isa = isa, s.row.threads = threads, s.row.wallClock = wall, s.row.search = search;
   all_.push_back(std::move(s));
   return all_.back();
 }
@@ -101,21 +105,31 @@ void SceneBench::measureThreads() {
   }
 }
 
-void SceneBench::measureBullet(Baseline baseline) {
-  BulletRequest request;
-  request.steps = bulletSteps;
-  BulletScene& scene = request.scene;
+BulletSubject SceneBench::bulletSubject(Baseline baseline) const {
+  BulletScene scene;
   const Bodies& bodies = *subject_.world().bodies;
   scene.baseline = baseline;
   scene.mesh = bodies.mesh.mesh;
   scene.physics = bodies.parameters;
   scene.timeStep = subject_.world().clock.timeStep;
-  scene.margin = bulletMargin * shareRadius(packed_.cells);
-  for (int slot = 0; slot < bodies.count; ++slot) scene.cells.push_back(takeBody(bodies, slot));
-  const BulletResult result = runInBullet(request, options_.program);
-  auto& samples = series(std::string("bullet-") + name(baseline), Stage::step, "").samples;
-  for (std::size_t i = 1; i < result.stepSeconds.size(); ++i)
-    samples.push_back(result.stepSeconds[i] / subject_.vertices());
+  // As they have settled: ours is stirred, so that it has to search for neighbours; Bullet does in every
+  // step.
+  scene.cells = settledBodies(packed_, options_.folder, options_.tell);
+  return {scene, shareRadius(packed_.cells), [program = options_.program](const BulletRequest& request) {
+            return runInBullet(request, program);
+          }};
+}
+
+void SceneBench::finish(const BulletSubject& subject, Baseline baseline,
+                        std::vector<MeasuredRow>& rows) const {
+  const std::vector<BulletTiming> timings = subject.timings();
+  if (timings.empty()) return;
+  BenchRow row = rowOf(std::string("bullet-") + name(baseline), Stage::step);
+  row.nsPerVertexStep = 1e9 * median(timings.front().samples);
+  row.spread = spread(timings.front().samples);
+  for (const BulletTiming& t : timings)
+    row.bulletSettings.push_back({t.margin, t.iterations, 1e9 * median(t.samples)});
+  rows.push_back({row, {}});
 }
 
 void SceneBench::round() {
@@ -125,8 +139,10 @@ void SceneBench::round() {
   if (needsSteps() && subject_.touching()) measureSearches();
   if (whole_ && wants(Stage::step) && options_.threads.size() > 1) measureThreads();
   if (whole_ && options_.bullet && wants(Stage::step) && packed_.cells <= options_.mostBulletCells) {
-    measureBullet(Baseline::b1);
-    measureBullet(Baseline::b2);
+    if (bullets_.empty())
+      for (const Baseline baseline : {Baseline::b1, Baseline::b2})
+        bullets_.emplace_back(baseline, bulletSubject(baseline));
+    for (auto& [baseline, bullet] : bullets_) bullet.round();
   }
   // Rebuilds are counted on the way, and the state must move on for the next round.
   if (needsSteps()) measureSteps();
@@ -193,6 +209,7 @@ void SceneBench::finish(const Series& s, std::vector<MeasuredRow>& rows) const {
 std::vector<MeasuredRow> SceneBench::rows() const {
   std::vector<MeasuredRow> rows;
   for (const Series& s : all_) finish(s, rows);
+  for (const auto& [baseline, bullet] : bullets_) finish(bullet, baseline, rows);
   return rows;
 }
 

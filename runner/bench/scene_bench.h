@@ -1,7 +1,7 @@
 #pragma once
 // All rows of one packed scene: which measurements it calls for, taken in turn, round after round.
-#include "baseline/bullet_scene.h"
 #include "bench/bench.h"
+#include "bench/bullet_subject.h"
 #include "bench/subject.h"
 #include "bench/work.h"
 
@@ -36,11 +36,13 @@ class SceneBench {
   void measureSearches();
   void measureSteps();
   void measureThreads();
-  void measureBullet(Baseline baseline);
+  BenchRow rowOf(const std::string& engine, Stage stage) const;
+  BulletSubject bulletSubject(Baseline baseline) const;
   double pairsPerVertex() const;
   double rebuildsPerStep() const;
   Work workOf(Stage stage) const;
   void finish(const Series& series, std::vector<MeasuredRow>& rows) const;
+  void finish(const BulletSubject& subject, Baseline baseline, std::vector<MeasuredRow>& rows) const;
 
   const BenchOptions& options_;
   PackedScene packed_;
@@ -50,6 +52,7 @@ class SceneBench {
   Subject subject_;
   int steps_;  // of a round
   std::vector<Series> all_;
+  std::vector<std::pair<Baseline, BulletSubject>> bullets_;
 };
 
 }  // namespace morula

@@ -63,6 +63,15 @@ std::string labelOf(const BenchRow& row) {
   return row.search.empty() ? label : label + ", " + row.search;
 }
 
+/// What Bullet was at its best with, and what its other settings took.
+std::string settings(const BenchRow& row) {
+  if (row.bulletSettings.empty()) return "";
+  const BulletSettingRow &best = row.bulletSettings.front(), &worst = row.bulletSettings.back();
+  return fmt::format("   margin {:g}, {} iteration{}; {:.0f} to {:.0f} over {} settings", best.margin,
+                     best.iterations, best.iterations == 1 ? "" : "s", best.nsPerVertexStep,
+                     worst.nsPerVertexStep, row.bulletSettings.size());
+}
+
 std::string heading(const BenchRow& row, const Rows& rows) {
   std::string text = fmt::format("\n{} scene, {} cells of {} vertices", row.scene, row.cells, row.vertices);
   for (const BenchRow* r : rows)
@@ -81,9 +90,9 @@ std::string scene(const Rows& rows, const std::vector<std::string>& isas) {
   for (const BenchRow* row : rows) {
     const std::string label = labelOf(*row);
     if (row->engine != "morula") {
-      text += fmt::format("  {:<22}{:>10.2f}\n",
+      text += fmt::format("  {:<22}{:>10.2f}{}\n",
                           row->engine == "scalar" ? "internal, ordinary code" : row->engine,
-                          row->nsPerVertexStep);
+                          row->nsPerVertexStep, settings(*row));
       continue;
     }
     if (std::find(done.begin(), done.end(), label) != done.end()) continue;

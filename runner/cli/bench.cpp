@@ -103,6 +103,22 @@ BenchOptions meant(const BenchWords& words) {
   return options;
 }
 
+/// Null of rows that are not Bullet's.
+Json bulletJson(const BenchRow& row) {
+  if (row.bulletSettings.empty()) return {};
+  const auto one = [](const BulletSettingRow& s) {
+    return Json{{"margin", s.margin},
+                {"iterations", s.iterations},
+                {"ns_per_vertex_step", s.nsPerVertexStep}};
+  };
+  Json all = Json::array();
+  for (const auto& s : row.bulletSettings) all.push_back(one(s));
+  return {{"best", one(row.bulletSettings.front())},
+          {"lowest", row.bulletSettings.front().nsPerVertexStep},
+          {"highest", row.bulletSettings.back().nsPerVertexStep},
+          {"tried", all}};
+}
+
 Json toJson(const BenchRow& row) {
   return {{"scene", row.scene},
           {"engine", row.engine},
@@ -122,7 +138,8 @@ Json toJson(const BenchRow& row) {
           {"share_with_roots", orNull(row.shareWithRoots)},
           {"ns_per_vertex_search", orNull(row.nsPerVertexSearch)},
           {"pairs_per_vertex_step", orNull(row.pairsPerVertexStep)},
-          {"rebuilds_per_step", orNull(row.rebuildsPerStep)}};
+          {"rebuilds_per_step", orNull(row.rebuildsPerStep)},
+          {"bullet", bulletJson(row)}};
 }
 
 Json toJson(const MachineLimits& limits) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "baseline/bullet_scene.h"
 #include "catch.h"
 #include "cli/exit_codes.h"
 
@@ -83,6 +84,23 @@ TEST_CASE("A table has a row for each scenario and a column for each engine; bar
   REQUIRE(json.size() == 2);
   CHECK(json[0]["engine"] == "morula");
   CHECK(json[1]["verdict"] == "not-asked");
+}
+
+TEST_CASE("Whatever goes wrong with a question ends that question alone") {
+  // A file that is not UTF-8 cannot be put into a question: an error of a kind that nobody expected here
+  // ended the program from a worker's thread.
+  Scenario scenario =
+      readScenario("morula: 1\nname: odd\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nphysics: {}\n",
+                   "odd.yaml", ".");
+  scenario.files.push_back({"dna", "odd.dna", "\xff"});
+  if (!bulletIsAvailable()) return;
+  const auto rows = lookBeside({scenario, scenario}, {{}, {}}, {{Engine::b1, Engine::b2}, 1, true});
+  REQUIRE(rows.size() == 2);
+  for (const BesideRow& row : rows)
+    for (const std::size_t engine : {1, 2}) {
+      CHECK(row.verdicts[engine].kind == Verdict::Kind::noAnswer);
+      CHECK_THAT(row.verdicts[engine].text, ContainsSubstring("no answer: ") && ContainsSubstring("UTF-8"));
+    }
 }
 
 TEST_CASE("The table of the hard cases has a row for every one of them, and no empty cell") {

@@ -1,0 +1,45 @@
+#pragma once
+// A packed scene in Bullet under measurement, with all settings that Bullet leaves to its users.
+#include <functional>
+#include <vector>
+
+#include "baseline/bullet_scene.h"
+
+namespace morula {
+
+/// One of Bullet's settings and what it took.
+struct BulletTiming {
+  double margin = 0;                 // [share radii] of each surface
+  int iterations = 1;                // of the position solver
+  std::vector<double> samples = {};  // [s] per vertex and step; none: the cells did not stay whole
+};
+
+class BulletSubject {
+ public:
+  /// [runInBullet]
+  using Run = std::function<BulletResult(const BulletRequest&)>;
+
+  /// `scene`: the packed cells at rest in our engine. `shareRadius`: what margins are multiples of.
+  BulletSubject(const BulletScene& scene, double shareRadius, Run run);
+
+  /// The first call lets the packing come to rest in Bullet's own contact, once for each margin, and times
+  /// every setting. Later ones time those that were the fastest.
+  void round();
+
+  /// Of all settings whose cells stayed whole, by their medians, the fastest first.
+  std::vector<BulletTiming> timings() const;
+
+ private:
+  BulletResult ask(double margin, int iterations, const std::vector<Body>& start, int steps) const;
+  void settle();
+  void time(BulletTiming& timing);
+  double vertices() const;
+
+  BulletScene scene_;
+  double shareRadius_;
+  Run run_;
+  std::vector<std::vector<Body>> settled_;  // for each margin
+  std::vector<BulletTiming> timings_;
+};
+
+}  // namespace morula

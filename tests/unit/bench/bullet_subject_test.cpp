@@ -1,0 +1,84 @@
+// What Bullet is timed with, and when, by a Bullet that only keeps count.
+#include "bench/bullet_subject.h"
+
+#include <limits>
+#include <set>
+
+#include "catch.h"
+
+using namespace morula;
+
+namespace {
+
+BulletScene twoCells() {
+  BulletScene scene;
+  scene.mesh = makeIcosphere(0);
+  Body cell{scene.mesh.vertices, std::vector<Vector>(12), 1, 1, 1};
+  scene.cells = {cell, cell};
+  scene.physics.integrator = Integrator::thesisVerlet;
+  return scene;
+}
+
+/// Takes a second for the first step, and then so much as margin and iterations are large. Marks cells by how
+/// many steps they have gone.
+struct Pretender {
+  std::vector<BulletRequest> heard = {};
+  double brokenMargin = -1;  // whose cells turn inside out
+
+  BulletResult operator()(const BulletRequest& request) {
+    heard.push_back(request);
+    BulletResult result{request.scene.cells, std::vector<double>(std::size_t(request.steps), 1.0)};
+    for (std::size_t i = 3; i < result.stepSeconds.size(); ++i)
+      result.stepSeconds[i] = 24 * (request.scene.margin + 0.001 * request.scene.iterations);
+    for (Body& cell : result.cells) {
+      cell.mass += request.steps;
+      if (request.scene.margin == brokenMargin)
+        for (Point& x : cell.position) x = -1 * x;
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Bullet settles before it is timed, in all its settings, and the fastest come first") {
+  Pretender bullet;
+  BulletSubject subject(twoCells(), 2, std::ref(bullet));
+  subject.round();
+  REQUIRE(bullet.heard.size() == 3 + 12);
+  std::set<std::pair<double, int>> settings;
+  for (std::size_t i = 0; i < bullet.heard.size(); ++i) {
+    const BulletRequest& request = bullet.heard[i];
+    CHECK(request.scene.physics.integrator == Integrator::velocityVerlet);
+    if (i < 3) {
+      CHECK(request.steps == 40);
+      CHECK(request.scene.cells[0].mass == 1);
+      continue;
+    }
+    CHECK(request.scene.cells[0].mass == 1 + 40);  // from where it has settled
+    settings.emplace(request.scene.margin, request.scene.iterations);
+  }
+  CHECK(settings.size() == 12);
+  CHECK(settings.contains({2 * 0.005, 1}));
+  CHECK(settings.contains({2 * 0.02, 4}));
+
+  const auto timings = subject.timings();
+  REQUIRE(timings.size() == 12);
+  CHECK((timings[0].margin == 0.005 && timings[0].iterations == 1));
+  CHECK((timings[11].margin == 0.02 && timings[11].iterations == 4));
+  for (const double s : timings[0].samples) CHECK(s == Approx(2 * 0.005 + 0.001));  // without the first steps
+
+  subject.round();
+  REQUIRE(bullet.heard.size() == 15 + 3);  // only what was the fastest
+  for (std::size_t i = 15; i < 18; ++i) CHECK(bullet.heard[i].scene.margin == 2 * 0.005);
+  CHECK(subject.timings()[0].samples.size() == 2 * timings[0].samples.size());
+}
+
+TEST_CASE("A setting with which cells do not stay whole is no measure of Bullet") {
+  Pretender bullet{.brokenMargin = 2 * 0.005};
+  BulletSubject subject(twoCells(), 2, std::ref(bullet));
+  subject.round();
+  const auto timings = subject.timings();
+  REQUIRE(timings.size() == 8);
+  CHECK((timings[0].margin == 0.01 && timings[0].iterations == 1));
+}
