@@ -23,7 +23,7 @@ BulletScene twoCells() {
 /// many steps they have gone.
 struct Pretender {
   std::vector<BulletRequest> heard = {};
-  double brokenMargin = -1;  // whose cells turn inside out
+  double brokenMargin = -1;  // whose cells are crushed
 
   BulletResult operator()(const BulletRequest& request) {
     heard.push_back(request);
@@ -33,7 +33,7 @@ struct Pretender {
     for (Body& cell : result.cells) {
       cell.mass += request.steps;
       if (request.scene.margin == brokenMargin)
-        for (Point& x : cell.position) x = -1 * x;
+        for (Point& x : cell.position) x = 0.1 * x;
     }
     return result;
   }

@@ -3,8 +3,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
+#include <mutex>
 #include <sstream>
+#include <thread>
 
 #include "baseline/bullet_scene.h"
 #include "catch.h"
@@ -101,6 +104,58 @@ TEST_CASE("Whatever goes wrong with a question ends that question alone") {
       CHECK(row.verdicts[engine].kind == Verdict::Kind::noAnswer);
       CHECK_THAT(row.verdicts[engine].text, ContainsSubstring("no answer: ") && ContainsSubstring("UTF-8"));
     }
+}
+
+namespace {
+
+/// Stands in for stderr, and takes its time, so that others may write in between.
+class SlowConsole : public std::streambuf {
+ public:
+  SlowConsole() : before_(std::cerr.rdbuf(this)) {}
+  ~SlowConsole() override { std::cerr.rdbuf(before_); }
+  std::string text() const { return text_; }
+
+ protected:
+  std::streamsize xsputn(const char* from, std::streamsize n) override {
+    {
+      const std::lock_guard<std::mutex> alone(mutex_);
+      text_.append(from, static_cast<std::size_t>(n));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return n;
+  }
+  int overflow(int c) override {
+    const char letter = static_cast<char>(c);
+    return xsputn(&letter, 1) == 1 ? c : EOF;
+  }
+
+ private:
+  std::streambuf* before_;
+  std::mutex mutex_;
+  std::string text_;
+};
+
+}  // namespace
+
+TEST_CASE("What several workers tell at a time stays in lines") {
+  // Text and line end were written one after the other, so that lines ran into each other.
+  const Scenario scenario = readScenario(
+      "morula: 1\nname: genes\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1}\n", "genes.yaml", ".");
+  std::string told;
+  {
+    const SlowConsole console;
+    lookBeside(std::vector<Scenario>(20, scenario), std::vector<Verdict>(20),
+               {{Engine::thesis, Engine::b1}, 1, false});
+    told = console.text();
+  }
+  std::istringstream lines(told);
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    CAPTURE(line);
+    CHECK(line.ends_with(": cannot be asked: cells without bodies"));
+    CHECK(line.find("cannot be asked") == line.rfind("cannot be asked"));
+  }
+  CHECK(count == 40);
 }
 
 TEST_CASE("The table of the hard cases has a row for every one of them, and no empty cell") {
