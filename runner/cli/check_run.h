@@ -20,6 +20,10 @@ std::filesystem::path goldenFile(const Scenario& scenario);
 CheckReport check(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
                   bool needsGolden);
 
+/// All checks that the run alone decides: of a run that failed, whether it had to.
+std::vector<CheckResult> checkWithoutGolden(const Scenario& scenario, const Simulation& run,
+                                            const Invariants& invariants);
+
 /// What must hold whatever the golden file says.
 std::vector<CheckResult> checkInvariants(const Scenario& scenario, const Simulation& run,
                                          const Invariants& invariants);

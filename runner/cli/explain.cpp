@@ -76,7 +76,8 @@ void compareWithStored(const Scenario& scenario, const ExplainOptions& options, 
   const auto chain = store.chain(stored.id);
   if (chain.empty())
     throw InputError(options.database + ": run " + stored.id +
-                     " has no hashes; store one with hashes (a scenario with a golden, or with `check: {}`)");
+                     " kept no chain: no hashes of the states on the way; run the scenario again with a golden file or "
+                     "with `check: {}` in it, and without --no-check, --set and --seed");
   std::uint64_t step = 0;
   if (const auto broken = findBrokenLink(chain, step); !broken.empty()) {
     f.failureClass = f.where.failureClass = "INPUT_CHANGED";

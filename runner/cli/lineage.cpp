@@ -23,13 +23,14 @@ struct LineageOptions {
 
 struct Tree {
   std::string scenario;
+  double end = 0;      // [time] of the run
   RunResults results;  // only the lineage and the states' texts
 };
 
 Tree stored(const LineageOptions& options) {
   auto store = Store::openForReading(options.file);
   const auto run = store.find(options.run);
-  return {run.record.scenario, store.lineage(run.id)};
+  return {run.record.scenario, run.time, store.lineage(run.id)};
 }
 
 /// What the genes alone prescribe: without bodies a thousand cells take a moment.
@@ -38,7 +39,7 @@ Tree prescribed(const LineageOptions& options) {
   scenario.scene.mechanics.reset();
   Progress progress(scenario.scene.name, options.output.quiet);
   auto run = simulate(makeScenarioWorld(scenario, {}), {}, progress);
-  return {scenario.scene.name, std::move(run.results)};
+  return {scenario.scene.name, run.end.time, std::move(run.results)};
 }
 
 std::string line(const LineageEntry& cell, const std::string& states) {
@@ -64,11 +65,11 @@ int act(const LineageOptions& options) {
     list.push_back({{"path", cell.path.text()},
                     {"parent", cell.path.isEgg() ? Json() : Json(cell.path.mother().text())},
                     {"born", cell.born},
-                    {"ended", cell.fate == Fate::alive ? Json() : Json(cell.ended)},
+                    {"ended", cell.fate == Fate::alive ? tree.end : cell.ended},  // alive: the run's end
                     {"fate", name(cell.fate)},
                     {"state", state}});
   }
-  if (options.output.json) printJson({{"scenario", tree.scenario}, {"cells", list}});
+  if (options.output.json) printJson({{"scenario", tree.scenario}, {"time", tree.end}, {"cells", list}});
   return fine;
 }
 

@@ -33,8 +33,11 @@ RunRecord recordOf(const Scenario& scenario, const RunSettings& settings) {
   return record;
 }
 
-bool willBeChecked(const Scenario& scenario, const RunSettings& settings) {
-  return settings.check && !settings.changed && std::filesystem::exists(goldenFile(scenario));
+/// Hashes of the states on the way are stored only of a run that is checked: `explain --db` looks for the
+/// first difference in them.
+bool keepsHashes(const Scenario& scenario, const RunSettings& settings) {
+  return settings.check && !settings.changed &&
+         wantsHashes(scenario, std::filesystem::exists(goldenFile(scenario)));
 }
 
 void checkOutcome(const Scenario& scenario, const RunSettings& settings, const Simulation& run,
@@ -89,7 +92,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   auto store = Store::openForWriting(settings.database);
 
   const auto record = recordOf(scenario, settings);
-  Recorder recorder(recordingOf(scenario, wantsHashes(scenario, willBeChecked(scenario, settings))));
+  Recorder recorder(recordingOf(scenario, keepsHashes(scenario, settings)));
   FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
   RunOutcome outcome;
   if (settings.resume) outcome.resumedAt = resumeRun(store, record, world, recorder, frames, settings.quiet);

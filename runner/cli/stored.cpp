@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "cli/exit_codes.h"
-#include "store/store.h"
 
 namespace morula::cli {
 
@@ -15,9 +14,20 @@ bool isDatabase(const std::string& file) {
   return head == magic;
 }
 
+void requireWholeRecord(Store& store, const StoredRun& run) {
+  const auto changed = store.changedRecord(run.id);
+  if (changed.empty()) return;
+  const ValueDifference& first = changed.front();
+  throw FileError("'" + store.file().string() + "': the record of run " + run.id +
+                  " was changed since it was stored: " + first.table + ", " + first.row + ": " +
+                  (first.column.empty() ? "the row" : first.column) + " is " + first.stored + ", but " +
+                  first.recomputed + " follows from what is stored; restore the file from a copy, or run the scenario again");
+}
+
 Scenario storedScenario(const std::string& database, const std::string& run) {
   auto store = Store::openForReading(database);
   const auto stored = store.find(run);
+  requireWholeRecord(store, stored);
   std::string resolved;
   std::vector<NamedFile> files;
   for (const auto& document : store.documents(stored.id)) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "scenario/scenario.h"
+#include "store/store.h"
 
 namespace morula::cli {
 
@@ -12,6 +13,10 @@ bool isDatabase(const std::string& file);
 /// The scenario of a stored run, as it was run. `run`: its id or the beginning of it; "": the only or latest
 /// one.
 Scenario storedScenario(const std::string& database, const std::string& run);
+
+/// Throws FileError if the record of the run was changed since it was stored (Store::changedRecord): whatever
+/// is made of it would be of another run.
+void requireWholeRecord(Store& store, const StoredRun& run);
 
 /// A scenario file, or the scenario of a stored run.
 Scenario anyScenario(const std::string& file, const std::string& run);

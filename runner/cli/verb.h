@@ -12,7 +12,7 @@ class Verb {
  public:
   Verb(CLI::App& program, Action& chosen, const std::string& name, const std::string& purpose);
 
-  /// What must be given: a word, or one and more.
+  /// What must be given: a word, or one and more. No word may be empty.
   void needs(const std::string& name, std::string& word, const std::string& type, const std::string& help);
   void needs(const std::string& name, std::vector<std::string>& words, const std::string& type,
              const std::string& help);

@@ -32,7 +32,8 @@ std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask);
 /// which step two runs part; a hash costs about as much as a step. A lineage is hashed at every step.
 constexpr std::uint64_t stepsPerHash = 64;
 
-/// Whether the states on the way are hashed: to be held against a golden file, or as `check` asks.
+/// Whether the states on the way are hashed where the run is checked: to be held against a golden file, or as
+/// `check` asks.
 bool wantsHashes(const Scenario& scenario, bool hasGolden);
 
 }  // namespace morula

@@ -53,9 +53,9 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   // what was left half done. SQLite opens a write-protected file for reading
   // by itself. A connection belongs to one thread, so it needs no mutex.
   const int flags =
-      SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::create ? SQLITE_OPEN_CREATE : 0);
+      SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);
   sqlite3* db = nullptr;
-  const int code = sqlite3_open_v2(file_.string().c_str(), &db, flags, nullptr);
+  const int code = sqlite3_open_v2(mode == Mode::temporary ? "" : file_.string().c_str(), &db, flags, nullptr);
   db_.reset(db);
   if (code != SQLITE_OK) fail(code, "open the database");
   sqlite3_extended_result_codes(db, 1);

@@ -17,10 +17,11 @@ namespace morula {
 
 class Database {
  public:
-  enum class Mode { create, existing };
+  enum class Mode { create, existing, temporary };
 
   /// Opens a file (Mode::create: makes it if it is not there) and checks that SQLite can read it. Waits
-  /// `patience` for other writers, now and later.
+  /// `patience` for other writers, now and later. Mode::temporary: a database of its own, in memory and on
+  /// the disk where it is large, which is gone with the connection; `file` only names it in messages.
   Database(std::filesystem::path file, Mode mode, std::chrono::milliseconds patience);
 
   /// Runs statements that take no values and give no rows.

@@ -51,6 +51,13 @@ Store Store::openForWriting(const std::filesystem::path& file, Options options) 
   return Store(std::move(db));
 }
 
+Store Store::temporary() {
+  Database db("the temporary database", Database::Mode::temporary, std::chrono::seconds(1));
+  migrate(db);
+  configure(db);
+  return Store(std::move(db));
+}
+
 Store Store::openForReading(const std::filesystem::path& file, Options options) {
   Database db(file, Database::Mode::existing, options.patience);
   requireCurrentSchema(db);

@@ -16,7 +16,9 @@
 #include <vector>
 
 #include "store/database.h"
+#include "store/contents.h"
 #include "store/records.h"
+#include "store/table_difference.h"
 
 namespace morula {
 
@@ -45,6 +47,9 @@ class Store {
   static Store openForWriting(const std::filesystem::path& file, Options options = {});
   /// Opens a file that is there, to read from it.
   static Store openForReading(const std::filesystem::path& file, Options options = {});
+
+  /// A database of its own that is gone with the Store: for results that are only to be compared.
+  static Store temporary();
 
   /// Enters the run and returns its id. If the file has a finished run of that id, its row and results stay
   /// until `finish` has compared the two; unfinished or failed attempts are replaced now. A checkpoint of
@@ -89,6 +94,16 @@ class Store {
   std::vector<CheckResult> checks(const std::string& id);
   std::vector<ChainLink> chain(const std::string& id);
   std::vector<Document> documents(const std::string& id);
+
+  /// What was changed in the record of a run since it was made: documents that do not fit the hashes that
+  /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.
+  std::vector<ValueDifference> changedRecord(const std::string& id);
+  /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`, table by
+  /// table and value by value. Not those that come from elsewhere: what a golden file or Bullet says.
+  std::vector<TableDifference> compareResults(const std::string& id, Store& again,
+                                              const std::string& idAgain);
+  /// Which tables the file has, what they hold and why; `id`: rows of this run alone, "": of all.
+  std::vector<TableContents> contents(const std::string& id = {});
 
   /// Makes a file that holds this run alone. It must not be there yet.
   void copyRun(const std::string& id, const std::filesystem::path& file);

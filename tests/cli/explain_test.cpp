@@ -113,7 +113,7 @@ TEST_CASE("explain's bad questions") {
       0);
   const auto without = launch({"explain", scenario, "--db", folder / "run.db"});
   CHECK(without.code == 3);
-  CHECK_THAT(without.err, ContainsSubstring("has no hashes"));
+  CHECK_THAT(without.err, ContainsSubstring("kept no chain"));
 }
 
 TEST_CASE("what differs waits for a review, beside the program, and is rejected or accepted with a reason") {

@@ -1,0 +1,23 @@
+#pragma once
+// What a file of results consists of: per table its rows, its room on the disk, and why it is there.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace morula {
+
+class Database;
+
+struct TableContents {
+  std::string table;
+  std::uint64_t rows = 0;
+  std::uint64_t bytes = 0;
+  bool estimated =
+      false;        // bytes: by the length of the values, or by the share of the rows that were asked for
+  std::string why;  // who reads it, and when it is stored
+};
+
+/// All tables, in the order of the schema. `id`: rows of this run alone; "": of all runs. Throws StoreError.
+std::vector<TableContents> contentsOf(Database& db, const std::string& id);
+
+}  // namespace morula
