@@ -9,6 +9,7 @@
 #include "cli/signals.h"
 #include "explain/explain.h"
 #include "explain/growth.h"
+#include "golden/change.h"
 #include "golden/succession.h"
 
 namespace morula::cli {
@@ -86,11 +87,11 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
   AcceptedRun accepted{true, 0, {}};
   if (std::filesystem::exists(file)) {
     try {
-      const Golden old = readGoldenFile(file);
+      const Golden old = readAccepted(scenario, file);
       golden.rules = old.rules;
       if (old.data.scenarioHash == golden.data.scenarioHash) golden.error = old.error;
       golden.data = keepValuesWithinTolerance(std::move(golden.data), old);
-      accepted.text = describeSuccession(old, golden.data);
+      accepted.text = changeInWords(old.data, golden.data) + describeSuccession(old, golden.data);
     } catch (const InputError& e) {  // damaged, or of an older version: there is nothing to keep of it
       accepted.text = std::string(e.what()) + "\nnothing is kept of the old golden\n";
     }

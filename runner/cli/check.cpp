@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <memory>
 
 #include "base/error.h"
@@ -67,6 +68,23 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
   return report;
 }
 
+/// By what name each scenario's results are reported: "thesis/unique-four" for …/scenarios/thesis/…, the path
+/// as it was given for a file that lies elsewhere, or whose name another one has, too.
+std::vector<std::string> reportNames(const std::vector<Scenario>& scenarios) {
+  std::map<std::string, int> count;
+  for (const auto& s : scenarios) ++count[goldenName(s.file)];
+  std::vector<std::string> names;
+  for (const auto& s : scenarios) {
+    const std::string name = goldenName(s.file);
+    const bool elsewhere = !liesInScenarios(s.file);
+    names.push_back(
+        elsewhere || count[name] > 1
+            ? std::filesystem::path(s.file).lexically_normal().replace_extension().generic_string()
+            : name);
+  }
+  return names;
+}
+
 bool hasUnusableGolden(const CheckReport& report) {
   return std::any_of(report.results.begin(), report.results.end(), [](const CheckResult& r) {
     return r.check == "golden" && r.failureClass == "INPUT_CHANGED";
@@ -120,9 +138,12 @@ int act(const CheckOptions& options) {
   std::vector<CheckReport> reports;
   std::vector<Verdict> own;
   int code = fine;
-  for (const auto& scenario : scenarios) {
+  const auto names = reportNames(scenarios);
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    const Scenario& scenario = scenarios[i];
     int signal = 0;
-    const CheckReport report = checkOne(scenario, how, options.output.quiet, signal);
+    CheckReport report = checkOne(scenario, how, options.output.quiet, signal);
+    report.scenario = names[i];
     if (signal) return signalled + signal;
     if (hasUnusableGolden(report)) code = input;
     else if (!report.passed() && code == fine) code = differs;

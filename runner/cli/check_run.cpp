@@ -1,9 +1,12 @@
 #include "cli/check_run.h"
 
+#include "base/error.h"
+#include "cli/git_text.h"
 #include "cli/pictures.h"
 #include "golden/accept.h"
 #include "golden/observe.h"
 #include "render/renderer_name.h"
+#include "scenario/deciding_values.h"
 #include "scenario/numbers.h"
 #include "simulation/measures.h"
 
@@ -48,14 +51,30 @@ CheckResult goldenMissing(const std::filesystem::path& file) {
 
 }  // namespace
 
-GoldenData observe(const Scenario& scenario, const Simulation& run) {
+GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture) {
   GoldenContext context{goldenName(scenario.file), scenario.meaning.text(), {}, {}, {}};
   for (const auto& sample : run.results.samples) context.samples.push_back(sample.world);
   context.chain = run.results.chain;
-  if (run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
+  if (withPicture && run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
     context.images.push_back(
         {"organism", rendererName(), hashOf(drawOrganism(pictureOf(run.world, scenario)))});
-  return observeGolden(run.world, context);
+  GoldenData data = observeGolden(run.world, context);
+  data.parameters = decidingValues(scenario);
+  return data;
+}
+
+Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file) {
+  Golden golden = readGoldenFile(file);
+  if (!golden.data.parameters.empty() || golden.data.scenarioHash == scenario.meaning.text()) return golden;
+  const auto committed = committedText(scenario.file);
+  if (!committed) return golden;
+  try {
+    const auto before =
+        readScenario(*committed, scenario.file, std::filesystem::path(scenario.file).parent_path());
+    if (before.meaning.text() == golden.data.scenarioHash) golden.data.parameters = decidingValues(before);
+  } catch (const InputError&) {  // of another version of the format: then it cannot tell
+  }
+  return golden;
 }
 
 std::filesystem::path goldenFile(const Scenario& scenario) { return goldenPath(scenario.file); }
@@ -65,9 +84,11 @@ CheckReport check(const Scenario& scenario, const Simulation& run, const Invaria
   if (!scenario.check.fails.empty()) return checkStop(scenario, "");
   CheckReport report{goldenName(scenario.file), {}};
   const auto file = goldenFile(scenario);
-  if (std::filesystem::exists(file))
-    report = compareGoldenText(readGoldenText(file), file.string(), observe(scenario, run));
-  else if (needsGolden) report.results.push_back(goldenMissing(file));
+  if (std::filesystem::exists(file)) {
+    try {
+      report = compareGolden(readAccepted(scenario, file), observe(scenario, run));
+    } catch (const InputError& unusable) { report = unusableGolden(report.scenario, unusable.what()); }
+  } else if (needsGolden) report.results.push_back(goldenMissing(file));
   for (auto& result : checkInvariants(scenario, run, invariants)) report.results.push_back(std::move(result));
   return report;
 }

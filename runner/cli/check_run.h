@@ -10,7 +10,11 @@
 namespace morula::cli {
 
 /// What the run's golden would say.
-GoldenData observe(const Scenario& scenario, const Simulation& run);
+GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture = true);
+
+/// The golden that lies there. Of one that does not record what decided it, and that the scenario does not
+/// fit any more, the committed scenario tells it, if that one fits. Throws InputError.
+Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file);
 
 /// The golden's file for the scenario; the path may not exist.
 std::filesystem::path goldenFile(const Scenario& scenario);

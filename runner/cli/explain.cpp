@@ -8,15 +8,18 @@
 #include "cli/check_run.h"
 #include "cli/console.h"
 #include "cli/exit_codes.h"
-#include "cli/git_text.h"
 #include "cli/options.h"
 #include "cli/scenario_run.h"
 #include "cli/signals.h"
+#include "cli/stored.h"
 #include "cli/verb.h"
 #include "explain/program_run.h"
 #include "explain/stored_run.h"
 #include "explain/text_difference.h"
 #include "golden/accept.h"
+#include "golden/change.h"
+#include "golden/facts.h"
+#include "scenario/deciding_values.h"
 #include "store/store.h"
 
 namespace morula::cli {
@@ -34,6 +37,7 @@ struct ExplainOptions {
 struct Findings {
   std::string failureClass;  // "" if nothing differs
   Explanation where;
+  std::vector<KeyChange> changed;
   std::string text;  // for people
   std::vector<CheckResult> checks;
 };
@@ -50,29 +54,69 @@ void lookForNondeterminism(const Scenario& scenario, const Execution& how, std::
   f.text += (f.failureClass.empty() ? "two runs of this program: " : "") + f.where.text;
 }
 
-/// A scenario that has changed explains everything else.
-void lookAtInput(const Scenario& scenario, const std::string& reference, const std::string& whose,
-                 Findings& f) {
-  const std::string difference = differingLines(reference, scenario.resolved);
-  if (difference.empty()) return;
-  f.failureClass = "INPUT_CHANGED";
-  f.where.failureClass = f.failureClass;
-  f.text += "INPUT_CHANGED: the scenario is not " + whose +
-            " (-: theirs, +: here, all defaults filled in)\n" + difference;
-}
-
 std::string resolvedOf(const std::vector<Document>& documents) {
   for (const auto& d : documents)
     if (d.role == "resolved") return d.content;
   return {};
 }
 
+/// A stored run as a golden would tell it: what decided it, its lineage, and its cells where it was sampled
+/// last if that was its end.
+GoldenData dataOf(Store& store, const StoredRun& run, const Scenario& scenario) {
+  const RunResults results = store.results(run.id);
+  GoldenFacts facts;
+  facts.scenario = goldenName(scenario.file), facts.scenarioHash = run.record.scenarioHash;
+  facts.seed = run.record.seed, facts.steps = run.steps;
+  facts.lineage = results.lineage;
+  facts.describe = [&](StateId state) { return results.stateTexts.at(state); };
+  if (!results.samples.empty() && results.samples.back().world.step == run.steps) {
+    facts.mechanics = !results.samples.back().cells.empty();
+    facts.end = results.samples.back().world, facts.cells = results.samples.back().cells;
+  }
+  GoldenData data = makeGoldenData(facts);
+  data.parameters = decidingValues(scenario);
+  return data;
+}
+
+/// Runs the scenario to its end and tells how the result differs from `before`, in words.
+void tellChange(const Scenario& scenario, const GoldenData& before, const Execution& how, bool quiet,
+                Findings& f) {
+  Progress progress(scenario.scene.name, quiet);
+  const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, false), progress);
+  if (run.signal) throw Interrupted{run.signal};
+  const GoldenData now = observe(scenario, run, false);
+  f.changed = changedKeys(before, now);
+  f.text += changeInWords(before, now);
+  if (run.end.status != RunStatus::done)
+    f.text += "  the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
+}
+
+/// A scenario that has changed explains everything else.
+bool lookAtInput(const Scenario& scenario, const StoredRun& stored, Findings& f) {
+  if (stored.record.scenarioHash == scenario.meaning.text()) return false;
+  f.failureClass = f.where.failureClass = "INPUT_CHANGED";
+  f.text += "INPUT_CHANGED: the scenario is not that of run " + stored.id + "\n";
+  return true;
+}
+
 void compareWithStored(const Scenario& scenario, const ExplainOptions& options, const Execution& how,
                        Findings& f) {
   auto store = Store::openForReading(options.database);
   const StoredRun stored = store.find(options.run);
-  lookAtInput(scenario, resolvedOf(store.documents(stored.id)), "that of run " + stored.id, f);
-  if (!f.failureClass.empty()) return;
+  requireWholeRecord(store, stored);
+  const bool otherInput = lookAtInput(scenario, stored, f);
+  std::optional<GoldenData> before;
+  try {
+    before = dataOf(store, stored, storedScenario(options.database, stored.id));
+  } catch (const InputError&) {  // stored by a Morula with other keys: the lines still tell
+    if (otherInput)
+      f.text += "(-: theirs, +: here, all defaults filled in)\n" +
+                differingLines(resolvedOf(store.documents(stored.id)), scenario.resolved);
+  }
+  if (otherInput) {
+    if (before) tellChange(scenario, *before, how, options.output.quiet, f);
+    return;
+  }
   const auto chain = store.chain(stored.id);
   if (chain.empty())
     throw InputError(options.database + ": run " + stored.id +
@@ -89,6 +133,7 @@ void compareWithStored(const Scenario& scenario, const ExplainOptions& options, 
   OwnRun actual = scenarioRun(scenario, how);
   f.where = explain(expected, actual, chain.size() > 1 ? chain[1].step - chain[0].step : 1);
   f.failureClass = f.where.failureClass;
+  if (!f.failureClass.empty() && before) tellChange(scenario, *before, how, options.output.quiet, f);
   f.text += f.where.text;
 }
 
@@ -99,6 +144,13 @@ void compareWithProgram(const Scenario& scenario, const ExplainOptions& options,
   f.where = explain(expected, actual, strideOf(options));
   f.failureClass = f.where.failureClass;
   f.text += f.where.text;
+}
+
+/// Of a golden that cannot be read there is nothing to tell.
+std::vector<KeyChange> changedFrom(const Scenario& scenario, const Simulation& run) {
+  try {
+    return changedKeys(readAccepted(scenario, goldenFile(scenario)).data, observe(scenario, run, false));
+  } catch (const InputError&) { return {}; }
 }
 
 void compareWithGolden(const Scenario& scenario, const Execution& how, bool quiet, Findings& f) {
@@ -120,6 +172,8 @@ void compareWithGolden(const Scenario& scenario, const Execution& how, bool quie
   }
   const CheckReport report = check(scenario, run, invariants, true);
   f.checks = report.results;
+  if (std::filesystem::exists(goldenFile(scenario)) && !report.passed())
+    f.changed = changedFrom(scenario, run);
   f.text += describe(report);
   const CheckResult* first = nullptr;  // the one that begins earliest, of the class that explains the others
   for (const auto& r : report.results)
@@ -130,14 +184,7 @@ void compareWithGolden(const Scenario& scenario, const Execution& how, bool quie
   f.failureClass = first->failureClass;
   f.where.step = first->firstStep;
   f.where.cell = first->cell;
-  if (f.failureClass == "INPUT_CHANGED") {
-    if (const auto committed = committedText(scenario.file))
-      lookAtInput(
-          scenario,
-          readScenario(*committed, scenario.file, std::filesystem::path(scenario.file).parent_path(), {})
-              .resolved,
-          "the committed one", f);
-  } else {
+  if (f.failureClass != "INPUT_CHANGED") {
     f.text +=
         "A golden holds hashes, not states: for the first step, vertex and both values name what it was "
         "accepted "
@@ -147,7 +194,9 @@ void compareWithGolden(const Scenario& scenario, const Execution& how, bool quie
 
 Json toJson(const Scenario& scenario, const Findings& f) {
   const auto& d = f.where.difference;
-  Json checks = Json::array();
+  Json checks = Json::array(), changed = Json::array();
+  for (const KeyChange& c : f.changed)
+    changed.push_back({{"key", c.key}, {"expected", c.before}, {"actual", c.after}});
   for (const auto& r : f.checks)
     checks.push_back({{"check", r.check},
                       {"passed", r.passed},
@@ -164,6 +213,7 @@ Json toJson(const Scenario& scenario, const Findings& f) {
           {"component", d ? Json(d->component) : Json()},
           {"expected", d ? Json(d->expected) : Json()},
           {"actual", d ? Json(d->actual) : Json()},
+          {"changed", changed},
           {"text", f.text},
           {"checks", checks}};
 }

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "baseline/worker.h"
 #include "cli/console.h"
 #include "cli/pictures.h"
@@ -22,8 +23,12 @@ constexpr const char* extensions[] = {".golden", ".png", ".from"};
 /// …/build/release/pending for …/build/release/morula.
 fs::path pendingFolder() { return fs::path(ownProgram()).parent_path() / "pending"; }
 
+/// pending/thesis/unique-four-1a2b3c4d.golden: names are not unique (other folders, other checkouts), places
+/// are, so a hash of the place follows the name.
 fs::path fileOf(const Scenario& scenario, const char* extension) {
-  return pendingFolder() / (goldenName(scenario.file) + extension);
+  const std::string place = fs::absolute(scenario.file).lexically_normal().string();
+  return pendingFolder() /
+         (goldenName(scenario.file) + '-' + Hasher().add(place).digest().text().substr(0, 8) + extension);
 }
 
 void removeAll(fs::path file) {

@@ -1,7 +1,7 @@
 #pragma once
 // Results that differ from their goldens and wait for a review. They lie beside the program, never beside
-// sources: pending/<family>/<name>.golden, .png with the end, and .from with the scenario's file and the
-// build.
+// sources: pending/<family>/<name>-<hash of its place>.golden, .png with the end, and .from with the
+// scenario's file and the build.
 #include <filesystem>
 #include <optional>
 #include <vector>

@@ -77,7 +77,7 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
     text = goldenName(scenario.file) + ": there is no golden yet; " + std::to_string(observed.items.size()) +
            " items\n";
   } else {
-    const Golden golden = readGoldenFile(file);
+    const Golden golden = readAccepted(scenario, file);
     const CheckReport report = compareGolden(golden, observed);
     const std::string changes = describeSuccession(golden, observed), looser = describeLoosened(golden, file);
     if (!report.passed() || !looser.empty()) code = differs;

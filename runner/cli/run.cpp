@@ -1,5 +1,7 @@
 // morula run: simulate, store, check, draw.
+#include <map>
 #include <memory>
+#include <set>
 
 #include "cli/check_run.h"
 #include "cli/exit_codes.h"
@@ -25,6 +27,19 @@ struct Planned {
   RunSettings settings;
 };
 
+/// Eight digits over all values of a scenario.
+std::string digits(const Scenario& scenario) {
+  return Hasher().add(scenario.resolved).digest().text().substr(0, 8);
+}
+
+/// results/unique-four-20080617, name and seed. Eight digits follow where values were changed by --set, and
+/// where `twin`, another file of the same name, is run at the same time, so that each has a folder of its
+/// own.
+std::string folderName(const Scenario& scenario, const SceneOptions& scene, bool twin) {
+  const std::string name = scenario.scene.name + "-" + std::to_string(scenario.scene.seed);
+  return scene.set.empty() && !twin ? name : name + '-' + digits(scenario);
+}
+
 /// Everything that is to be run, read and checked before the first step of the first.
 std::vector<Planned> plan(const RunOptions& options) {
   if (!options.seeds.empty() && !options.scene.seed.empty())
@@ -45,9 +60,7 @@ std::vector<Planned> plan(const RunOptions& options) {
       auto scene = options.scene;
       scene.seed = seed;
       Planned run{loadScenario(file, overrides(scene)), {}};
-      const auto name = run.scenario.scene.name + "-" + std::to_string(run.scenario.scene.seed);
       run.settings = {.execution = execution(options.execution),
-                      .folder = std::filesystem::path(options.out) / name,
                       .database = options.database,
                       .changed = !scene.empty(),
                       .check = !options.noCheck,
@@ -55,9 +68,16 @@ std::vector<Planned> plan(const RunOptions& options) {
                       .quiet = options.output.quiet,
                       .checkpointEvery = checkpointEvery,
                       .resume = options.resume};
-      if (options.database.empty()) run.settings.database = run.settings.folder / "run.db";
       runs.push_back(std::move(run));
     }
+  }
+  std::map<std::string, std::set<std::string>> places;  // by name and seed
+  const auto key = [](const Scenario& s) { return s.scene.name + '-' + std::to_string(s.scene.seed); };
+  for (const Planned& run : runs) places[key(run.scenario)].insert(run.scenario.resolved);
+  for (Planned& run : runs) {
+    const bool twin = places[key(run.scenario)].size() > 1;
+    run.settings.folder = std::filesystem::path(options.out) / folderName(run.scenario, options.scene, twin);
+    if (options.database.empty()) run.settings.database = run.settings.folder / "run.db";
   }
   return runs;
 }

@@ -6,6 +6,7 @@
 #include "cli/bullet_picture.h"
 #include "cli/check_run.h"
 #include "cli/exit_codes.h"
+#include "cli/folder_lock.h"
 #include "cli/frame_file.h"
 #include "cli/pictures.h"
 #include "cli/resume.h"
@@ -62,6 +63,7 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
   if (!found.bullet) return;
   store.putBulletSamples(outcome.id, name(scenario.check.bullet->baseline), found.bullet->samples);
   if (!settings.draw) return;
+  const FolderLock lock(settings.folder);
   outcome.pictures.push_back((settings.folder / "bullet.png").string());
   writePng(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
 }
@@ -128,7 +130,11 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   if (outcome.checks) run.results.checks = outcome.checks->results;
   store.finish(outcome.id, run.end, run.results);
   outcome.ambiguous = ambiguousDivisions(run.world);
-  if (done && settings.draw) outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
+  if (done && settings.draw) {
+    // Runs of the same folder draw one after the other; the pictures that stay are those of the last one.
+    const FolderLock lock(settings.folder);
+    outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
+  }
   if (done) besideBullet(scenario, settings, run, store, outcome);
   outcome.exitCode = exitCodeOf(outcome, run.signal);
   return outcome;

@@ -77,6 +77,10 @@ std::string goldenName(const fs::path& scenario) {
   return (inside.empty() ? scenario.stem() : fs::path(inside).replace_extension()).generic_string();
 }
 
+bool liesInScenarios(const fs::path& scenario) {
+  return !below(fs::absolute(scenario).lexically_normal(), "scenarios").empty();
+}
+
 fs::path goldenPath(const fs::path& scenario) {
   fs::path inside = below(scenario, "scenarios");
   fs::path root = scenario;  // as it was given if it tells where it lies, absolute if not

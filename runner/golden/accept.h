@@ -24,6 +24,8 @@ void refuseWithinCi(const std::filesystem::path& file);
 /// "thesis/unique-four" for …/scenarios/thesis/unique-four.yaml: the path below the nearest folder
 /// `scenarios`, or the file's stem elsewhere.
 std::string goldenName(const std::filesystem::path& scenario);
+/// True for a scenario below a folder `scenarios`, whose name is its path from there.
+bool liesInScenarios(const std::filesystem::path& scenario);
 /// …/golden/thesis/unique-four.golden for …/scenarios/thesis/unique-four.yaml; unique-four.golden beside a
 /// scenario that lies elsewhere.
 std::filesystem::path goldenPath(const std::filesystem::path& scenario);

@@ -43,6 +43,7 @@ inline CheckResult failedCheck(const std::string& check, const std::string& fail
 struct CheckReport {
   std::string scenario;  // "thesis/unique-four"
   std::vector<CheckResult> results;
+  std::string change = {};  // for people: how the result differs from the golden, in words; "" if it does not
 
   bool passed() const {
     for (const CheckResult& r : results)

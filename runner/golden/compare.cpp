@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "golden/chain_cells.h"
+#include "golden/change.h"
 #include "golden/difference.h"
 #include "golden/number_text.h"
 
@@ -121,6 +122,8 @@ CheckResult compareScenario(const Golden& golden, const GoldenData& observed) {
            golden.file + ": " + field + ": expected '" + expected + "', actual '" + actual + "': " + what});
   };
   compare("scenario", golden.data.scenario, observed.scenario, "this is another scenario's golden");
+  for (const KeyChange& c : changedKeys(golden.data, observed))
+    compare(c.key.c_str(), c.before, c.after, "the scenario has changed since this golden was accepted");
   compare("scenario_hash", golden.data.scenarioHash, observed.scenarioHash,
           "the scenario has changed since this golden was accepted");
   compare("seed", std::to_string(golden.data.seed), std::to_string(observed.seed),
@@ -301,6 +304,7 @@ CheckReport compareGolden(const Golden& golden, const GoldenData& observed) {
   if (checks.contains("values") || !golden.rules.empty())
     compareValues(golden, checks["values"], report.results);
   classify(report.results);
+  if (!report.passed()) report.change = changeInWords(golden.data, observed);
   return report;
 }
 

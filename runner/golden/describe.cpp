@@ -37,6 +37,7 @@ std::string describe(const CheckReport& report) {
       report.scenario + ": " +
       (failed ? std::to_string(failed) + " of " + all + " checks differ" : "all " + all + " checks pass") +
       '\n';
+  text += report.change;
   for (const CheckResult& r : report.results) {
     text += (r.passed ? "  ok    " : "  FAIL  ") + oneLine(r) + '\n';
     for (std::size_t begin = 0; begin < r.message.size();) {

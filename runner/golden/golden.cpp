@@ -28,6 +28,7 @@ std::string digestOf(const Golden& golden) {
       .add(data.seed);
   for (const GoldenGrowth& g : golden.growth) hasher.add(g.size).add(g.step);
   if (golden.error) hasher.field("error").add(golden.error->size).add(golden.error->until);
+  for (const auto& [key, value] : data.parameters) hasher.field("parameter").add(key).add(value);
   for (const GoldenItem& item : data.items) hasher.add(write(item));
   return hasher.digest().text();
 }
@@ -100,12 +101,25 @@ void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
         "or accept the present result with `morula review --accept --why \"…\"`");
 }
 
-GoldenGrowth readGrowth(const Lines& lines, std::string_view line) {
+/// Sizes rise, steps do not fall: of lines in another order `horizonOf` would make another horizon.
+GoldenGrowth readGrowth(const Lines& lines, std::string_view line, const std::vector<GoldenGrowth>& before) {
   line.remove_prefix(std::string_view("growth ").size());
   const std::size_t space = std::min(line.find(' '), line.size());
   const auto size = readReal(line.substr(0, space));
   const auto step = readNatural(line.substr(std::min(space + 1, line.size())));
   if (!size || !(*size > 0) || !step) lines.fail("`growth SIZE STEP` is expected");
+  if (!(*size <= 1)) lines.fail("growth: the size " + writeReal(*size) + " is above 1 radius of the egg");
+  if (before.empty()) return {*size, *step};
+  const GoldenGrowth& last = before.back();
+  if (*size == last.size)
+    lines.fail("growth: the size " + writeReal(*size) + " stands twice; restore the file from git");
+  if (*size < last.size)
+    lines.fail("growth: the size " + writeReal(*size) + " stands after " + writeReal(last.size) +
+               "; sizes rise from line to line: restore the file from git");
+  if (*step < last.step)
+    lines.fail("growth: " + writeReal(*size) + " is reached at step " + std::to_string(*step) +
+               ", before the smaller " + writeReal(last.size) + " at step " + std::to_string(last.step) +
+               "; restore the file from git");
   return {*size, *step};
 }
 
@@ -117,6 +131,23 @@ GoldenError readError(const Lines& lines, std::string_view line) {
              time = readReal(line.substr(std::min(at + until.size(), line.size())));
   if (!size || !(*size >= 0) || !time || !(*time > 0)) lines.fail("`error SIZE until TIME` is expected");
   return {*size, *time};
+}
+
+std::pair<std::string, std::string> readParameter(const Lines& lines, std::string_view line) {
+  line.remove_prefix(std::string_view("parameter ").size());
+  const std::size_t space = std::min(line.find(' '), line.size());
+  if (space == 0 || space + 1 >= line.size()) lines.fail("`parameter KEY VALUE` is expected");
+  return {std::string(line.substr(0, space)), std::string(line.substr(space + 1))};
+}
+
+/// No growth later than the run's last step.
+void checkGrowth(const Lines& lines, const Golden& golden) {
+  if (golden.growth.empty()) return;
+  for (const GoldenItem& item : golden.data.items)
+    if (item.kind == "count" && item.key == "steps")
+      if (const auto steps = readNatural(item.fields[0]); steps && golden.growth.back().step > *steps)
+        lines.fail("growth: step " + std::to_string(golden.growth.back().step) +
+                   " is after the run's last, " + item.fields[0] + "; restore the file from git");
 }
 
 }  // namespace
@@ -148,6 +179,9 @@ std::string writeGolden(const Golden& golden) {
   if (golden.error)
     text += "\n# error size until: of these settings, by morula accuracy\nerror " +
             writeReal(golden.error->size) + " until " + writeReal(golden.error->until) + '\n';
+  if (!data.parameters.empty())
+    text += "\n# parameter key value: what decides the result, defaults filled in\n";
+  for (const auto& [key, value] : data.parameters) text += "parameter " + key + ' ' + value + '\n';
   std::string_view kind;
   for (const GoldenItem& item : data.items) {
     if (item.kind != kind) text += '\n' + heading(*findForm(item.kind));
@@ -178,6 +212,7 @@ Golden readGolden(const std::string& text, const std::string& file) {
   std::map<std::string, int> seen;  // "kind key" → its line
   while (lines.next(line)) {
     if (line.starts_with("end ")) {
+      checkGrowth(lines, golden);
       checkEnd(lines, line, golden);
       if (lines.next(line)) lines.fail("'" + std::string(line) + "' follows the end of the file; remove it");
       return golden;
@@ -188,7 +223,15 @@ Golden readGolden(const std::string& text, const std::string& file) {
       continue;
     }
     if (line.starts_with("growth ")) {
-      golden.growth.push_back(readGrowth(lines, line));
+      golden.growth.push_back(readGrowth(lines, line, golden.growth));
+      continue;
+    }
+    if (line.starts_with("parameter ")) {
+      data.parameters.push_back(readParameter(lines, line));
+      const std::string& key = data.parameters.back().first;
+      if (const auto [first, isNew] = seen.emplace("parameter " + key, lines.number()); !isNew)
+        lines.fail("parameter " + key + " stands twice, first in line " + std::to_string(first->second) +
+                   "; restore the file from git");
       continue;
     }
     if (line.starts_with("error ")) {

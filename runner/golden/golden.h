@@ -19,6 +19,8 @@ struct GoldenData {
   std::string scenarioHash;  // semantic: formatting and key order do not count
   std::uint64_t seed = 0;
   std::vector<GoldenItem> items;
+  // What decided the result, key and value, as scenario/deciding_values.h tells it; empty: not recorded
+  std::vector<std::pair<std::string, std::string>> parameters = {};
 };
 
 /// How fast runs of this scenario part: by which step one unit in the last place of one coordinate, moved at

@@ -85,9 +85,13 @@ void write(const Json& value, const std::string& indent, std::string& out) {
 
 Json resolve(const Scenario& scenario) { return resolveSection(*parameterTable().section(""), scenario); }
 
+Json resolveMeaning(const Scenario& scenario) {
+  return meaningOf(*parameterTable().section(""), scenario, allDefaults());
+}
+
 Hash hashMeaning(const Scenario& scenario) {
   Hasher hasher;
-  hash(meaningOf(*parameterTable().section(""), scenario, allDefaults()), hasher);
+  hash(resolveMeaning(scenario), hasher);
   if (scenario.scene.mechanics) {
     const auto& mesh = scenario.scene.mechanics->mesh;
     hasher.field("mesh").add(std::uint64_t{mesh.vertices.size()});

@@ -8,6 +8,9 @@ namespace morula::scenario {
 /// same again.
 Json resolve(const Scenario& scenario);
 
+/// Every parameter that decides results, as `hashMeaning` takes them.
+Json resolveMeaning(const Scenario& scenario);
+
 /// The hash of all that decides results, the mesh's vertices among it.
 Hash hashMeaning(const Scenario& scenario);
 

@@ -35,9 +35,10 @@ bool isLeftOut(const std::string& table) {
 std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
 std::vector<std::string> tablesOfRuns(Database& db) {
-  Statement s(db,
-              "SELECT name FROM sqlite_schema WHERE type = 'table' AND EXISTS (SELECT 1 FROM "
-              "pragma_table_info(sqlite_schema.name) WHERE name = 'run_id') ORDER BY rowid");
+  Statement s(
+      db,
+      "SELECT s.name FROM sqlite_schema s, pragma_table_info(s.name) c WHERE s.type = 'table' AND c.name "
+      "= 'run_id' ORDER BY s.rowid");
   std::vector<std::string> tables;
   while (s.next()) tables.push_back(s.text(0));
   std::erase_if(tables, isLeftOut);

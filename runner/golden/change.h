@@ -1,0 +1,23 @@
+#pragma once
+// How one result differs from another, in words: what was changed, and what became of it.
+#include <string>
+#include <vector>
+
+#include "golden/golden.h"
+
+namespace morula {
+
+struct KeyChange {
+  std::string key;            // "physics.pressure.constant"
+  std::string before, after;  // "not given" where only the other has it
+};
+
+/// What decides results and differs, in the order of the file. Empty where one of the two does not record it.
+std::vector<KeyChange> changedKeys(const GoldenData& before, const GoldenData& after);
+
+/// Lines for people, each with two blanks before it: the changed keys, what differs in the lineage, and of
+/// the cells that both have at the end how far the farthest moved [radii of the egg] and the largest changes
+/// of volume and pressure [per cent]. "" where none of it differs.
+std::string changeInWords(const GoldenData& before, const GoldenData& after);
+
+}  // namespace morula

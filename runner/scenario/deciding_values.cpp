@@ -1,0 +1,62 @@
+#include "scenario/deciding_values.h"
+
+#include "scenario/numbers.h"
+#include "scenario/resolved.h"
+
+namespace morula {
+
+namespace {
+
+using scenario::Json;
+
+constexpr std::size_t longestValue = 160;  // [character] what people still take in on one line
+constexpr std::size_t longestList = 16;    // told item by item
+
+std::string oneLine(const Json& value) {
+  if (value.is_number_float()) return scenario::formatReal(value.get<double>());
+  if (value.is_object() || value.is_array()) {
+    std::string text;
+    for (const auto& [key, member] : value.items())
+      text += (text.empty() ? "" : ", ") + (value.is_object() ? key + ": " : "") + oneLine(member);
+    return value.is_object() ? '{' + text + '}' : '[' + text + ']';
+  }
+  if (!value.is_string()) return value.dump();
+  const std::string& text = value.get_ref<const std::string&>();
+  const auto plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
+           c == '_' || c == '.';
+  };
+  const bool isWord = !text.empty() && std::all_of(text.begin(), text.end(), plain);
+  return isWord ? text : value.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+std::string digest(const std::string& text) {
+  return std::to_string(text.size()) + " characters, hash " + Hasher().add(text).digest().text();
+}
+
+void add(const std::string& path, const Json& value, std::vector<std::pair<std::string, std::string>>& list) {
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items()) add(path.empty() ? key : path + '.' + key, member, list);
+    if (value.empty()) list.emplace_back(path, "{}");
+    return;
+  }
+  std::string text = oneLine(value);
+  if (text.size() > longestValue && value.is_array() && value.size() <= longestList) {
+    for (std::size_t i = 0; i < value.size(); ++i) add(path + '[' + std::to_string(i) + ']', value[i], list);
+    return;
+  }
+  list.emplace_back(path, text.size() > longestValue ? digest(text) : std::move(text));
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> decidingValues(const Scenario& s) {
+  std::vector<std::pair<std::string, std::string>> list;
+  const Json meaning = scenario::resolveMeaning(s);
+  if (!meaning.empty()) add("", meaning, list);
+  for (const NamedFile& file : s.files)
+    if (file.role == "mesh") list.emplace_back("physics.mesh.file.content", digest(file.content));
+  return list;
+}
+
+}  // namespace morula

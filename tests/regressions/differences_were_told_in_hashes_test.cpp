@@ -1,0 +1,81 @@
+// After one number of a scenario was changed, check and explain told hashes and ulps, never the key. Changed
+// keys with both values stand first, then the lineage, then how far cells moved and how volumes and pressures
+// changed; hashes come last.
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string scene =
+    "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(divide|a0)\ncycle: {length: 0.125}\nstop: {time: "
+    "0.25}\n"
+    "physics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  drag: 1\n  pressure: {constant: 155, "
+    "outside: "
+    "43}\n  contact: {}\nrecord: {every: 0.125}\ncheck: {}\n";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// True if the words stand in this order.
+bool inOrder(const std::string& text, const std::vector<std::string>& words) {
+  std::size_t at = 0;
+  for (const auto& word : words) {
+    at = text.find(word, at);
+    if (at == text.npos) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("what differs is told by key, lineage, movement, and only then by hash") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "pair.yaml", db = folder / "run.db";
+  writeWhole(file, scene);
+  REQUIRE(launch({"review", file, "--accept", "--by", "tests", "--why", "the first"}, {{"CI", ""}}).code ==
+          0);
+  REQUIRE(launch({"run", file, "--db", db, "--no-pictures", "--out", folder / "out"}).code == 0);
+  CHECK_THAT(readWhole(folder / "pair.golden"),
+             ContainsSubstring("\nparameter physics.pressure.constant 155\n"));
+
+  writeWhole(file, replaced(scene, "constant: 155", "constant: 155.5"));
+  const std::vector<std::string> words{"changed   physics.pressure.constant: 155 → 155.5\n",
+                                       "lineage   the same\n",
+                                       "moved     cell ",
+                                       " radii of the egg\n",
+                                       "volume    ",
+                                       " %\n",
+                                       "pressure  ",
+                                       " %\n"};
+  auto andHash = words;
+  andHash.push_back("scenario_hash");
+  for (const auto& verb : {std::vector<std::string>{"check", file}, {"explain", file}, {"review", file}}) {
+    const auto run = launch(verb);
+    CAPTURE(verb[0]);
+    INFO(run.out << run.err);
+    CHECK(run.code == 1);
+    CHECK(inOrder(run.out, andHash));
+  }
+  const auto stored = launch({"explain", file, "--db", db});
+  INFO(stored.out << stored.err);
+  CHECK(stored.code == 1);
+  CHECK(inOrder(stored.out, words));
+  const Json json = Json::parse(launch({"explain", file, "--json"}).out);
+  REQUIRE(json["changed"].size() == 1);
+  CHECK(json["changed"][0] ==
+        Json{{"key", "physics.pressure.constant"}, {"expected", "155"}, {"actual", "155.5"}});
+  const Json checked = Json::parse(launch({"check", file, "--json"}).out);
+  CHECK(checked["results"][0]["field"] == "physics.pressure.constant");
+
+  writeWhole(file, replaced(scene, "length: 0.125", "length: 0.0625"));
+  const auto other = launch({"check", file});
+  CHECK(inOrder(other.out, {"changed   cycle.length: 0.125 → 0.0625\n",
+                            "lineage   the egg: divided at time 0.125 → divided at time 0.0625\n"}));
+  launch({"review", file, "--reject", "--why", "only a test"});
+}

@@ -1,0 +1,27 @@
+// `lineage --json` gave no end to cells that live: how long a leaf lived could not be told. It is the run's
+// end, with fate alive.
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+using Json = nlohmann::json;
+
+TEST_CASE("lineage --json: a living leaf ends with the run") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "small.yaml", db = folder / "run.db";
+  writeWhole(file, "morula: 1\nname: small\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 2.5}\n");
+  REQUIRE(launch({"run", file, "--db", db, "--no-pictures", "--out", folder / "out"}).code == 0);
+  for (const std::string& what : {file, db}) {
+    const Json json = Json::parse(launch({"lineage", what, "--json"}).out);
+    int leaves = 0;
+    for (const auto& cell : json["cells"]) {
+      if (cell["fate"] != "alive") continue;
+      ++leaves;
+      CHECK(cell["ended"] == json["time"]);
+      CHECK(cell["ended"] >= 2.5);
+    }
+    CHECK(leaves == 4);
+  }
+}

@@ -1,0 +1,83 @@
+// replay looked at hashes alone and said "the same bits" of a database whose samples were doubled or whose
+// cells were deleted. Every value that a run stores is compared with what the run gives now: table, row,
+// column and both values of the first difference, and how many rows differ.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+#include "store/database.h"
+
+using namespace morula::test;
+using morula::Database;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string scene = R"(morula: 1
+name: small
+dna: |
+  START: a0
+  g1(divide|a0)
+  g2(connect|a0)
+stop: {time: 1.5}
+physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, contact: {}, shell: {sphere: 1}}
+connections: {make: at-division}
+record: {every: 0.5}
+check: {end: {roundness: 0.1}}
+)";
+
+struct Change {
+  const char *table, *sql, *said;
+};
+
+}  // namespace
+
+TEST_CASE("replay: a changed, lost or added row of any table is found and named") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "small.yaml", scene);
+  const std::string whole = folder / "run.db", changed = folder / "changed.db";
+  REQUIRE(
+      launch({"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--out", folder / "out"}).code ==
+      0);
+  const auto same = launch({"replay", whole});
+  INFO(same.out << same.err);
+  REQUIRE(same.code == 0);
+  CHECK_THAT(same.out, ContainsSubstring("tables          all the same"));
+
+  const Change changes[] = {
+      {"sample", "UPDATE sample SET volume = volume * 2",
+       "of 4 rows differ\n    first time 0: volume: stored "},
+      {"cell", "DELETE FROM cell", "(0 are stored, 3 recomputed)"},
+      {"cell", "DELETE FROM cell WHERE path = 'B'", "first path B: stored: no such row; recomputed: a row"},
+      {"cell", "UPDATE cell SET state = 'a9' WHERE path = 'A'",
+       "first path A: state: stored 'a9', recomputed '"},
+      {"cell", "UPDATE cell SET name = 'ABp' WHERE path = 'A'", "name: stored 'ABp', recomputed nothing"},
+      {"cell_sample", "UPDATE cell_sample SET x = x + 1e-15 WHERE time = 1.5 AND path = 'A'",
+       "1 of 6 rows differ\n    first time 1.5, path A: x: stored "},
+      {"cell_sample", "UPDATE cell_sample SET pressure = NULL WHERE time = 0",
+       "pressure: stored nothing, recomputed "},
+      {"contact", "DELETE FROM contact", "are stored"},
+      {"time_step", "UPDATE time_step SET time_step = 0.5 WHERE step = 0", "step 0: time_step: stored 0.5"},
+      {"step_hash", "UPDATE step_hash SET lineage = state WHERE step = 64",
+       "first step 64: lineage: stored '"},
+      {"cell_hash", "DELETE FROM cell_hash WHERE step = 64", "no such row; recomputed: a row"},
+      {"check_result", "UPDATE check_result SET actual = '1' WHERE \"check\" = 'shell'",
+       "actual: stored '1'"},
+      {"run", "UPDATE run SET cells = 7", "cells: stored 7, recomputed 2"},
+  };
+  for (const Change& c : changes) {
+    CAPTURE(c.sql);
+    std::filesystem::copy_file(whole, changed, std::filesystem::copy_options::overwrite_existing);
+    Database(changed, Database::Mode::existing, std::chrono::seconds(5)).execute(c.sql);
+    const auto run = launch({"replay", changed});
+    INFO(run.out << run.err);
+    CHECK(run.code == 1);
+    CHECK_THAT(run.out, ContainsSubstring(std::string("\n  ") + c.table + ' ') && ContainsSubstring(c.said) &&
+                            ContainsSubstring("NOT the same bits"));
+  }
+  const auto json = Json::parse(launch({"replay", changed, "--json"}).out);
+  CHECK(json["same_bits"] == false);
+  for (const auto& table : json["tables"])
+    if (table["table"] == "run") CHECK(table["first"]["column"] == "cells");
+}

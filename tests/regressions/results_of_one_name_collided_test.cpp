@@ -1,0 +1,82 @@
+// Two scenarios of one file name in different folders overwrote each other's results that wait for a review,
+// and their JUnit suites had one name; runs with --set shared one folder with the plain run. Each has a place
+// of its own.
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string scene(const std::string& time) {
+  return "morula: 1\nname: twin\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: " + time +
+         "}\ncheck: {}\n";
+}
+
+std::size_t count(const std::string& text, const std::string& word) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("scenarios of one file name keep their waiting results and their JUnit suites apart") {
+  const TemporaryFolder folder;
+  const std::string stem = fs::path(folder.path()).filename().string();  // a name that no other test has
+  std::vector<std::string> files;
+  for (const char* inside : {"a", "b"}) {
+    fs::create_directory(folder / inside);
+    files.push_back(folder / inside + "/" + stem + ".yaml");
+    writeWhole(files.back(), scene("2"));
+    REQUIRE(
+        launch({"review", files.back(), "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code ==
+        0);
+    writeWhole(files.back(), scene(std::string("2.5")));
+  }
+  CHECK(launch({"check", files[0], files[1], "--reports", folder / "reports"}).code == 1);
+  const auto waiting = launch({"review"});
+  CHECK(count(waiting.out, stem + ": ") == 2);
+  const std::string junit = readWhole(folder / "reports/junit.xml");
+  for (const char* inside : {"/a/", "/b/"})
+    CHECK(count(junit, std::string("<testsuite name=\"") + folder.path() + inside + stem + "\"") == 1);
+  CHECK(launch({"review", files[0], "--reject", "--why", "a test"}).code == 0);
+  CHECK(count(launch({"review"}).out, stem + ": ") == 1);  // the other one still waits
+  CHECK(launch({"review", files[1], "--reject", "--why", "a test"}).code == 0);
+}
+
+TEST_CASE("each variant of a scenario has a folder of its own, the plain one that of name and seed") {
+  const TemporaryFolder folder;
+  const std::string a = folder / "a.yaml", b = folder / "b.yaml";
+  writeWhole(a, scene("2")), writeWhole(b, scene("3"));
+  const auto dbOf = [&](std::vector<std::string> more) {
+    std::vector<std::string> all{"run", "--json", "--no-pictures", "--out", folder / "out"};
+    all.insert(all.end(), more.begin(), more.end());
+    const auto run = launch(all);
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+    const Json json = Json::parse(run.out);
+    std::vector<std::string> databases;
+    for (const auto& r : json.contains("runs") ? json["runs"] : Json{json}) databases.push_back(r["db"]);
+    return databases;
+  };
+  std::vector<std::string> all;
+  for (const auto& more : {std::vector<std::string>{a},
+                           {a, "--seed", "7"},
+                           {a, "--set", "stop.time=1"},
+                           {a, "--set", "stop.time=1.5"}})
+    all.push_back(dbOf(more)[0]);
+  CHECK(all[0] == folder / "out/twin-0/run.db");
+  CHECK(all[1] == folder / "out/twin-7/run.db");
+  CHECK_THAT(all[2], Catch::Matchers::StartsWith(folder / "out/twin-0-"));
+  CHECK(dbOf({a, "--set", "stop.time=1"})[0] == all[2]);  // the same variant, the same folder
+  for (const auto& db : dbOf({a, b})) all.push_back(db);  // two files of one name at once
+  std::sort(all.begin(), all.end());
+  CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+}
