@@ -77,7 +77,9 @@ int act(const LineageOptions& options) {
 
 void addLineage(CLI::App& app, Action& action) {
   auto options = std::make_shared<LineageOptions>();
-  Verb verb(app, action, "lineage", "Print the tree of cells of a scenario or a stored run; a living cell's `ended` in --json is the run's end");
+  Verb verb(app, action, "lineage",
+            "Print the tree of cells of a scenario or a stored run; a living cell's `ended` in --json is the "
+            "run's end");
   verb.needs("file", options->file, "FILE", "A scenario or a database");
   verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
   add(verb, options->output);
