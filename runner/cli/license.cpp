@@ -48,10 +48,10 @@ const std::vector<std::string> identifiers{"CC0-1.0",
                                            "AGPL-3.0-or-later",
                                            "AGPL-3.0-only"};
 
-/// "CC-BY" of CC-BY-4.0: the name without its version.
+/// "CC-BY" or "CC-BY-4" of CC-BY-4.0: the name without its version, or with half of it.
 bool begins(const std::string& identifier, const std::string& word) {
   return identifier.size() > word.size() && equalButForCase(identifier.substr(0, word.size()), word) &&
-         identifier[word.size()] == '-';
+         (identifier[word.size()] == '-' || identifier[word.size()] == '.');
 }
 
 std::string probablyMeant(const std::string& word) {

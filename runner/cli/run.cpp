@@ -61,6 +61,7 @@ std::vector<Planned> plan(const RunOptions& options) {
       scene.seed = seed;
       Planned run{loadScenario(file, overrides(scene)), {}};
       run.settings = {.execution = execution(options.execution),
+                      .folder = {},
                       .database = options.database,
                       .changed = !scene.empty(),
                       .check = !options.noCheck,

@@ -69,7 +69,8 @@ std::string cellChange(const GoldenItem* a, const GoldenItem* b) {
 }
 
 struct Event {
-  double time = 0;  // the earlier of the two
+  double time = 0;        // the earlier of the two
+  std::size_t depth = 0;  // of the cell: a mother comes before her daughters
   std::string text;
 };
 
@@ -81,7 +82,8 @@ std::vector<std::string> lineageChanges(const GoldenData& before, const GoldenDa
       if (!cell) return HUGE_VAL;
       return readReal(cell->fields[cell->fields[ended] == "-" ? born : ended]).value_or(HUGE_VAL);
     };
-    events.push_back({std::min(when(x), when(y)), cellChange(x, y)});
+    const std::string& path = (x ? x : y)->key;
+    events.push_back({std::min(when(x), when(y)), path == "egg" ? 0 : path.size(), cellChange(x, y)});
   };
   for (const auto& [key, item] : a) {
     const auto found = b.find(key);
@@ -90,8 +92,9 @@ std::vector<std::string> lineageChanges(const GoldenData& before, const GoldenDa
   }
   for (const auto& [key, item] : b)
     if (!a.contains(key)) note(nullptr, item);
-  std::stable_sort(events.begin(), events.end(),
-                   [](const Event& x, const Event& y) { return x.time < y.time; });
+  std::stable_sort(events.begin(), events.end(), [](const Event& x, const Event& y) {
+    return x.time != y.time ? x.time < y.time : x.depth < y.depth;
+  });
   std::vector<std::string> texts;
   for (Event& e : events) texts.push_back(std::move(e.text));
 
@@ -128,6 +131,7 @@ double radiusOf(const GoldenData& data, const Values& end) {
 
 /// Three digits are enough to weigh a difference.
 std::string brief(double value) {
+  if (value >= 1000 && value < 1e15) return std::to_string(std::llround(value));
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
 }

@@ -23,7 +23,8 @@ TEST_CASE("a run that is not checked stores no hashes, and each table says why i
     INFO(list.err);
     REQUIRE(list.code == 0);
     std::map<std::string, Json> tables;
-    for (const auto& t : Json::parse(list.out)["tables"]) tables[t["table"]] = t;
+    const Json json = Json::parse(list.out);
+    for (const auto& t : json["tables"]) tables[t["table"]] = t;
     return tables;
   };
   auto checked = tablesAfter(folder / "checked.db", {});

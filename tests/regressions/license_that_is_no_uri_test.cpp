@@ -21,7 +21,8 @@ TEST_CASE("export: a licence is an SPDX identifier or a URI") {
                                    {"https://example.org/mine", "https://example.org/mine"}}) {
     std::filesystem::remove_all(crate);
     REQUIRE(launch({"export", db, "--ro-crate", crate, "--license", given}).code == 0);
-    for (const auto& entity : Json::parse(readWhole(crate + "/ro-crate-metadata.json"))["@graph"])
+    const Json json = Json::parse(readWhole(crate + "/ro-crate-metadata.json"));
+    for (const auto& entity : json["@graph"])
       if (entity["@id"] == "./") CHECK(entity["license"]["@id"] == uri);
   }
   std::filesystem::remove_all(crate);

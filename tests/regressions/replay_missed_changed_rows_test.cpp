@@ -24,7 +24,7 @@ stop: {time: 1.5}
 physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, contact: {}, shell: {sphere: 1}}
 connections: {make: at-division}
 record: {every: 0.5}
-check: {end: {roundness: 0.1}}
+check: {end-roundness: 0.1}
 )";
 
 struct Change {
