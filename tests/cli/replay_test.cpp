@@ -46,7 +46,7 @@ struct Stored {
     const std::string ids = "'" + morula::runId(run.record) + "'";
     execute("UPDATE run SET build_id = '" + buildId(run.record.build) + "', run_id = " + ids);
     for (const char* table :
-         {"run_document", "cell", "sample", "cell_sample", "contact", "time_step", "step_hash", "cell_hash"})
+         {"run_document", "cell", "sample", "cell_sample", "contact", "division", "time_step", "step_hash", "cell_hash"})
       execute(std::string("UPDATE ") + table + " SET run_id = " + ids);
   }
 };

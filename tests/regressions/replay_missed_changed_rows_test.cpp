@@ -64,6 +64,7 @@ TEST_CASE("replay: a changed, lost or added row of any table is found and named"
       {"cell_hash", "DELETE FROM cell_hash WHERE step = 64", "no such row; recomputed: a row"},
       {"check_result", "UPDATE check_result SET actual = '1' WHERE \"check\" = 'shell'",
        "actual: stored '1'"},
+      {"division", "UPDATE division SET share = 0.25", "share: stored 0.25, recomputed "},
       {"run", "UPDATE run SET cells = 7", "cells: stored 7, recomputed 2"},
   };
   for (const Change& c : changes) {
