@@ -23,6 +23,8 @@ struct Connections {
   ConnectionParameters parameters;
   std::vector<ConnectionRecord> history;  // in the order in which they were made
   std::vector<std::size_t> active;        // places in history, by (a, b)
+
+  std::vector<int> count;  // scratch of addConnectionForces: [cell] its connections
 };
 
 bool areConnected(const Connections& connections, const CellPath& a, const CellPath& b);
@@ -36,8 +38,8 @@ void releaseAll(Connections& connections, const CellPath& cell, double time, con
 std::vector<CellPath> partners(const Connections& connections, const CellPath& cell);
 
 /// Adhesion [Nilsson 2008, eq. 4.9]: on each of the two cells the constant force k_c towards the other's
-/// centre, spread evenly over its vertices. `paths` [slot], sorted. Adds to the bodies' forces; equal and
-/// opposite on a pair.
-void addConnectionForces(const Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies);
+/// centre, spread evenly over its vertices. `paths` [cell], sorted. Adds to the bodies' forces; equal and
+/// opposite on a pair. Without a strength k_c is the smaller of what the two cells have for each of their connections.
+void addConnectionForces(Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies);
 
 }  // namespace morula

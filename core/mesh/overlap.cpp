@@ -49,15 +49,7 @@ class Scan {
         shared_(meshes.size(), 0.0) {}
 
   Overlap run() {
-    sortTrianglesByRow();
-    for (int row = 0; row < y_.count; ++row) {
-      collectCrossings(row);
-      for (auto& crossings : crossings_) {
-        std::sort(crossings.begin(), crossings.end());
-        sweep(crossings);
-        crossings.clear();
-      }
-    }
+    sweepAll();
     Overlap result;
     const double cell = x_.spacing * y_.spacing;
     for (std::size_t m = 0; m < meshes_.size(); ++m) {
@@ -68,7 +60,25 @@ class Scan {
     return result;
   }
 
+  /// [length³] Of mesh number `mesh`, what lies in others too.
+  double sharedVolume(int mesh) {
+    sweepAll();
+    return shared_[mesh] * x_.spacing * y_.spacing;
+  }
+
  private:
+  void sweepAll() {
+    sortTrianglesByRow();
+    for (int row = 0; row < y_.count; ++row) {
+      collectCrossings(row);
+      for (auto& crossings : crossings_) {
+        std::sort(crossings.begin(), crossings.end());
+        sweep(crossings);
+        crossings.clear();
+      }
+    }
+  }
+
   // Counting sort of (row, triangle): row r has rows_[rowStart_[r], rowStart_[r + 1]).
   void sortTrianglesByRow() {
     rowStart_.assign(y_.count + 1, 0);
@@ -167,6 +177,17 @@ Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
   if (!(size.x > 0 && size.y > 0))
     return {std::vector<double>(meshes.size()), std::vector<double>(meshes.size()), 0};
   return Scan(meshes, box, columns).run();
+}
+
+double measureSharedVolume(const MeshView& a, const MeshView& b, int columns) {
+  CHECK(columns > 0, "no columns, no lines");
+  const Box here = measureBox(a.vertices), there = measureBox(b.vertices);
+  const Box both{{std::max(here.low.x, there.low.x), std::max(here.low.y, there.low.y), std::max(here.low.z, there.low.z)},
+                 {std::min(here.high.x, there.high.x), std::min(here.high.y, there.high.y),
+                  std::min(here.high.z, there.high.z)}};
+  if (!(both.low.x < both.high.x && both.low.y < both.high.y && both.low.z < both.high.z)) return 0;
+  const MeshView meshes[] = {a, b};
+  return Scan(meshes, both, columns).sharedVolume(0);
 }
 
 }  // namespace morula

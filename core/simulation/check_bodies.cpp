@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "base/maths.h"
 #include "base/number_text.h"
+#include "simulation/body_failure.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -35,7 +35,7 @@ void checkReach(const World& world) {
     if (!(c.farthest[slot / blockLanes] > most * most)) continue;
     const double move = farthestMove(world, slot);
     if (!(move > most && move < 1e300)) continue;  // another cell of its block, or checkBodies will see it
-    throw NumericalError(
+    throw BodyFailure(
         world.cells.path[cell].text(), world.clock.step,
         "a vertex moves by " + numberText(move) + " in one step, farther than the " +
             numberText(c.radius[slot]) + " that contacts reach: cells would pass through each other",
@@ -51,13 +51,13 @@ void checkBodies(const World& world) {
     const int slot = b.slots[cell];
     const double volume = b.volume[slot];
     if (isSound(volume, b.pressure[slot])) continue;
-    throw NumericalError(
+    throw BodyFailure(
         world.cells.path[cell].text(), world.clock.step,
         volume <= 0 ? "its volume is " + numberText(volume) + ": the cell is inside out"
                     : "its volume is not finite",
-        "lower physics.time_step (now " + exactText(world.clock.timeStep) +
-            ") or the stiffness that drives it: physics.membrane.stiffness, physics.pressure.constant, "
-            "physics.contact.stiffness");
+        "what may drive it: physics.time_step (now " + exactText(world.clock.timeStep) +
+            "), physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness, "
+            "connections.strength");
   }
 }
 

@@ -95,7 +95,9 @@ std::string hashOf(const DivisionParameters& p) {
 
 std::string hashOf(const ConnectionParameters& p) {
   Hasher h;
-  h.field("connections").add(number(p.make)).add(number(p.onDivision)).add(p.strength);
+  h.field("connections").add(number(p.make)).add(number(p.onDivision));
+  if (p.strength) h.add(*p.strength);
+  else h.add("shared");
   add(h, p.releaseDistance);
   return h.digest().text();
 }

@@ -35,7 +35,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   if (m.contact)
     world.contacts =
         makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
-  if (m.connections) world.connections = Connections{*m.connections, {}, {}};
+  if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
   setStages(world, execution.isa);
   setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
   try {

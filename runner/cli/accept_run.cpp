@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "cli/check_run.h"
 #include "cli/console.h"
+#include "cli/sanity.h"
 #include "cli/scenario_run.h"
 #include "cli/signals.h"
 #include "explain/explain.h"
@@ -24,9 +25,12 @@ std::vector<ToleranceRule> usualRules(const Scenario& scenario) {
                "usual rules")};
 }
 
-/// No result is worth keeping that breaks what the scenario itself demands.
-void refuseViolated(const Scenario& scenario, const Simulation& run, const Invariants& invariants) {
+/// No result is worth keeping that breaks what the scenario itself demands, or that is not sane.
+void refuseViolated(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
+                    const SanityCheck& sanity) {
   CheckReport report{goldenName(scenario.file), checkInvariants(scenario, run, invariants)};
+  for (auto& result : sanity.results(run.world, scenario.check, true))
+    report.results.push_back(std::move(result));
   if (!scenario.check.fails.empty()) report = checkStop(scenario, "");
   if (!report.passed()) throw InputError(scenario.file + ": nothing accepted: " + describe(report));
 }
@@ -71,11 +75,13 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
   refuseWithinCi(file);
   Progress progress(scenario.scene.name, quiet);
   Invariants invariants(scenario.check);
-  const auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, true), progress,
+  World start = makeScenarioWorld(scenario, how);
+  const SanityCheck sanity(start);
+  const auto run = simulate(std::move(start), recordingOf(scenario, true), progress,
                             [&](const World& world) { invariants.observe(world); });
   if (run.signal) return {false, run.signal, {}};
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
-  refuseViolated(scenario, run, invariants);
+  refuseViolated(scenario, run, invariants, sanity);
   const Execution other = otherExecution(how);
   TwinRun again;
   try {

@@ -13,6 +13,7 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/pending.h"
+#include "cli/sanity.h"
 #include "cli/shipped.h"
 #include "cli/verb.h"
 #include "golden/accept.h"
@@ -55,6 +56,7 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
   }
   Progress progress(scenario.scene.name, quiet);
   Invariants invariants(scenario.check);
+  const SanityCheck sanity(*world);
   const auto run = simulate(std::move(*world), recordingOf(scenario, true), progress,
                             [&](const World& w) { invariants.observe(w); });
   signal = run.signal;
@@ -62,7 +64,9 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
   CheckReport report = check(scenario, run, invariants, true);
   if (report.passed()) removePending(scenario);
   else if (scenario.check.fails.empty()) putPending(scenario, run, observe(scenario, run), quiet);
-  // Not a matter for a review: a new golden would not bring the two together.
+  // Not matters for a review: a new golden makes no run sane, and would not bring it and Bullet together.
+  for (auto& result : sanity.results(run.world, scenario.check, true))
+    report.results.push_back(std::move(result));
   for (auto& result : checkAgainstBullet(scenario, run.world, quiet).results)
     report.results.push_back(std::move(result));
   return report;

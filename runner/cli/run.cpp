@@ -118,6 +118,8 @@ int act(const RunOptions& options) {
     else print(describe(outcome, run.scenario, run.settings));
     if (outcome.checks && !outcome.checks->passed() && options.output.json)
       tell(describe(*outcome.checks), options.output.quiet);
+    if (!outcome.isSane().value_or(true) && options.output.json)
+      tell(describe(outcome.sanityReport(run.scenario)), options.output.quiet);
     if (!outcome.end.failure.empty()) tellError(outcome.end.failure);
     if (outcome.exitCode > signalled) break;
   }

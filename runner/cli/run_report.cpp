@@ -35,6 +35,24 @@ Json ambiguousToJson(const std::vector<DivisionRecord>& divisions) {
   return list;
 }
 
+std::string describeSanity(const RunOutcome& outcome, const Scenario& scenario) {
+  if (!outcome.isSane()) return "";
+  if (!scenario.check.sane) return "  sane     need not be: " + scenario.check.because + "\n";
+  return *outcome.isSane() ? "  sane     yes\n" : "";
+}
+
+Json sanityJson(const std::vector<CheckResult>& results) {
+  Json list = Json::array();
+  for (const CheckResult& r : results)
+    list.push_back({{"check", r.check},
+                    {"passed", r.passed},
+                    {"cell", orNull(r.cell)},
+                    {"expected", r.expected},
+                    {"actual", r.actual},
+                    {"message", r.message}});
+  return list;
+}
+
 }  // namespace
 
 std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
@@ -55,6 +73,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   } else if (!outcome.checks && end.status == RunStatus::done)
     text += "  checks   none: " + outcome.whyNotChecked + "\n";
   text += describeAmbiguous(outcome.ambiguous);
+  text += describeSanity(outcome, scenario);
   text += "  results  " + settings.database.string() + " (run " + outcome.id + ")\n";
   std::size_t frames = 0;
   for (const auto& file : outcome.pictures) {
@@ -64,6 +83,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   if (frames)
     text += fmt::format("           {} ({} pictures)\n", (settings.folder / "sequence").string(), frames);
   if (outcome.checks && !outcome.checks->passed()) text += describe(*outcome.checks);
+  if (!outcome.isSane().value_or(true)) text += describe(outcome.sanityReport(scenario));
   return text;
 }
 
@@ -81,7 +101,9 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettin
             {"db", settings.database.string()},
             {"pictures", outcome.pictures},
             {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
-            {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()}};
+                        {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()},
+            {"sane", orNull(outcome.isSane())},
+            {"sanity", sanityJson(outcome.sanity)}};
   if (!end.failure.empty()) json["failure"] = end.failure;
   return json;
 }

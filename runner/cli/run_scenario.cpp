@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/bullet_check.h"
 #include "cli/bullet_picture.h"
 #include "cli/check_run.h"
@@ -10,6 +12,7 @@
 #include "cli/frame_file.h"
 #include "cli/pictures.h"
 #include "cli/resume.h"
+#include "cli/sanity.h"
 #include "cli/verbs.h"
 #include "golden/accept.h"
 #include "parts/parts.h"
@@ -81,13 +84,24 @@ std::vector<DivisionRecord> ambiguousDivisions(const World& world) {
 int exitCodeOf(const RunOutcome& outcome, int signal) {
   if (outcome.end.status == RunStatus::killed) return signalled + signal;
   if (outcome.end.status == RunStatus::failed) return numerical;
-  return outcome.checks && !outcome.checks->passed() ? differs : fine;
+  if (outcome.checks && !outcome.checks->passed()) return differs;
+  return outcome.isSane().value_or(true) ? fine : differs;
 }
 
 }  // namespace
 
+std::optional<bool> RunOutcome::isSane() const {
+  if (sanity.empty()) return {};
+  return std::all_of(sanity.begin(), sanity.end(), [](const CheckResult& r) { return r.passed; });
+}
+
+CheckReport RunOutcome::sanityReport(const Scenario& scenario) const {
+  return {goldenName(scenario.file), sanity};
+}
+
 RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   auto world = makeScenarioWorld(scenario, settings.execution);
+  const SanityCheck sanity(world);
   // Whatever could go wrong with files goes wrong before the first step.
   if (settings.draw) makeFolder(settings.folder);
   makeFolder(settings.database.parent_path());
@@ -127,7 +141,10 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   outcome.canBeResumed = outcome.canBeResumed && run.end.status == RunStatus::killed;
   const bool done = run.end.status == RunStatus::done;
   if (run.end.status != RunStatus::killed) checkOutcome(scenario, settings, run, invariants, outcome);
+  if (done)
+    outcome.sanity = sanity.results(run.world, scenario.check, settings.check && !settings.changed);
   if (outcome.checks) run.results.checks = outcome.checks->results;
+  run.results.checks.insert(run.results.checks.end(), outcome.sanity.begin(), outcome.sanity.end());
   store.finish(outcome.id, run.end, run.results);
   outcome.ambiguous = ambiguousDivisions(run.world);
   if (done && settings.draw) {

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "cli/signals.h"
+#include "diagnose/diagnose.h"
 #include "parts/parts.h"
 
 namespace morula::cli {
@@ -72,6 +73,9 @@ Simulation simulate(World world, Recorder recorder, Progress& progress, const Ru
       observe();
       if (hooks.keepEvery > 0 && run.world.clock.step % hooks.keepEvery == 0) hooks.keep(run.world, recorder);
     }
+  } catch (const BodyFailure& error) {
+    status = RunStatus::failed;
+    failure = diagnose(run.world.model, run.world.execution, error);
   } catch (const NumericalError& error) {
     status = RunStatus::failed;
     failure = error.what();

@@ -9,7 +9,7 @@ namespace morula {
 
 struct CheckResult {
   std::string check;     // "lineage", "bits", "values final.*.volume", …
-  std::string kind;      // "golden", "bullet", "invariant"
+  std::string kind;      // "golden", "bullet", "invariant", "sanity"
   std::string expected;  // of the worst or first difference; of the whole when passed
   std::string actual;
   std::string tolerance;  // "exact", "rel 1e-9 scale 1"

@@ -66,4 +66,41 @@ Parameter texts(std::string path, std::string meaning, Field<std::vector<std::st
   return p;
 }
 
+Parameter saneEnd() {
+  Parameter p;
+  p.path = "check.sane";
+  p.allowed = "false, beside because; true is what holds without it";
+  p.meaning = "false: this scene is about an end that is not sane, and the run passes all the same";
+  p.absent = "the end must be sane: no cell crushed, inside out, in another, out of its shell or out of sight";
+  p.decides = Decides::presentation;
+  p.schema = {{"type", "boolean"}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    const auto value = readText(node, path, allowed, reading.problems);
+    if (!value) return;
+    if (*value == "true" || *value == "false") s.check.sane = *value == "true";
+    else reading.problems.add(node.place, path, "is " + describe(node), "needs true or false");
+  };
+  p.write = [](const Scenario& s) { return s.check.sane ? Json() : Json(false); };
+  return p;
+}
+
+Parameter becauseText() {
+  Parameter p;
+  p.path = "check.because";
+  p.allowed = "a text";
+  p.meaning = "Why the end is not sane: for who reads the results";
+  p.absent = "the end must be sane";
+  p.decides = Decides::presentation;
+  p.needs = "sane";
+  p.schema = {{"type", "string"}, {"minLength", 1}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    const auto value = readText(node, path, allowed, reading.problems);
+    if (!value) return;
+    if (value->empty()) reading.problems.add(node.place, path, "is empty", "say why the end is not sane");
+    else s.check.because = *value;
+  };
+  p.write = [](const Scenario& s) { return s.check.because.empty() ? Json() : Json(s.check.because); };
+  return p;
+}
+
 }  // namespace morula::scenario

@@ -183,6 +183,16 @@ void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) 
                            "a sphere stays round", "remove this, or use scale");
 }
 
+/// Who says that an end need not be sane says why.
+void checkReason(const CheckParameters& check, Reading& reading, const Node& root) {
+  if (!check.sane && check.because.empty() && !given(root, "check.because"))
+    reading.problems.add(placeOf(root, "check.sane"), "check.sane", "false without a reason",
+                         "say why beside it: because: \"what the scene is about\"");
+  if (check.sane && !check.because.empty())
+    reading.problems.add(placeOf(root, "check.because"), "check.because",
+                         "gives a reason for sane: false, and sane is true", "remove it, or write sane: false");
+}
+
 void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
   if (!scenario.check.bullet) return;
   for (const Unfit& unfit : unfitForBullet(scenario, scenario.check.bullet->baseline))
@@ -193,6 +203,7 @@ void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
 
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkSubstances(scenario.scene.dna, reading);
+  checkReason(scenario.check, reading, root);
   if (const auto& mechanics = scenario.scene.mechanics) {
     if (scenario.scene.cells.empty()) checkShell(*mechanics, reading, root);
     else checkStartCells(scenario, reading);
@@ -209,7 +220,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
                          "cells without bodies cannot be drawn", "add a physics block or remove this");
   if (const CheckParameters& c = scenario.check;
       !scenario.scene.mechanics && (c.volume || c.extent || c.energy || c.momentum || c.endVolume ||
-                                    c.endRoundness || c.endOverlap || c.bullet))
+                                    c.endRoundness || c.endOverlap || c.bullet || !c.sane))
     reading.problems.add(placeOf(root, "check"), "check", "cells without bodies have nothing to measure",
                          "add a physics block, or check only fails");
 }

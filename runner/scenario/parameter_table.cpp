@@ -234,8 +234,11 @@ std::vector<Parameter> parameters() {
       choice("connections.on-division", {"plane", "both"},
              "A dividing cell's connections: each to the daughter on its side, or all to both",
              MECHANICS(connections->onDivision)),
-      real("connections.strength", "force", notNegative, "k_c, constant pull [Nilsson 2008, eq. 4.9]",
-           MECHANICS(connections->strength)),
+      optionalReal("connections.strength", "force", notNegative, "shared",
+                   "shared: all connections of a cell together pull with at most 0.2, times its share of the "
+                   "egg, so that no number of them crushes",
+                   "k_c, constant pull of each connection, however many a cell has [Nilsson 2008, eq. 4.9]",
+                   MECHANICS(connections->strength)),
       optionalReal("connections.release-distance", "", positive, "", "never by distance",
                    "Released beyond this distance of the centres, in sums of the two radii",
                    MECHANICS(connections->releaseDistance)),
@@ -269,6 +272,8 @@ std::vector<Parameter> parameters() {
             "The run must stop with an error (exit 3 or 4) that names all of these; it then needs no golden "
             "file",
             AT(check.fails)),
+      saneEnd(),
+      becauseText(),
 
       presentation(choiceOf(
           "check.bullet.baseline", {"b1", "b3"},

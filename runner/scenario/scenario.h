@@ -58,6 +58,8 @@ struct CheckParameters {
   std::optional<double> endRoundness;  // [1] the least sphericity of a cell
   std::optional<double> endOverlap;    // [1] mean share of a cell's volume that lies in another too
   std::vector<std::string> fails;      // the run must stop, and all of these stand in the reason; or none
+  bool sane = true;     // false: the scene is about an end that is not (core/simulation/sanity.h)
+  std::string because;  // why it is not; "" if it is
   std::optional<BulletCheck> bullet;   // held against Bullet
 };
 

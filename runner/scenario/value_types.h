@@ -53,6 +53,8 @@ Parameter shellSphere();
 Parameter shellEllipsoid();
 Parameter divisionPlane();
 Parameter startCells();
+Parameter saneEnd();
+Parameter becauseText();
 
 // For the kinds themselves.
 std::string numberAllowed(const Range& range, const std::string& unit);

@@ -48,7 +48,7 @@ connections: {make: by-gene, on-division: both, strength: 0.4, release-distance:
 senses: {}
 record: {every: 0.25, pictures: 0.5}
 check: {volume: [0.5, 2], extent: 9, energy: 100, momentum: 0.5, end-volume: [0.9, 1.1], end-roundness: 0.75,
-  end-overlap: 0.125, fails: [springs, physics.time_step]}
+  end-overlap: 0.125, fails: [springs, physics.time_step], sane: false, because: it stops}
 cells:
   - {at: [0.4, 0, 0.25], velocity: [0, 2, 0], scale: 0.5, stretch: [1, 2, 1], mass: 3, substances: [a0, A]}
   - {at: [-0.4, 0, 0]}

@@ -1,0 +1,206 @@
+#include "simulation/sanity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/measures.h"
+#include "mesh/overlap.h"
+#include "simulation/measures.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+namespace {
+
+constexpr double ballVolume = 12.566370614359172 / 3;  // 4π/3, over the cube of the radius
+constexpr int linesPerPair = 24;
+
+/// The worst value so far and whose it is. What is no number is the worst there can be, and stays it.
+struct Worst {
+  double value;
+  int cell = -1, other = -1;
+
+  void raise(double v, int of, int with = -1) {
+    if (cell >= 0 && !(v > value) && !std::isnan(v)) return;
+    if (!std::isnan(value)) *this = {v, of, with};
+  }
+  void lower(double v, int of) {
+    if (cell >= 0 && !(v < value) && !std::isnan(v)) return;
+    if (!std::isnan(value)) *this = {v, of};
+  }
+};
+
+SanityMeasure measureOf(const World& world, const char* name, const Worst& worst, double least, double most,
+                        const char* meaning) {
+  SanityMeasure m{name, worst.value, least, most, {}, {}, meaning};
+  if (worst.cell >= 0) m.cell = world.cells.path[worst.cell];
+  if (worst.other >= 0) m.other = world.cells.path[worst.other];
+  return m;
+}
+
+bool isFinite(const Bodies& b, int slot) {
+  double sum = b.volume[slot];
+  for (int v = 0; v < b.vertexCount(slot); ++v) {
+    const Point x = b.vertex(slot, v), u = b.read(b.velocity, slot, v);
+    sum += 0 * (x.x + x.y + x.z) + 0 * (u.x + u.y + u.z);  // 0 for what is finite, and no number otherwise
+  }
+  return std::isfinite(sum);
+}
+
+/// [length³]
+double volumeAtRest(const Bodies& b, const Mesh& egg) {
+  const double r = b.parameters.cell.radius;
+  return b.areSpheres() ? ballVolume * (r * r * r) : measureVolume(egg.vertices, egg.faces);
+}
+
+double restVolume(const Bodies& b, int slot, double egg) {
+  const double contents = b.parameters.pressure.constant, scale = b.restScale[slot];
+  if (b.parameters.cell.model == CellModel::shell && contents > 0)
+    return egg * (b.pressureConstant[slot] / contents);
+  return egg * scale * scale * scale;
+}
+
+/// Share of the area whose outer side is turned to the cell's centre. [1]
+double invertedShare(const Mesh& surface) {
+  const Point centre = measureCentroid(surface.vertices);
+  double all = 0, inverted = 0;
+  for (const auto& [a, b, c] : surface.faces) {
+    const Point& corner = surface.vertices[a];
+    const Vector normal = cross(surface.vertices[b] - corner, surface.vertices[c] - corner);
+    const double size = norm(normal);
+    all += size;
+    if (dot(normal, corner - centre) < 0) inverted += size;
+  }
+  return all > 0 ? inverted / all : 1;
+}
+
+double boxVolume(const Box& a, const Box& b) {
+  const double x = std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x),
+               y = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y),
+               z = std::min(a.high.z, b.high.z) - std::max(a.low.z, b.low.z);
+  return x > 0 && y > 0 && z > 0 ? x * y * z : 0;
+}
+
+/// Pairs whose boxes have enough in common are few: cells are swept along x.
+Worst largestOverlap(const std::vector<Mesh>& surfaces) {
+  const int count = static_cast<int>(surfaces.size());
+  std::vector<Box> boxes;
+  std::vector<double> volumes;
+  std::vector<int> order;
+  for (int i = 0; i < count; ++i) {
+    boxes.push_back(measureBox(surfaces[i].vertices));
+    volumes.push_back(measureVolume(surfaces[i].vertices, surfaces[i].faces));
+    order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return boxes[a].low.x < boxes[b].low.x; });
+  Worst worst{0};
+  for (int i = 0; i < count; ++i)
+    for (int j = i + 1; j < count && boxes[order[j]].low.x < boxes[order[i]].high.x; ++j) {
+      const int a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
+      const int smaller = volumes[b] < volumes[a] ? b : a, larger = smaller == a ? b : a;
+      const double least = std::max(sanity::mostOverlap, worst.value) * volumes[smaller];
+      if (!(boxVolume(boxes[a], boxes[b]) > least)) continue;
+      const MeshView first{surfaces[smaller].vertices, surfaces[smaller].faces},
+          second{surfaces[larger].vertices, surfaces[larger].faces};
+      worst.raise(measureSharedVolume(first, second, linesPerPair) / volumes[smaller], smaller, larger);
+    }
+  return worst;
+}
+
+/// The widest stretch along x, y or z without any cell's centre, in radii of the largest cell, and the cell at its end on
+/// the side with fewer cells. A cell far away from all others leaves one; a long chain of cells does not.
+Worst widestGap(const std::vector<Point>& centres, double radius) {
+  Worst worst{0};
+  const int count = static_cast<int>(centres.size());
+  std::vector<std::pair<double, int>> along(centres.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < count; ++i) {
+      const Point& p = centres[i];
+      along[i] = {axis == 0 ? p.x : axis == 1 ? p.y : p.z, i};
+    }
+    std::sort(along.begin(), along.end());
+    for (int i = 1; i < count; ++i)
+      worst.raise((along[i].first - along[i - 1].first) / radius, along[2 * i < count ? i - 1 : i].second);
+  }
+  return worst;
+}
+
+std::vector<Mesh> takeSurfaces(const Bodies& b) {
+  std::vector<Mesh> surfaces;
+  for (int slot : b.slots) surfaces.push_back(takeSurface(b, slot));
+  return surfaces;
+}
+
+const char* const overlapMeaning = "share of its volume that another cell has too";
+
+}  // namespace
+
+double measureRestVolume(const Bodies& b, int slot) {
+  return restVolume(b, slot, volumeAtRest(b, b.meshOf(slot).mesh));
+}
+
+SanityMeasure measureLargestOverlap(const World& world) {
+  return measureOf(world, "overlap", largestOverlap(takeSurfaces(*world.bodies)), 0, sanity::mostOverlap,
+                   overlapMeaning);
+}
+
+std::vector<SanityMeasure> measureSanity(const World& world) {
+  if (!world.bodies || world.bodies->count == 0) return {};
+  const Bodies& b = *world.bodies;
+  Worst broken{0};
+  for (int cell = 0; cell < b.count; ++cell)
+    if (!isFinite(b, b.slots[cell])) broken.raise(1, cell);
+  std::vector<SanityMeasure> all{
+      measureOf(world, "finite", broken, 0, 0, "1 if a position, speed or volume is not finite")};
+  if (!all[0].holds()) return all;
+
+  const std::vector<Mesh> surfaces = takeSurfaces(b);
+  std::vector<double> eggs{volumeAtRest(b, b.mesh.mesh)};
+  for (const CoarserMesh& coarser : b.coarser) eggs.push_back(volumeAtRest(b, coarser.mesh.mesh));
+  Worst least{1}, most{1}, inverted{0};
+  std::vector<Point> centres;
+  double largest = 0;
+  for (int cell = 0; cell < b.count; ++cell) {
+    const int slot = b.slots[cell];
+    const double rest = restVolume(b, slot, eggs[b.blocks[slot / blockLanes].coarseness]);
+    least.lower(b.volume[slot] / rest, cell);
+    most.raise(b.volume[slot] / rest, cell);
+    inverted.raise(invertedShare(surfaces[cell]), cell);
+    const Box box = measureBox(surfaces[cell].vertices);
+    largest = std::max(largest, 0.5 * norm(box.high - box.low));
+    centres.push_back(measureCentroid(surfaces[cell].vertices));
+  }
+  const bool crushed = !(least.value >= sanity::leastVolume);
+  all.push_back(measureOf(world, "volume", crushed ? least : most, sanity::leastVolume, sanity::mostVolume,
+                          "its volume over that at rest"));
+  all.push_back(measureOf(world, "inverted", inverted, 0, sanity::mostInverted,
+                          "share of its surface that is turned inside out"));
+  if (b.count > 1) {
+    all.push_back(
+        measureOf(world, "overlap", largestOverlap(surfaces), 0, sanity::mostOverlap, overlapMeaning));
+    all.push_back(measureOf(world, "gap", widestGap(centres, largest), 0, sanity::mostGap,
+                            "radii of empty space between it and cells beyond"));
+  }
+  if (b.parameters.shell) {
+    const double* a = b.parameters.shell->semiAxes;
+    Worst outermost{0};
+    double volume = 0;
+    for (int cell = 0; cell < b.count; ++cell) {
+      volume += b.volume[b.slots[cell]];
+      double square = 0;
+      for (const Point& p : surfaces[cell].vertices) {
+        const Vector q{p.x / a[0], p.y / a[1], p.z / a[2]};
+        square = std::max(square, dot(q, q));
+      }
+      outermost.raise(std::sqrt(square), cell);
+    }
+    all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost,
+                            "distance of its farthest vertex, in shell radii"));
+    all.push_back(measureOf(world, "fill", {volume / (ballVolume * a[0] * a[1] * a[2])}, 0, sanity::mostFill,
+                            "volume of all cells over the shell's"));
+  }
+  return all;
+}
+
+}  // namespace morula

@@ -1,0 +1,52 @@
+#pragma once
+// Whether a world with bodies is one that a reader of its results would take for fine. Bounds are plain and wide: what
+// lies outside of them is wrong unless the scene is about just that.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/cell_path.h"
+
+namespace morula {
+
+struct Bodies;
+struct World;
+
+namespace sanity {
+
+constexpr double leastVolume = 0.1, mostVolume = 10;  // [1] of a cell, over its volume at rest
+constexpr double mostInverted = 0.25;  // [1] share of a cell's surface whose inner side shows outwards
+constexpr double mostOverlap = 0.2;    // [1] share of a cell's volume that one other cell has too
+constexpr double mostOutermost = 1 + 1e-6;  // [shell radii] vertices are projected onto it, up to rounding
+constexpr double mostFill = 1.05;  // [1] of the shell, by all cells: beyond it they share what is there
+constexpr double mostGap = 1000;  // [radii of the largest cell] with cells on both sides: no picture shows both
+
+}  // namespace sanity
+
+/// One quantity, of the cell where it is worst.
+struct SanityMeasure {
+  std::string name;   // "finite", "volume", "inverted", "overlap", "outermost", "fill", "gap"
+  double value = 0;   // what is no number is outside of every bound
+  double least = 0, most = 0;
+  std::optional<CellPath> cell, other;  // `other`: the one that it overlaps
+  std::string meaning;                  // what the value is, for people: "its volume over that at rest"
+
+  bool holds() const { return value >= least && value <= most; }
+};
+
+/// [length³] What a cell's volume would be if nothing pressed on it: with contents its share of the egg's, which its
+/// mother's division gave it; otherwise that of its mesh with its rest lengths.
+double measureRestVolume(const Bodies& bodies, int slot);
+
+/// All quantities that the world has; none without bodies or without cells. Volume first, and what is not finite alone: a
+/// world with numbers that are none is not measured further.
+///
+/// Cost: every vertex a few times, and 24 × 24 lines through each pair of cells whose boxes share more than a fifth of
+/// the smaller one's volume: what two cells have in common lies in both boxes.
+std::vector<SanityMeasure> measureSanity(const World& world);
+
+/// [1] The largest share of a cell's volume that one other cell has too, up to the error of 24 × 24 lines; 0 where no two
+/// boxes have more than a fifth of a cell's volume in common.
+SanityMeasure measureLargestOverlap(const World& world);
+
+}  // namespace morula
