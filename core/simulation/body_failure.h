@@ -7,6 +7,7 @@ namespace morula {
 /// remedy here is only what to look at first.
 struct BodyFailure : NumericalError {
   using NumericalError::NumericalError;
+  double timeStep = 0;  // [time] one that should do, if the failure tells; else 0
 };
 
 }  // namespace morula

@@ -35,13 +35,15 @@ void checkReach(const World& world) {
     if (!(c.farthest[slot / blockLanes] > most * most)) continue;
     const double move = farthestMove(world, slot);
     if (!(move > most && move < 1e300)) continue;  // another cell of its block, or checkBodies will see it
-    throw BodyFailure(
+    const double timeStep = powerOfTwoBelow(world.clock.timeStep * (c.radius[slot] / move));
+    BodyFailure failure(
         world.cells.path[cell].text(), world.clock.step,
         "a vertex moves by " + numberText(move) + " in one step, farther than the " +
             numberText(c.radius[slot]) + " that contacts reach: cells would pass through each other",
-        "use physics.time_step: " +
-            exactText(powerOfTwoBelow(world.clock.timeStep * (c.radius[slot] / move))) +
+        "use physics.time_step: " + exactText(timeStep) +
             ", or less, or lower what drives it: speeds (cells: velocity), physics.contact.friction");
+    failure.timeStep = timeStep;
+    throw failure;
   }
 }
 
@@ -55,9 +57,9 @@ void checkBodies(const World& world) {
         world.cells.path[cell].text(), world.clock.step,
         volume <= 0 ? "its volume is " + numberText(volume) + ": the cell is inside out"
                     : "its volume is not finite",
-        "what may drive it: physics.time_step (now " + exactText(world.clock.timeStep) +
-            "), physics.membrane.stiffness, physics.pressure.constant, physics.contact.stiffness, "
-            "connections.strength");
+        "look at physics.time_step (now " + exactText(world.clock.timeStep) +
+            "), at what the cells start with (cells: velocity, stretch), at physics.pressure.constant over "
+            "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, connections");
   }
 }
 

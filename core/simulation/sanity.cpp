@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesh/measures.h"
 #include "mesh/overlap.h"
@@ -13,7 +14,7 @@ namespace morula {
 namespace {
 
 constexpr double ballVolume = 12.566370614359172 / 3;  // 4π/3, over the cube of the radius
-constexpr int linesPerPair = 24;
+constexpr int linesPerPair = 16;
 
 /// The worst value so far and whose it is. What is no number is the worst there can be, and stays it.
 struct Worst {
@@ -30,9 +31,8 @@ struct Worst {
   }
 };
 
-SanityMeasure measureOf(const World& world, const char* name, const Worst& worst, double least, double most,
-                        const char* meaning) {
-  SanityMeasure m{name, worst.value, least, most, {}, {}, meaning};
+SanityMeasure measureOf(const World& world, const char* name, const Worst& worst, double least, double most) {
+  SanityMeasure m{name, worst.value, least, most, {}, {}};
   if (worst.cell >= 0) m.cell = world.cells.path[worst.cell];
   if (worst.other >= 0) m.other = world.cells.path[worst.other];
   return m;
@@ -81,30 +81,92 @@ double boxVolume(const Box& a, const Box& b) {
   return x > 0 && y > 0 && z > 0 ? x * y * z : 0;
 }
 
-/// Pairs whose boxes have enough in common are few: cells are swept along x.
-Worst largestOverlap(const std::vector<Mesh>& surfaces) {
+/// [length] How much of a line along `d` both surfaces cover.
+double sharedLength(const Mesh& a, const Mesh& b, const Vector& d) {
+  const auto range = [&d](const Mesh& m) {
+    double low = INFINITY, high = -INFINITY;
+    for (const Point& p : m.vertices) {
+      const double along = dot(p, d);
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+    return std::pair{low, high};
+  };
+  const auto [aLow, aHigh] = range(a);
+  const auto [bLow, bHigh] = range(b);
+  return std::max(0.0, std::min(aHigh, bHigh) - std::max(aLow, bLow));
+}
+
+/// [length³] The same as boxVolume with boxes that stand along the way from one cell to the other: neighbours that only
+/// touch have little in common there, however they lie.
+double turnedBoxVolume(const Mesh& a, const Mesh& b) {
+  const Vector way = measureCentroid(b.vertices) - measureCentroid(a.vertices);
+  if (!(norm(way) > 0)) return INFINITY;
+  const Vector first = (1 / norm(way)) * way;
+  const Vector aside = std::abs(first.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0};
+  const Vector across = cross(first, aside), second = (1 / norm(across)) * across, third = cross(first, second);
+  return sharedLength(a, b, first) * sharedLength(a, b, second) * sharedLength(a, b, third);
+}
+
+/// [length³] Of two balls: two caps, π (r + R − d)² (d² + 2d (r + R) − 3 (r − R)²)/(12 d).
+double sharedBallVolume(double r, double R, double d) {
+  const double smaller = std::min(r, R);
+  if (d <= std::abs(r - R)) return ballVolume * smaller * smaller * smaller;
+  const double depth = r + R - d;
+  if (depth <= 0) return 0;
+  return ballVolume / 16 * depth * depth * (d * d + 2 * d * (r + R) - 3 * (r - R) * (r - R)) / d;
+}
+
+/// Two cells that may have more than the bound in common.
+struct Pair {
+  double share;  // [1] of the smaller one's volume, at most
+  int smaller, larger;
+};
+
+/// Cells are swept along x.
+std::vector<Pair> findPairs(const std::vector<Mesh>& surfaces, const std::vector<double>& volumes) {
   const int count = static_cast<int>(surfaces.size());
   std::vector<Box> boxes;
-  std::vector<double> volumes;
   std::vector<int> order;
   for (int i = 0; i < count; ++i) {
     boxes.push_back(measureBox(surfaces[i].vertices));
-    volumes.push_back(measureVolume(surfaces[i].vertices, surfaces[i].faces));
     order.push_back(i);
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return boxes[a].low.x < boxes[b].low.x; });
-  Worst worst{0};
+  std::vector<Pair> pairs;
   for (int i = 0; i < count; ++i)
     for (int j = i + 1; j < count && boxes[order[j]].low.x < boxes[order[i]].high.x; ++j) {
       const int a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
-      const int smaller = volumes[b] < volumes[a] ? b : a, larger = smaller == a ? b : a;
-      const double least = std::max(sanity::mostOverlap, worst.value) * volumes[smaller];
-      if (!(boxVolume(boxes[a], boxes[b]) > least)) continue;
-      const MeshView first{surfaces[smaller].vertices, surfaces[smaller].faces},
-          second{surfaces[larger].vertices, surfaces[larger].faces};
-      worst.raise(measureSharedVolume(first, second, linesPerPair) / volumes[smaller], smaller, larger);
+      const int smaller = volumes[b] < volumes[a] ? b : a;
+      double share = boxVolume(boxes[a], boxes[b]) / volumes[smaller];
+      if (share > sanity::mostOverlap)
+        share = std::min(share, turnedBoxVolume(surfaces[a], surfaces[b]) / volumes[smaller]);
+      if (share > sanity::mostOverlap) pairs.push_back({share, smaller, a + b - smaller});
     }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.share > b.share; });
+  return pairs;
+}
+
+double sharedVolume(const Bodies& b, const std::vector<Mesh>& surfaces, const Pair& pair) {
+  if (!b.areSpheres())
+    return measureSharedVolume({surfaces[pair.smaller].vertices, surfaces[pair.smaller].faces},
+                               {surfaces[pair.larger].vertices, surfaces[pair.larger].faces}, linesPerPair);
+  const int one = b.slots[pair.smaller], other = b.slots[pair.larger];
+  const double radius = b.parameters.cell.radius;
+  return sharedBallVolume(radius * b.restScale[one], radius * b.restScale[other],
+                          norm(b.vertex(one, 0) - b.vertex(other, 0)));
+}
+
+Worst largestOverlap(const Bodies& b, const std::vector<Mesh>& surfaces) {
+  std::vector<double> volumes;
+  for (int slot : b.slots) volumes.push_back(b.volume[slot]);
+  Worst worst{0};
+  for (const Pair& pair : findPairs(surfaces, volumes)) {
+    if (pair.share <= worst.value) break;  // no other can have more
+    worst.raise(sharedVolume(b, surfaces, pair) / volumes[pair.smaller], pair.smaller, pair.larger);
+    if (worst.value > sanity::mostOverlap) break;
+  }
   return worst;
 }
 
@@ -132,17 +194,10 @@ std::vector<Mesh> takeSurfaces(const Bodies& b) {
   return surfaces;
 }
 
-const char* const overlapMeaning = "share of its volume that another cell has too";
-
 }  // namespace
 
 double measureRestVolume(const Bodies& b, int slot) {
   return restVolume(b, slot, volumeAtRest(b, b.meshOf(slot).mesh));
-}
-
-SanityMeasure measureLargestOverlap(const World& world) {
-  return measureOf(world, "overlap", largestOverlap(takeSurfaces(*world.bodies)), 0, sanity::mostOverlap,
-                   overlapMeaning);
 }
 
 std::vector<SanityMeasure> measureSanity(const World& world) {
@@ -152,7 +207,7 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
   for (int cell = 0; cell < b.count; ++cell)
     if (!isFinite(b, b.slots[cell])) broken.raise(1, cell);
   std::vector<SanityMeasure> all{
-      measureOf(world, "finite", broken, 0, 0, "1 if a position, speed or volume is not finite")};
+      measureOf(world, "finite", broken, 0, 0)};
   if (!all[0].holds()) return all;
 
   const std::vector<Mesh> surfaces = takeSurfaces(b);
@@ -172,15 +227,12 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
     centres.push_back(measureCentroid(surfaces[cell].vertices));
   }
   const bool crushed = !(least.value >= sanity::leastVolume);
-  all.push_back(measureOf(world, "volume", crushed ? least : most, sanity::leastVolume, sanity::mostVolume,
-                          "its volume over that at rest"));
-  all.push_back(measureOf(world, "inverted", inverted, 0, sanity::mostInverted,
-                          "share of its surface that is turned inside out"));
+  all.push_back(measureOf(world, "volume", crushed ? least : most, sanity::leastVolume, sanity::mostVolume));
+  all.push_back(measureOf(world, "inverted", inverted, 0, sanity::mostInverted));
   if (b.count > 1) {
     all.push_back(
-        measureOf(world, "overlap", largestOverlap(surfaces), 0, sanity::mostOverlap, overlapMeaning));
-    all.push_back(measureOf(world, "gap", widestGap(centres, largest), 0, sanity::mostGap,
-                            "radii of empty space between it and cells beyond"));
+        measureOf(world, "overlap", largestOverlap(b, surfaces), 0, sanity::mostOverlap));
+    all.push_back(measureOf(world, "gap", widestGap(centres, largest), 0, sanity::mostGap));
   }
   if (b.parameters.shell) {
     const double* a = b.parameters.shell->semiAxes;
@@ -195,10 +247,8 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
       }
       outermost.raise(std::sqrt(square), cell);
     }
-    all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost,
-                            "distance of its farthest vertex, in shell radii"));
-    all.push_back(measureOf(world, "fill", {volume / (ballVolume * a[0] * a[1] * a[2])}, 0, sanity::mostFill,
-                            "volume of all cells over the shell's"));
+    all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost));
+    all.push_back(measureOf(world, "fill", {volume / (ballVolume * a[0] * a[1] * a[2])}, 0, sanity::mostFill));
   }
   return all;
 }

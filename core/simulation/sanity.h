@@ -18,7 +18,7 @@ constexpr double leastVolume = 0.1, mostVolume = 10;  // [1] of a cell, over its
 constexpr double mostInverted = 0.25;  // [1] share of a cell's surface whose inner side shows outwards
 constexpr double mostOverlap = 0.2;    // [1] share of a cell's volume that one other cell has too
 constexpr double mostOutermost = 1 + 1e-6;  // [shell radii] vertices are projected onto it, up to rounding
-constexpr double mostFill = 1.05;  // [1] of the shell, by all cells: beyond it they share what is there
+constexpr double mostFill = 1 + 1e-6;  // [1] of the shell, by all cells: beyond it they share what is there
 constexpr double mostGap = 1000;  // [radii of the largest cell] with cells on both sides: no picture shows both
 
 }  // namespace sanity
@@ -29,7 +29,6 @@ struct SanityMeasure {
   double value = 0;   // what is no number is outside of every bound
   double least = 0, most = 0;
   std::optional<CellPath> cell, other;  // `other`: the one that it overlaps
-  std::string meaning;                  // what the value is, for people: "its volume over that at rest"
 
   bool holds() const { return value >= least && value <= most; }
 };
@@ -41,12 +40,13 @@ double measureRestVolume(const Bodies& bodies, int slot);
 /// All quantities that the world has; none without bodies or without cells. Volume first, and what is not finite alone: a
 /// world with numbers that are none is not measured further.
 ///
-/// Cost: every vertex a few times, and 24 × 24 lines through each pair of cells whose boxes share more than a fifth of
-/// the smaller one's volume: what two cells have in common lies in both boxes.
+/// Overlap is measured by lines through pairs of cells (mesh/overlap.h), up to about 0.01, and only of pairs whose boxes
+/// have more than a fifth of the smaller cell in common, both along the axes and along the way between the two: what cells
+/// have in common lies in both boxes. 0: of no pair. The pair with the most in common comes first, and the first that is
+/// outside of the bound ends it. Spheres have a formula.
+///
+/// Cost: each vertex a few times, and once more for each neighbour; in a crowd of 64 cells as much as one to three time
+/// steps.
 std::vector<SanityMeasure> measureSanity(const World& world);
-
-/// [1] The largest share of a cell's volume that one other cell has too, up to the error of 24 × 24 lines; 0 where no two
-/// boxes have more than a fifth of a cell's volume in common.
-SanityMeasure measureLargestOverlap(const World& world);
 
 }  // namespace morula

@@ -16,7 +16,8 @@ namespace morula {
 
 namespace {
 
-constexpr std::uint64_t stepsLookedAt = 16;  // before the failure, for the work of forces
+constexpr std::uint64_t mostStepsMeasured = 512;  // from the last good state on, for the work of forces; or else
+constexpr std::uint64_t fewStepsMeasured = 16;    // the last ones alone
 constexpr std::uint64_t statesKept = 32;     // of a run, to find the last good one among
 
 /// [1] Within these shares of its volume at rest a cell is as it should be.
@@ -67,7 +68,7 @@ std::optional<Rerun> runAgain(const Scene& scene, const Execution& execution, st
   Rerun rerun{keep(world), {}, {}};
   rerun.good = rerun.last = rerun.start;
   const std::uint64_t end = failedStep > 0 ? failedStep - 1 : 0, apart = std::max<std::uint64_t>(1, end / statesKept);
-  const std::uint64_t lookFrom = end > stepsLookedAt ? end - stepsLookedAt : 0;
+  const std::uint64_t lookFrom = end > fewStepsMeasured ? end - fewStepsMeasured : 0;
   while (world.clock.step < end) {
     const std::uint64_t now = world.clock.step;
     std::uint64_t steps = std::min(end - now, apart - now % apart);
@@ -91,7 +92,7 @@ bool lives(const World& world, const CellPath& cell) {
   return std::binary_search(world.cells.path.begin(), world.cells.path.end(), cell);
 }
 
-std::string share(double part, double whole) { return numberText(100 * part / whole, 2) + " %"; }
+std::string share(double part, double whole) { return std::to_string(std::lround(100 * part / whole)) + " %"; }
 
 /// "in its last 16 steps contacts did 91 % of the work on it, springs 9 %"
 std::string describeWork(const std::vector<ForceWork>& works, std::uint64_t steps) {
@@ -205,12 +206,11 @@ std::string describe(const Findings& found, const Kept& from, const BodyFailure&
   std::string text;
   if (!found.failed.empty()) text = since + list(found.failed) + (found.failed.size() == 1 ? " does" : " do") + " not help";
   if (found.helped) {
-    text += (text.empty() ? since : "; ") + found.helped->key + " " + found.helped->value + " helps: use it";
-    return text;
+    text += (text.empty() ? since : "; ") + found.helped->key + " " + found.helped->value + " helps";
+    return text + (failure.timeStep > 0 ? "; " + failure.remedy : ": use it");
   }
   if (found.cutShort) return text + (text.empty() ? "" : "; ") + "no more was tried, for it takes too long; " + failure.remedy;
-  return text + "; none of what was tried does; look at what the scene starts with: cells, physics.cell, and " +
-         "physics.pressure beside the mesh's volume";
+  return text + (text.empty() ? "nothing could be tried; " : "; ") + failure.remedy;
 }
 
 void append(std::string& text, const std::string& more) {
@@ -226,13 +226,14 @@ std::string diagnose(const Scene& scene, const Execution& execution, const BodyF
   if (!rerun) {
     remedy = "nothing was tried, for the run is too long to be made again; " + failure.remedy;
   } else {
-    World last = restored(scene, execution, rerun->last.state);
+    const bool isNear = failure.step - rerun->good.step <= mostStepsMeasured;
+    World last = restored(scene, execution, (isNear ? rerun->good : rerun->last).state);
     const CellPath cell = CellPath::parse(failure.cell);
     const std::string limit = describeLimit(last, cell);
     append(remedy, measureWork(last, cell, failure.step));
     append(remedy, limit.empty() ? describeLimit(last, cell) : limit);
     const double failedTime = timeAfter(last.clock, 1);
-    const std::vector<Trial> trials = trialsFor(last);
+    const std::vector<Trial> trials = trialsFor(last, failure.timeStep);
     Findings found = tryAll(trials, scene, execution, rerun->good, failedTime, budget);
     const Kept* from = &rerun->good;
     if (!found.helped && !found.cutShort && rerun->good.step > 0) {

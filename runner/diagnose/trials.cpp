@@ -16,9 +16,10 @@ void add(std::vector<Trial>& trials, const char* key, double value, std::functio
 /// A number that is easy to read and to type.
 double rounded(double a) { return std::stod(numberText(a, 3)); }
 
-void addTimeSteps(std::vector<Trial>& trials, const World& world) {
-  for (const double share : {0.5, 0.125}) {
-    const double step = powerOfTwoBelow(share * world.clock.timeStep);
+void addTimeSteps(std::vector<Trial>& trials, const World& world, double advised) {
+  std::vector<double> steps{powerOfTwoBelow(0.5 * world.clock.timeStep), powerOfTwoBelow(0.125 * world.clock.timeStep)};
+  if (advised > 0) steps = {advised};
+  for (const double step : steps) {
     add(trials, "physics.time_step", step, [step](World& w) { w.bodies->parameters.timeStep = step; });
   }
 }
@@ -93,9 +94,9 @@ void addDrag(std::vector<Trial>& trials, const World& world) {
 
 }  // namespace
 
-std::vector<Trial> trialsFor(const World& world) {
+std::vector<Trial> trialsFor(const World& world, double timeStep) {
   std::vector<Trial> trials;
-  addTimeSteps(trials, world);
+  addTimeSteps(trials, world, timeStep);
   addContact(trials, world);
   addPressure(trials, world);
   addConnections(trials, world);

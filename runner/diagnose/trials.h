@@ -14,7 +14,7 @@ struct Trial {
   std::function<void(World&)> apply;  // to a world in the middle of its run
 };
 
-/// The changes that make sense for the scene, the mildest first.
-std::vector<Trial> trialsFor(const World& world);
+/// The changes that make sense for the scene, the mildest first; `timeStep`, unless 0, before all others.
+std::vector<Trial> trialsFor(const World& world, double timeStep);
 
 }  // namespace morula
