@@ -101,7 +101,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettin
             {"db", settings.database.string()},
             {"pictures", outcome.pictures},
             {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
-                        {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()},
+            {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()},
             {"sane", orNull(outcome.isSane())},
             {"sanity", sanityJson(outcome.sanity)}};
   if (!end.failure.empty()) json["failure"] = end.failure;

@@ -2,7 +2,7 @@
 // divisions, with shells and without. Whatever ends well and is called sane is held against oracles of this file's own: volumes
 // by a sum over faces, overlap by points in meshes, lineage by a run without bodies.
 //
-// Seeds 1 to 40 in every test run; 1 to 200 with: test_property "[all]"
+// Seeds 1 to 200 in every test run, in about 6 s of CPU time; 201 to 2000 with: test_property "[more]"
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -198,18 +198,19 @@ void tryScene(std::uint64_t seed, Tally& tally) {
   if (!wrong.empty()) tally.lies += fmt::format("seed {}: {}\n{}\n", seed, wrong, text);
 }
 
-void tryScenes(std::uint64_t last) {
+void tryScenes(std::uint64_t first, std::uint64_t last) {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= last; ++seed) tryScene(seed, tally);
+  for (std::uint64_t seed = first; seed <= last; ++seed) tryScene(seed, tally);
+  const int count = static_cast<int>(last - first + 1);
   INFO("sane " << tally.sane << ", not sane " << tally.insane << ", failed " << tally.failed << ", refused "
                << tally.refused);
   CHECK(tally.lies == "");
   // Scenes that nobody could run would prove nothing.
-  CHECK(tally.sane > static_cast<int>(last) / 4);
-  CHECK(tally.refused < static_cast<int>(last) / 10);
+  CHECK(tally.sane > count / 4);
+  CHECK(tally.refused < count / 10);
 }
 
 }  // namespace
 
-TEST_CASE("of 40 random scenes none ends well and is not fine") { tryScenes(40); }
-TEST_CASE("of 200 random scenes none ends well and is not fine", "[.][all]") { tryScenes(200); }
+TEST_CASE("of 200 random scenes none ends well and is not fine") { tryScenes(1, 200); }
+TEST_CASE("of 1800 more random scenes none ends well and is not fine", "[.][more]") { tryScenes(201, 2000); }

@@ -83,7 +83,7 @@ TEST_CASE("a cell out of sight fails the run, and is named") {
 TEST_CASE("a cell that ends crushed does not look fine") {
   const Run r = run(crushed);
   CAPTURE(r.launched.err, r.launched.out);
-  CHECK((r.launched.code == 1 || r.launched.code == 4));
+  CHECK(r.launched.code != 0);
 }
 
 TEST_CASE("a scene that is about an end that is not sane says so, and must then not be sane") {
@@ -105,7 +105,7 @@ TEST_CASE("the results of a run that is not sane are stored as such, and no gold
   const auto check = launch({"check", folder / "s.yaml", "--json"});
   CHECK(check.code == 1);
   CHECK(check.out.find("\"kind\": \"sanity\"") != std::string::npos);
-  const auto accepted = launch({"review", folder / "s.yaml", "--accept", "--why", "as it is"});
+  const auto accepted = launch({"review", folder / "s.yaml", "--accept", "--why", "as it is", "--by", "a test"});
   CAPTURE(accepted.out, accepted.err);
   CHECK(accepted.code == 3);
   CHECK(accepted.err.find("nothing accepted") != std::string::npos);

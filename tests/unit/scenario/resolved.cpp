@@ -34,6 +34,7 @@ TEST_CASE("names, colours and pictures mean nothing for the results") {
   CHECK(read(replaced(everyPart, "pictures: 0.5", "pictures: 0.25")).meaning == meaning);
   CHECK(read(replaced(everyPart, "extent: 9", "extent: 8")).meaning == meaning);
   CHECK(read(replaced(everyPart, "[springs, physics.time_step]", "[pressure]")).meaning == meaning);
+  CHECK(read(replaced(everyPart, ", sane: false, because: it stops", "")).meaning == meaning);
 }
 
 TEST_CASE("every other parameter changes the meaning") {

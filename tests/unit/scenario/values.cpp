@@ -73,6 +73,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(s.check.endRoundness == 0.75);
   CHECK(s.check.endOverlap == 0.125);
   CHECK(s.check.fails == std::vector<std::string>{"springs", "physics.time_step"});
+  CHECK((!s.check.sane && s.check.because == "it stops"));
   // The mesh holds the volume of a sphere of the cell's radius: its vertices lie farther out, all equally.
   REQUIRE(scene.mechanics->mesh.vertices.size() == 642);
   REQUIRE(scene.mechanics->coarser.size() == 1);
@@ -125,7 +126,7 @@ TEST_CASE("parts that are not named do not exist") {
   CHECK(!t.scene.mechanics->physics.shell);
   CHECK(!t.scene.mechanics->physics.growth);
   CHECK(t.scene.cells.empty());
-  CHECK((!t.check.volume && !t.check.energy && t.check.fails.empty()));
+  CHECK((!t.check.volume && !t.check.energy && t.check.fails.empty() && t.check.sane));
 }
 
 TEST_CASE("CRLF, a byte order mark and a document marker are no mistakes") {
