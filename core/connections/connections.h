@@ -39,7 +39,8 @@ std::vector<CellPath> partners(const Connections& connections, const CellPath& c
 
 /// Adhesion [Nilsson 2008, eq. 4.9]: on each of the two cells the constant force k_c towards the other's
 /// centre, spread evenly over its vertices. `paths` [cell], sorted. Adds to the bodies' forces; equal and
-/// opposite on a pair. Without a strength k_c is the smaller of what the two cells have for each of their connections.
+/// opposite on a pair. Without a strength k_c is the smaller of what the two cells have for each of their
+/// connections.
 void addConnectionForces(Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies);
 
 }  // namespace morula

@@ -182,7 +182,8 @@ Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
 double measureSharedVolume(const MeshView& a, const MeshView& b, int columns) {
   CHECK(columns > 0, "no columns, no lines");
   const Box here = measureBox(a.vertices), there = measureBox(b.vertices);
-  const Box both{{std::max(here.low.x, there.low.x), std::max(here.low.y, there.low.y), std::max(here.low.z, there.low.z)},
+  const Box both{{std::max(here.low.x, there.low.x), std::max(here.low.y, there.low.y),
+                  std::max(here.low.z, there.low.z)},
                  {std::min(here.high.x, there.high.x), std::min(here.high.y, there.high.y),
                   std::min(here.high.z, there.high.z)}};
   if (!(both.low.x < both.high.x && both.low.y < both.high.y && both.low.z < both.high.z)) return 0;

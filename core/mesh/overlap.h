@@ -25,8 +25,8 @@ struct Overlap {
 /// share 0. Cost: triangles × lines through each, plus sorting the crossings of each line.
 Overlap measureOverlap(std::span<const MeshView> meshes, int columns = 256);
 
-/// [length³] What two closed meshes have in common: the same with lines only where both boxes are. 0 at no cost where the
-/// boxes do not meet.
+/// [length³] What two closed meshes have in common: the same with lines only where both boxes are. 0 at no
+/// cost where the boxes do not meet.
 double measureSharedVolume(const MeshView& a, const MeshView& b, int columns);
 
 }  // namespace morula

@@ -59,7 +59,8 @@ void checkBodies(const World& world) {
                     : "its volume is not finite",
         "look at physics.time_step (now " + exactText(world.clock.timeStep) +
             "), at what the cells start with (cells: velocity, stretch), at physics.pressure.constant over "
-            "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, connections");
+            "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, "
+            "connections");
   }
 }
 

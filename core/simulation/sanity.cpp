@@ -97,14 +97,15 @@ double sharedLength(const Mesh& a, const Mesh& b, const Vector& d) {
   return std::max(0.0, std::min(aHigh, bHigh) - std::max(aLow, bLow));
 }
 
-/// [length³] The same as boxVolume with boxes that stand along the way from one cell to the other: neighbours that only
-/// touch have little in common there, however they lie.
+/// [length³] The same as boxVolume with boxes that stand along the way from one cell to the other: neighbours
+/// that only touch have little in common there, however they lie.
 double turnedBoxVolume(const Mesh& a, const Mesh& b) {
   const Vector way = measureCentroid(b.vertices) - measureCentroid(a.vertices);
   if (!(norm(way) > 0)) return INFINITY;
   const Vector first = (1 / norm(way)) * way;
   const Vector aside = std::abs(first.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0};
-  const Vector across = cross(first, aside), second = (1 / norm(across)) * across, third = cross(first, second);
+  const Vector across = cross(first, aside), second = (1 / norm(across)) * across,
+               third = cross(first, second);
   return sharedLength(a, b, first) * sharedLength(a, b, second) * sharedLength(a, b, third);
 }
 
@@ -132,8 +133,7 @@ std::vector<Pair> findPairs(const std::vector<Mesh>& surfaces, const std::vector
     boxes.push_back(measureBox(surfaces[i].vertices));
     order.push_back(i);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return boxes[a].low.x < boxes[b].low.x; });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return boxes[a].low.x < boxes[b].low.x; });
   std::vector<Pair> pairs;
   for (int i = 0; i < count; ++i)
     for (int j = i + 1; j < count && boxes[order[j]].low.x < boxes[order[i]].high.x; ++j) {
@@ -144,7 +144,8 @@ std::vector<Pair> findPairs(const std::vector<Mesh>& surfaces, const std::vector
         share = std::min(share, turnedBoxVolume(surfaces[a], surfaces[b]) / volumes[smaller]);
       if (share > sanity::mostOverlap) pairs.push_back({share, smaller, a + b - smaller});
     }
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.share > b.share; });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.share > b.share; });
   return pairs;
 }
 
@@ -170,8 +171,9 @@ Worst largestOverlap(const Bodies& b, const std::vector<Mesh>& surfaces) {
   return worst;
 }
 
-/// The widest stretch along x, y or z without any cell's centre, in radii of the largest cell, and the cell at its end on
-/// the side with fewer cells. A cell far away from all others leaves one; a long chain of cells does not.
+/// The widest stretch along x, y or z without any cell's centre, in radii of the largest cell, and the cell
+/// at its end on the side with fewer cells. A cell far away from all others leaves one; a long chain of cells
+/// does not.
 Worst widestGap(const std::vector<Point>& centres, double radius) {
   Worst worst{0};
   const int count = static_cast<int>(centres.size());
@@ -206,8 +208,7 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
   Worst broken{0};
   for (int cell = 0; cell < b.count; ++cell)
     if (!isFinite(b, b.slots[cell])) broken.raise(1, cell);
-  std::vector<SanityMeasure> all{
-      measureOf(world, "finite", broken, 0, 0)};
+  std::vector<SanityMeasure> all{measureOf(world, "finite", broken, 0, 0)};
   if (!all[0].holds()) return all;
 
   const std::vector<Mesh> surfaces = takeSurfaces(b);
@@ -230,8 +231,7 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
   all.push_back(measureOf(world, "volume", crushed ? least : most, sanity::leastVolume, sanity::mostVolume));
   all.push_back(measureOf(world, "inverted", inverted, 0, sanity::mostInverted));
   if (b.count > 1) {
-    all.push_back(
-        measureOf(world, "overlap", largestOverlap(b, surfaces), 0, sanity::mostOverlap));
+    all.push_back(measureOf(world, "overlap", largestOverlap(b, surfaces), 0, sanity::mostOverlap));
     all.push_back(measureOf(world, "gap", widestGap(centres, largest), 0, sanity::mostGap));
   }
   if (b.parameters.shell) {
@@ -248,7 +248,8 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
       outermost.raise(std::sqrt(square), cell);
     }
     all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost));
-    all.push_back(measureOf(world, "fill", {volume / (ballVolume * a[0] * a[1] * a[2])}, 0, sanity::mostFill));
+    all.push_back(
+        measureOf(world, "fill", {volume / (ballVolume * a[0] * a[1] * a[2])}, 0, sanity::mostFill));
   }
   return all;
 }

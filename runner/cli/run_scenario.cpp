@@ -141,8 +141,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   outcome.canBeResumed = outcome.canBeResumed && run.end.status == RunStatus::killed;
   const bool done = run.end.status == RunStatus::done;
   if (run.end.status != RunStatus::killed) checkOutcome(scenario, settings, run, invariants, outcome);
-  if (done)
-    outcome.sanity = sanity.results(run.world, scenario.check, settings.check && !settings.changed);
+  if (done) outcome.sanity = sanity.results(run.world, scenario.check, settings.check && !settings.changed);
   if (outcome.checks) run.results.checks = outcome.checks->results;
   run.results.checks.insert(run.results.checks.end(), outcome.sanity.begin(), outcome.sanity.end());
   store.finish(outcome.id, run.end, run.results);

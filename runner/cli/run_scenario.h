@@ -29,7 +29,7 @@ struct RunOutcome {
   RunEnd end;
   std::optional<CheckReport> checks;
   std::string whyNotChecked;  // against a golden
-  std::vector<CheckResult> sanity;  // of a run with bodies that came to its end, whatever else was checked
+  std::vector<CheckResult> sanity;     // of a run with bodies that came to its end, whatever else was checked
   std::optional<bool> isSane() const;  // or the scenario says that it need not be; absent: not measured
   CheckReport sanityReport(const Scenario& scenario) const;
   std::vector<std::string> pictures;

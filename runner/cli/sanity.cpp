@@ -45,8 +45,8 @@ bool mayTouch(const World& world) {
   return false;
 }
 
-/// True if measureEnergy sees all that there is at the start, and nothing adds to it: contacts, connections and growth
-/// hold energy that it does not count, and a shell moves what it stops.
+/// True if measureEnergy sees all that there is at the start, and nothing adds to it: contacts, connections
+/// and growth hold energy that it does not count, and a shell moves what it stops.
 bool isClosed(const World& start) {
   if (!start.bodies) return false;
   const PhysicsParameters& p = start.bodies->parameters;
@@ -62,9 +62,11 @@ std::string nameOf(const std::optional<CellPath>& cell) { return cell ? nameOf(*
 std::string contactAdvice(const MechanicsScene& m) {
   if (!m.contact) return "the scene has no physics.contact, so cells pass through one another";
   if (m.contact->law == ContactLaw::thesis)
-    return "physics.contact.law thesis holds cells apart only where motion is damped: try pair, or more physics.drag";
-  return fmt::format("what holds them apart is physics.contact, with stiffness {} and radius {}: try more of either",
-                     formatReal(m.contact->stiffness), formatReal(m.contact->radius));
+    return "physics.contact.law thesis holds cells apart only where motion is damped: try pair, or more "
+           "physics.drag";
+  return fmt::format(
+      "what holds them apart is physics.contact, with stiffness {} and radius {}: try more of either",
+      formatReal(m.contact->stiffness), formatReal(m.contact->radius));
 }
 
 std::string sentence(const SanityMeasure& m, const World& world) {
@@ -83,17 +85,22 @@ std::string sentence(const SanityMeasure& m, const World& world) {
                        nameOf(m.other), v(m.most), contactAdvice(scene));
   if (m.name == "gap")
     return fmt::format(
-        "{} is {} radii of empty space away from the others; fine is at most {}, for no picture shows both", who,
-        v(m.value), v(m.most));
+        "{} is {} radii of empty space away from the others; fine is at most {}, for no picture shows both",
+        who, v(m.value), v(m.most));
   if (m.name == "outermost")
-    return fmt::format("{} stands out of the shell: a vertex lies at {} of its radius", who, v(m.value));
+    return fmt::format("{} stands out of the shell: its surface reaches {:.6g} of its radius{}", who, m.value,
+                       scene.physics.cell.model == CellModel::sphere
+                           ? "; balls do so where an ellipsoid bends, other models of physics.cell do not"
+                           : "");
   if (m.name == "fill")
-    return fmt::format("all cells together fill {} of the shell; fine is at most {}, for they can only be in one "
-                       "another; {}",
-                       v(m.value), v(m.most), contactAdvice(scene));
-  return fmt::format("motion, membranes and contents hold {} times the energy of the start, and nothing here adds any; "
-                     "fine is at most {}",
-                     v(m.value), v(m.most));
+    return fmt::format(
+        "all cells together fill {} of the shell; fine is at most {}, for they can only be in one "
+        "another; {}",
+        v(m.value), v(m.most), contactAdvice(scene));
+  return fmt::format(
+      "motion, membranes and contents hold {} times the energy of the start, and nothing here adds any; "
+      "fine is at most {}",
+      v(m.value), v(m.most));
 }
 
 std::string boundsOf(const SanityMeasure& m) {
@@ -114,8 +121,8 @@ CheckResult resultOf(const SanityMeasure& m, const World& end, const CheckParame
   if (m.cell) r.cell = m.cell->text();
   if (r.passed) return r;
   r.failureClass = "COMPUTATION";
-  r.message = "not sane at the end: " + sentence(m, end) + "; if the scene is about this, say so: " +
-              "check: {sane: false, because: \"why\"}";
+  r.message = "not sane at the end: " + sentence(m, end) +
+              "; if the scene is about this, say so: " + "check: {sane: false, because: \"why\"}";
   return r;
 }
 
@@ -143,13 +150,18 @@ SanityCheck::SanityCheck(const World& start) : cells_(start.cells.path) {
   for (int slot : b.slots) energyScale_ += b.parameters.pressure.outside * measureRestVolume(b, slot);
 }
 
-std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParameters& check, bool held) const {
+std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParameters& check,
+                                              bool held) const {
   std::vector<SanityMeasure> measures = measureSanity(end);
   const bool finite = !measures.empty() && measures[0].holds();
   if (energy_ && finite && end.cells.path == cells_) {
     const double noise = energyNoise * energyScale_;
-    measures.push_back({"energy", (measureEnergy(*end.bodies) - noise) / std::max(*energy_, noise), -INFINITY, mostEnergy,
-                        {}, {}});
+    measures.push_back({"energy",
+                        (measureEnergy(*end.bodies) - noise) / std::max(*energy_, noise),
+                        -INFINITY,
+                        mostEnergy,
+                        {},
+                        {}});
   }
   std::vector<CheckResult> all;
   for (const SanityMeasure& m : measures) all.push_back(resultOf(m, end, check));

@@ -15,14 +15,15 @@ class SanityCheck {
   /// `start`: the world at time 0, also of a run that goes on from a checkpoint.
   explicit SanityCheck(const World& start);
 
-  /// One result of kind "sanity" per quantity; none without bodies. A scene that says `check: {sane: false}` passes
-  /// all; with `held` it must then really lie outside of a bound, or else a result of its own fails: what it says
-  /// is not true any more.
+  /// One result of kind "sanity" per quantity; none without bodies. A scene that says `check: {sane: false}`
+  /// passes all; with `held` it must then really lie outside of a bound, or else a result of its own fails:
+  /// what it says is not true any more.
   std::vector<CheckResult> results(const World& end, const CheckParameters& check, bool held) const;
 
  private:
-  std::optional<double> energy_;  // [force·length] at the start, where nothing that is not in it can add to it
-  double energyScale_ = 0;        // [force·length] what the cells' contents hold at rest
+  std::optional<double>
+      energy_;              // [force·length] at the start, where nothing that is not in it can add to it
+  double energyScale_ = 0;  // [force·length] what the cells' contents hold at rest
   std::vector<CellPath> cells_;
 };
 

@@ -16,9 +16,10 @@ namespace morula {
 
 namespace {
 
-constexpr std::uint64_t mostStepsMeasured = 512;  // from the last good state on, for the work of forces; or else
-constexpr std::uint64_t fewStepsMeasured = 16;    // the last ones alone
-constexpr std::uint64_t statesKept = 32;     // of a run, to find the last good one among
+constexpr std::uint64_t mostStepsMeasured =
+    512;  // from the last good state on, for the work of forces; or else
+constexpr std::uint64_t fewStepsMeasured = 16;  // the last ones alone
+constexpr std::uint64_t statesKept = 32;        // of a run, to find the last good one among
 
 /// [1] Within these shares of its volume at rest a cell is as it should be.
 constexpr double goodLeast = 0.5, goodMost = 2;
@@ -29,7 +30,9 @@ class Budget {
   bool allows(const World& world, std::uint64_t steps) const {
     return spent_ + costOf(world) * static_cast<double>(steps) <= diagnosisLimit;
   }
-  void spend(const World& world, std::uint64_t steps) { spent_ += costOf(world) * static_cast<double>(steps); }
+  void spend(const World& world, std::uint64_t steps) {
+    spent_ += costOf(world) * static_cast<double>(steps);
+  }
 
  private:
   static double costOf(const World& world) {
@@ -56,8 +59,8 @@ struct Kept {
 
 /// The run once more, up to the step before the one that failed.
 struct Rerun {
-  Kept start, good, last;  // `good`: the latest of those kept in which all cells are as they should be; `last`: a
-                           // few steps before the failure
+  Kept start, good, last;  // `good`: the latest of those kept in which all cells are as they should be;
+                           // `last`: a few steps before the failure
 };
 
 Kept keep(const World& world) { return {world.clock.step, world.clock.time, saveState(world)}; }
@@ -67,7 +70,8 @@ std::optional<Rerun> runAgain(const Scene& scene, const Execution& execution, st
   World world = makeWorld(scene, execution);
   Rerun rerun{keep(world), {}, {}};
   rerun.good = rerun.last = rerun.start;
-  const std::uint64_t end = failedStep > 0 ? failedStep - 1 : 0, apart = std::max<std::uint64_t>(1, end / statesKept);
+  const std::uint64_t end = failedStep > 0 ? failedStep - 1 : 0,
+                      apart = std::max<std::uint64_t>(1, end / statesKept);
   const std::uint64_t lookFrom = end > fewStepsMeasured ? end - fewStepsMeasured : 0;
   while (world.clock.step < end) {
     const std::uint64_t now = world.clock.step;
@@ -92,7 +96,9 @@ bool lives(const World& world, const CellPath& cell) {
   return std::binary_search(world.cells.path.begin(), world.cells.path.end(), cell);
 }
 
-std::string share(double part, double whole) { return std::to_string(std::lround(100 * part / whole)) + " %"; }
+std::string share(double part, double whole) {
+  return std::to_string(std::lround(100 * part / whole)) + " %";
+}
 
 /// "in its last 16 steps contacts did 91 % of the work on it, springs 9 %"
 std::string describeWork(const std::vector<ForceWork>& works, std::uint64_t steps) {
@@ -102,7 +108,8 @@ std::string describeWork(const std::vector<ForceWork>& works, std::uint64_t step
   const std::string when =
       steps == 1 ? "in the step before " : "in the " + std::to_string(steps) + " steps before ";
   if (!(all > 0) || !(all < INFINITY)) return when + "no force drove it, only its own motion";
-  std::string text = when + works[0].force + " did " + share(works[0].work, all) + " of the work that drove it";
+  std::string text =
+      when + works[0].force + " did " + share(works[0].work, all) + " of the work that drove it";
   for (std::size_t i = 1; i < works.size(); ++i)
     if (works[i].work > 0.01 * all) text += ", " + works[i].force + " " + share(works[i].work, all);
   return text;
@@ -137,18 +144,21 @@ std::string describeLimit(const World& world, const CellPath& cell) {
                             {"its pressure", own.pressure},
                             {"drag", dragLimit(p.integrator, p.drag)}};
   if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
-    limits.push_back({"contacts", contactLimit(p.integrator, world.contacts->parameters.stiffness,
-                                               world.contacts->parameters.damping, b.vertexMass[slot], p.drag)});
+    limits.push_back(
+        {"contacts", contactLimit(p.integrator, world.contacts->parameters.stiffness,
+                                  world.contacts->parameters.damping, b.vertexMass[slot], p.drag)});
   const Limit lowest = *std::min_element(limits.begin(), limits.end(),
                                          [](const Limit& x, const Limit& y) { return x.time < y.time; });
   if (!(lowest.time > 0 && lowest.time < INFINITY)) return "";
   return "the time step " + exactText(world.clock.timeStep) + " is " +
-         numberText(world.clock.timeStep / lowest.time, 2) + " of the lowest stability limit, that of " + lowest.of;
+         numberText(world.clock.timeStep / lowest.time, 2) + " of the lowest stability limit, that of " +
+         lowest.of;
 }
 
 enum class Outcome { holds, fails, refused, tooLong };
 
-/// Whether the run goes on with the change: past the failure, and as long again as it is from the state to it.
+/// Whether the run goes on with the change: past the failure, and as long again as it is from the state to
+/// it.
 Outcome tryChange(const Trial& trial, World world, double failedTime, Budget& budget) {
   const double until = failedTime + (failedTime - world.clock.time);
   try {
@@ -186,30 +196,40 @@ struct Findings {
   bool cutShort = false;
 };
 
-Findings tryAll(const std::vector<Trial>& trials, const Scene& scene, const Execution& execution, const Kept& from,
-                double failedTime, Budget& budget) {
+Findings tryAll(const std::vector<Trial>& trials, const Scene& scene, const Execution& execution,
+                const Kept& from, double failedTime, Budget& budget) {
   Findings found;
   for (const Trial& trial : trials) {
     switch (tryChange(trial, restored(scene, execution, from.state), failedTime, budget)) {
-      case Outcome::holds: found.helped = &trial; return found;
-      case Outcome::fails: found.failed.push_back(&trial); break;
-      case Outcome::refused: break;
-      case Outcome::tooLong: found.cutShort = true; return found;
+      case Outcome::holds:
+        found.helped = &trial;
+        return found;
+      case Outcome::fails:
+        found.failed.push_back(&trial);
+        break;
+      case Outcome::refused:
+        break;
+      case Outcome::tooLong:
+        found.cutShort = true;
+        return found;
     }
   }
   return found;
 }
 
 std::string describe(const Findings& found, const Kept& from, const BodyFailure& failure) {
-  const std::string since = from.step == 0 ? "tried from the start: " : "tried from step " + std::to_string(from.step) +
-                                                                            " on, where all was well: ";
+  const std::string since =
+      from.step == 0 ? "tried from the start: "
+                     : "tried from step " + std::to_string(from.step) + " on, where all was well: ";
   std::string text;
-  if (!found.failed.empty()) text = since + list(found.failed) + (found.failed.size() == 1 ? " does" : " do") + " not help";
+  if (!found.failed.empty())
+    text = since + list(found.failed) + (found.failed.size() == 1 ? " does" : " do") + " not help";
   if (found.helped) {
     text += (text.empty() ? since : "; ") + found.helped->key + " " + found.helped->value + " helps";
     return text + (failure.timeStep > 0 ? "; " + failure.remedy : ": use it");
   }
-  if (found.cutShort) return text + (text.empty() ? "" : "; ") + "no more was tried, for it takes too long; " + failure.remedy;
+  if (found.cutShort)
+    return text + (text.empty() ? "" : "; ") + "no more was tried, for it takes too long; " + failure.remedy;
   return text + (text.empty() ? "nothing could be tried; " : "; ") + failure.remedy;
 }
 

@@ -114,8 +114,7 @@ void WorkMeter::observe(World& world) {
   std::vector<Forces> forces = measure(world);
   for (std::size_t f = 0; f < forces.size(); ++f)
     for (std::size_t v = 0; v < now.size(); ++v)
-      works_[f].work +=
-          0.5 * dot(forces_[f].onVertex[v] + forces[f].onVertex[v], now[v] - before_[v]);
+      works_[f].work += 0.5 * dot(forces_[f].onVertex[v] + forces[f].onVertex[v], now[v] - before_[v]);
   before_ = now;
   forces_ = std::move(forces);
 }

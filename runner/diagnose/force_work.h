@@ -12,8 +12,8 @@ struct ForceWork {
   double work = 0;    // [force·length] on the cell's vertices; negative: it resisted
 };
 
-/// Sums up, step by step, the work Σ f·Δx of each force on the vertices of one cell: f the mean of the forces at both
-/// ends of the step.
+/// Sums up, step by step, the work Σ f·Δx of each force on the vertices of one cell: f the mean of the forces
+/// at both ends of the step.
 class WorkMeter {
  public:
   /// The cell must live in the world and go on living.

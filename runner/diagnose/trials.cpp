@@ -17,7 +17,8 @@ void add(std::vector<Trial>& trials, const char* key, double value, std::functio
 double rounded(double a) { return std::stod(numberText(a, 3)); }
 
 void addTimeSteps(std::vector<Trial>& trials, const World& world, double advised) {
-  std::vector<double> steps{powerOfTwoBelow(0.5 * world.clock.timeStep), powerOfTwoBelow(0.125 * world.clock.timeStep)};
+  std::vector<double> steps{powerOfTwoBelow(0.5 * world.clock.timeStep),
+                            powerOfTwoBelow(0.125 * world.clock.timeStep)};
   if (advised > 0) steps = {advised};
   for (const double step : steps) {
     add(trials, "physics.time_step", step, [step](World& w) { w.bodies->parameters.timeStep = step; });
@@ -80,7 +81,8 @@ void addMembrane(std::vector<Trial>& trials, const World& world) {
 
 void addConnections(std::vector<Trial>& trials, const World& world) {
   if (!world.connections || !world.connections->parameters.strength) return;
-  trials.push_back({"connections.strength", "shared", [](World& w) { w.connections->parameters.strength.reset(); }});
+  trials.push_back(
+      {"connections.strength", "shared", [](World& w) { w.connections->parameters.strength.reset(); }});
 }
 
 /// So much that the motion of a few hundred time steps dies away.

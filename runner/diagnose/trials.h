@@ -9,8 +9,8 @@
 namespace morula {
 
 struct Trial {
-  std::string key;    // "physics.time_step"
-  std::string value;  // what would stand there
+  std::string key;                    // "physics.time_step"
+  std::string value;                  // what would stand there
   std::function<void(World&)> apply;  // to a world in the middle of its run
 };
 

@@ -71,7 +71,8 @@ Parameter saneEnd() {
   p.path = "check.sane";
   p.allowed = "false, beside because; true is what holds without it";
   p.meaning = "false: this scene is about an end that is not sane, and the run passes all the same";
-  p.absent = "the end must be sane: no cell crushed, inside out, in another, out of its shell or out of sight";
+  p.absent =
+      "the end must be sane: no cell crushed, inside out, in another, out of its shell or out of sight";
   p.decides = Decides::presentation;
   p.schema = {{"type", "boolean"}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {

@@ -190,7 +190,8 @@ void checkReason(const CheckParameters& check, Reading& reading, const Node& roo
                          "say why beside it: because: \"what the scene is about\"");
   if (check.sane && !check.because.empty())
     reading.problems.add(placeOf(root, "check.because"), "check.because",
-                         "gives a reason for sane: false, and sane is true", "remove it, or write sane: false");
+                         "gives a reason for sane: false, and sane is true",
+                         "remove it, or write sane: false");
 }
 
 void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {

@@ -1,6 +1,7 @@
-// No run that is not fine looks fine: scenes drawn at random, of all policies, laws, models and integrators, with one to four
-// divisions, with shells and without. Whatever ends well and is called sane is held against oracles of this file's own: volumes
-// by a sum over faces, overlap by points in meshes, lineage by a run without bodies.
+// No run that is not fine looks fine: scenes drawn at random, of all policies, laws, models and integrators,
+// with one to four divisions, with shells and without. Whatever ends well and is called sane is held against
+// oracles of this file's own: volumes by a sum over faces, overlap by points in meshes, lineage by a run
+// without bodies.
 //
 // Seeds 1 to 200 in every test run, in about 6 s of CPU time; 201 to 2000 with: test_property "[more]"
 #include <fmt/format.h>
@@ -30,7 +31,9 @@ class Draw {
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     return z ^ (z >> 31);
   }
-  double between(double low, double high) { return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53; }
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+  }
   bool chance(double p) { return between(0, 1) < p; }
   std::string one(const std::vector<std::string>& of) { return of[bits() % of.size()]; }
 
@@ -53,19 +56,21 @@ std::string sceneText(std::uint64_t seed) {
   const int divisions = 1 + static_cast<int>(draw.bits() % 4);
   const double length = draw.between(0.3, 1.2), radius = draw.between(0.6, 1.8);
   const std::string model = draw.one({"shell", "shell", "shell", "shape-matching", "sphere"});
-  std::string integrator =
-      draw.one({"velocity-verlet", "velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4", "xpbd"});
+  std::string integrator = draw.one({"velocity-verlet", "velocity-verlet", "thesis-verlet", "explicit-euler",
+                                     "symplectic-euler", "rk4", "xpbd"});
   if (model != "shell" && integrator == "xpbd") integrator = "velocity-verlet";
   std::string text = fmt::format(
       "morula: 1\nname: random-{}\nseed: {}\ndna: |\n  START: a\n  g1(a|a)\n  g2(divide|a)\n"
-      "cycle: {{length: {:.4f}}}\nstop: {{time: {:.4f}}}\nphysics:\n  integrator: {}\n  mesh: {{icosphere: 1}}\n"
+      "cycle: {{length: {:.4f}}}\nstop: {{time: {:.4f}}}\nphysics:\n  integrator: {}\n  mesh: {{icosphere: "
+      "1}}\n"
       "  cell: {{model: {}, radius: {:.4f}}}\n",
       seed, seed, length, (divisions + 0.9) * length, integrator, model, radius);
   if (integrator == "xpbd") text += fmt::format("  time_step: {}\n", draw.one({"0.0078125", "0.015625"}));
   if (integrator == "explicit-euler" || draw.chance(0.4))
     text += fmt::format("  drag: {:.3f}\n", draw.chance(0.3) ? 0.2 : draw.between(0.2, 5));
   if (model == "shell") {
-    text += fmt::format("  membrane: {{stiffness: {:.3f}, damping: {:.3f}}}\n", draw.between(5, 60), draw.between(0, 0.5));
+    text += fmt::format("  membrane: {{stiffness: {:.3f}, damping: {:.3f}}}\n", draw.between(5, 60),
+                        draw.between(0, 0.5));
     const double constant = draw.between(20, 300), volume = 4.19 * radius * radius * radius;
     if (draw.chance(0.7))
       text += fmt::format("  pressure: {{constant: {:.3f}, outside: {:.4f}}}\n", constant,
@@ -73,8 +78,9 @@ std::string sceneText(std::uint64_t seed) {
   }
   if (draw.chance(0.5)) {
     const double r = radius * draw.between(1, 1.3);
-    text += draw.chance(0.5) ? fmt::format("  shell: {{sphere: {:.4f}}}\n", r)
-                             : fmt::format("  shell: {{ellipsoid: [{:.4f}, {:.4f}, {:.4f}]}}\n", 1.5 * r, r, r);
+    text += draw.chance(0.5)
+                ? fmt::format("  shell: {{sphere: {:.4f}}}\n", r)
+                : fmt::format("  shell: {{ellipsoid: [{:.4f}, {:.4f}, {:.4f}]}}\n", 1.5 * r, r, r);
   }
   text += contactOf(draw, model == "sphere");
   text += "division: {plane: " +
@@ -102,17 +108,19 @@ double ownOverlap(const Mesh& a, const Mesh& b) {
   constexpr int n = 11;
   const Box box = measureBox(a.vertices), other = measureBox(b.vertices);
   const auto inBox = [](const Box& k, const Point& p) {
-    return p.x >= k.low.x && p.x <= k.high.x && p.y >= k.low.y && p.y <= k.high.y && p.z >= k.low.z && p.z <= k.high.z;
+    return p.x >= k.low.x && p.x <= k.high.x && p.y >= k.low.y && p.y <= k.high.y && p.z >= k.low.z &&
+           p.z <= k.high.z;
   };
-  if (other.low.x > box.high.x || other.high.x < box.low.x || other.low.y > box.high.y || other.high.y < box.low.y ||
-      other.low.z > box.high.z || other.high.z < box.low.z)
+  if (other.low.x > box.high.x || other.high.x < box.low.x || other.low.y > box.high.y ||
+      other.high.y < box.low.y || other.low.z > box.high.z || other.high.z < box.low.z)
     return 0;
   int inside = 0, both = 0;
   const Vector size = box.high - box.low;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
       for (int k = 0; k < n; ++k) {
-        const Point p = box.low + Vector{(i + 0.5) / n * size.x, (j + 0.5) / n * size.y, (k + 0.5) / n * size.z};
+        const Point p =
+            box.low + Vector{(i + 0.5) / n * size.x, (j + 0.5) / n * size.y, (k + 0.5) / n * size.z};
         if (!isInside(p, a.vertices, a.faces)) continue;
         ++inside;
         both += inBox(other, p) && isInside(p, b.vertices, b.faces);

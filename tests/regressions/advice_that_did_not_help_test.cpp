@@ -1,5 +1,6 @@
-// A cell that was inside out was always told to lower physics.time_step, which in 9 of 11 cases changed nothing: contents were at
-// rest with another volume than the mesh, or contact was too soft. What a failure advises has been tried.
+// A cell that was inside out was always told to lower physics.time_step, which in 9 of 11 cases changed
+// nothing: contents were at rest with another volume than the mesh, or contact was too soft. What a failure
+// advises has been tried.
 #include "catch.h"
 #include "launch.h"
 
@@ -16,12 +17,14 @@ Launched runText(const std::string& scenario) {
 }
 
 std::string onlyCell(const std::string& physics) {
-  return "morula: 1\nname: one\ndna: 'START: a'\nstop: {time: 2}\nphysics:\n  mesh: {icosphere: 1}\n" + physics;
+  return "morula: 1\nname: one\ndna: 'START: a'\nstop: {time: 2}\nphysics:\n  mesh: {icosphere: 1}\n" +
+         physics;
 }
 
 }  // namespace
 
-TEST_CASE("contents at rest with a fortieth of the mesh's volume: the failure names pressure, not the time step") {
+TEST_CASE(
+    "contents at rest with a fortieth of the mesh's volume: the failure names pressure, not the time step") {
   const std::string squeezed = "  membrane: {stiffness: 1}\n  pressure: {constant: 2, outside: 20}\n";
   const auto run = runText(onlyCell(squeezed));
   CAPTURE(run.err);
@@ -33,9 +36,11 @@ TEST_CASE("contents at rest with a fortieth of the mesh's volume: the failure na
   CHECK(has(run.err, "helps: use it"));
   CHECK(!has(run.err, "lower physics.time_step"));
   // What it advises does help.
-  const auto at = run.err.rfind("physics.pressure.outside ") + std::string("physics.pressure.outside ").size();
+  const auto at =
+      run.err.rfind("physics.pressure.outside ") + std::string("physics.pressure.outside ").size();
   const std::string value = run.err.substr(at, run.err.find(' ', at) - at);
-  CHECK(runText(onlyCell("  membrane: {stiffness: 1}\n  pressure: {constant: 2, outside: " + value + "}\n")).code == 0);
+  CHECK(runText(onlyCell("  membrane: {stiffness: 1}\n  pressure: {constant: 2, outside: " + value + "}\n"))
+            .code == 0);
 }
 
 TEST_CASE("a failure reads the same with any number of threads") {

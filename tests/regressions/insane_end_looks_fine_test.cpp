@@ -1,5 +1,6 @@
-// Runs that ended with cells crushed to a thousandth, in one another or out of sight were told as "done", exit 0. The end of
-// every run with bodies is measured: one that is not sane says which cell and why, and exits 1, whatever else is asked for.
+// Runs that ended with cells crushed to a thousandth, in one another or out of sight were told as "done",
+// exit 0. The end of every run with bodies is measured: one that is not sane says which cell and why, and
+// exits 1, whatever else is asked for.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -42,7 +43,8 @@ struct Run {
 Run run(const std::string& scenario, std::vector<std::string> more = {}) {
   const TemporaryFolder folder;
   writeWhole(folder / "s.yaml", scenario);
-  std::vector<std::string> arguments{"run", folder / "s.yaml", "--out", folder / "out", "--no-pictures", "--json"};
+  std::vector<std::string> arguments{"run",          folder / "s.yaml", "--out",
+                                     folder / "out", "--no-pictures",   "--json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   Run r{launch(arguments), {}};
   if (!r.launched.out.empty()) r.json = Json::parse(r.launched.out);
@@ -92,7 +94,8 @@ TEST_CASE("a scene that is about an end that is not sane says so, and must then 
   CAPTURE(r.launched.err, r.launched.out);
   CHECK(r.launched.code == 0);
   CHECK(r.json.at("sane") == true);
-  const std::string harmless = "morula: 1\nname: one\ndna: 'START: a'\nstop: {time: 0.1}\nphysics: {mesh: {icosphere: 1}}\n";
+  const std::string harmless =
+      "morula: 1\nname: one\ndna: 'START: a'\nstop: {time: 0.1}\nphysics: {mesh: {icosphere: 1}}\n";
   CHECK(run(harmless).launched.code == 0);
   const Run needless = run(harmless + excuse);
   CHECK(needless.launched.code == 1);
@@ -105,7 +108,8 @@ TEST_CASE("the results of a run that is not sane are stored as such, and no gold
   const auto check = launch({"check", folder / "s.yaml", "--json"});
   CHECK(check.code == 1);
   CHECK(check.out.find("\"kind\": \"sanity\"") != std::string::npos);
-  const auto accepted = launch({"review", folder / "s.yaml", "--accept", "--why", "as it is", "--by", "a test"});
+  const auto accepted =
+      launch({"review", folder / "s.yaml", "--accept", "--why", "as it is", "--by", "a test"});
   CAPTURE(accepted.out, accepted.err);
   CHECK(accepted.code == 3);
   CHECK(accepted.err.find("nothing accepted") != std::string::npos);
