@@ -67,6 +67,7 @@ struct PhysicsParameters {
   std::optional<double> coarsen;   // [length] a daughter takes the coarsest of the scene's meshes whose mean
                                    // edge at rest is no longer; absent: every cell has the egg's mesh
   std::optional<double> timeStep;  // [time]; absent: auto, dyadic, from the stability limits
+  double autoShare = 1;            // of the automatic time step, in (0, 1]; less: more exact and slower
   Integrator integrator = Integrator::velocityVerlet;
   std::optional<std::uint64_t> substeps;  // XPBD only: of a time step; more: more exact and slower; absent: 1
   Precision precision =

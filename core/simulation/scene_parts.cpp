@@ -46,6 +46,7 @@ std::string hashOf(const PhysicsParameters& p) {
   if (p.substeps) h.field("substeps").add(*p.substeps);
   add(h, p.coarsen);
   add(h, p.timeStep);
+  if (p.autoShare != 1) h.field("share of the automatic time step").add(p.autoShare);
   h.field("cell").add(number(p.cell.model)).add(p.cell.radius).add(p.cell.mass);
   h.field("membrane").add(p.membrane.stiffness).add(p.membrane.damping).add(p.membrane.production);
   if (p.cell.model == CellModel::shapeMatching)

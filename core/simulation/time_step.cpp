@@ -116,7 +116,7 @@ void chooseTimeStep(World& world) {
   } else {
     if (p.integrator == Integrator::xpbd ? std::isinf(limit.contact) : std::isinf(longest(combined, p)))
       refuseUnbounded(world);
-    timeStep = powerOfTwoBelow(longest(combined, p));
+    timeStep = powerOfTwoBelow(p.autoShare * longest(combined, p));
   }
   refuseEndless(world, limit.cell, timeStep);
   Clock& clock = world.clock;

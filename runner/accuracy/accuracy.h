@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "accuracy/convergence.h"
+#include "accuracy/divided_elsewhere.h"
+#include "accuracy/mesh_error.h"
 #include "accuracy/trial.h"
 
 namespace morula {
@@ -20,16 +22,30 @@ struct AccuracyOptions {
   int halvings = 4;     // of the longest time step
   int samples = 16;     // times of comparison, at most
   int rounds = 3;       // of every run, for the CPU time
+  double budget = 60;   // [s] of CPU time, for the runs on other meshes
+  bool brief = false;   // only the scenario as it is; the reference then is as fine as that asks for
   Execution execution;
   std::function<void(const std::string&)> tell = [](const std::string&) {};
+};
+
+/// What a row's whole error is made of. Absent: not known.
+struct ErrorParts {
+  std::optional<double> time;       // of the time step: against the converged solution on the row's own mesh
+  std::optional<double> mesh;       // of the mesh: against finer ones [MeshError]; spheres have none
+  std::optional<double> precision;  // single against double; of doubles what rounding has grown to
+  std::optional<double> model;      // another contact law, cell model or engine, its time step included
+  /// The sum of what is known; the whole error is no larger if its mesh is known.
+  double sum() const;
 };
 
 struct AccuracyRow {
   Setting setting;
   std::string series, engine = "morula";
   std::string failure;  // "": it ran to the end
-  // Up to `partedAt`, the largest of all times of comparison
+  // Up to `partedAt`, the largest of all times of comparison, against the reference on the scenario's mesh
   std::optional<double> error;  // the largest of the three in `errors`
+  ErrorParts parts;
+  std::optional<DividedElsewhere> cut;  // the first division whose plane is another than the reference's
   StateError errors;
   double birthTimes = 0;           // [cycle lengths] largest difference of births
   std::optional<double> partedAt;  // [time] first comparison at which other cells lived
@@ -38,7 +54,7 @@ struct AccuracyRow {
   std::uint64_t steps = 0, forceEvaluations = 0, vertexSteps = 0;
 };
 
-/// What all rows are held against.
+/// What all rows are held against: the scenario's own mesh in time steps that no longer matter.
 struct AccuracyReference {
   Setting setting, witness;
   LeftError left, witnessLeft;  // by Richardson's estimate; the reference's at least what rounding makes
@@ -78,7 +94,9 @@ struct AccuracyReport {
   std::string scenario, usual;  // the series of the scenario's own settings
   AccuracyRow own;              // the scenario as it is
   std::optional<Rival> rival;   // nothing that was tried is as exact, or it has failed
+  MeshError mesh;               // of the scenario's own mesh
   std::vector<double> times;    // [time] of comparison
+  std::optional<double> end;    // [time] of the scene, where it is planned
   std::optional<Horizon> horizon;
   AccuracyReference reference;
   std::vector<AccuracyRow> rows;
@@ -91,9 +109,9 @@ struct AccuracyReport {
 /// Throws InputError for a scene without bodies, or whose own settings cannot run.
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options);
 
-/// The row with the least CPU time whose error, with the reference's own added, is no more than `target`;
-/// null if none has.
-const AccuracyRow* cheapest(const AccuracyReport& report, double target);
+/// The rows of ours whose error on the scenario's mesh, with the reference's own added, is no more than
+/// `target`, by CPU time.
+std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target);
 
 /// Between neighbouring runs of a series, or one that is more exact and not dearer.
 std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<AccuracyRow>& rows);

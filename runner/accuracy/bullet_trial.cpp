@@ -11,7 +11,6 @@
 #include "base/number_text.h"
 #include "baseline/worker.h"
 #include "bench/statistics.h"
-#include "mesh/measures.h"
 #include "scenario/bullet_fit.h"
 
 namespace morula {
@@ -28,10 +27,7 @@ Shapes shapesOf(const World& world, const std::vector<Body>& cells, double time)
   Shapes shapes{time, {}};
   const Mesh& egg = world.bodies->mesh.mesh;
   for (std::size_t i = 0; i < cells.size(); ++i)
-    shapes.cells.push_back({world.cells.path[i],
-                            {cells[i].position, egg.faces},
-                            measureCentroid(cells[i].position),
-                            measureVolume(cells[i].position, egg.faces)});
+    shapes.cells.push_back(comparedCell(world.cells.path[i], {cells[i].position, egg.faces}));
   return shapes;
 }
 

@@ -6,6 +6,9 @@
 
 namespace morula {
 
+/// Of series number i, counted from 0: no two of the first 24 are alike.
+Colour seriesColour(std::size_t number);
+
 /// One line per series; what failed or is not resolved is not drawn. A run in which other cells live from
 /// some time on is a hollow point by itself, with that time.
 Image drawAccuracy(const AccuracyReport& report);

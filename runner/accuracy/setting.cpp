@@ -56,6 +56,7 @@ Setting settingOf(const Scenario& scenario, double timeStep) {
 Setting settingAsItIs(const Scenario& scenario, double leastTimeStep) {
   Setting s = settingOf(scenario, leastTimeStep);
   s.automatic = !scenario.scene.mechanics->physics.timeStep;
+  s.autoShare = scenario.scene.mechanics->physics.autoShare;
   return s;
 }
 
@@ -81,12 +82,18 @@ void addChanges(const OtherModel& other, std::vector<std::string>& changes) {
 
 }  // namespace
 
+std::string timeStepChange(const Setting& s) {
+  if (!s.automatic) return "physics.time_step=" + exactText(s.timeStep);
+  return s.autoShare == 1 ? "physics.time_step=auto" : "physics.time_step.auto=" + exactText(s.autoShare);
+}
+
 std::vector<std::string> changesFor(const Setting& s) {
   std::vector<std::string> changes{fmt::format("physics.integrator={}", name(s.integrator)),
-                                   "physics.time_step=" + (s.automatic ? "auto" : exactText(s.timeStep)),
+                                   timeStepChange(s),
                                    fmt::format("physics.precision={}", name(s.precision))};
   if (s.substeps) changes.push_back(fmt::format("physics.substeps={}", *s.substeps));
   if (s.level) changes.push_back(fmt::format("physics.mesh.icosphere={}", *s.level));
+  if (s.coarsen) changes.push_back("physics.mesh.coarsen=" + exactText(*s.coarsen));
   if (s.law) changes.push_back(fmt::format("physics.contact.law={}", name(*s.law)));
   if (s.model) addChanges(*s.model, changes);
   return changes;
@@ -94,6 +101,7 @@ std::vector<std::string> changesFor(const Setting& s) {
 
 std::string seriesName(const Setting& s, const Setting& usual) {
   std::string text = name(s.integrator);
+  if (s.automatic) text += ", automatic";
   if (s.substeps.value_or(1) > 1) text += fmt::format(", {} sub-steps", *s.substeps);
   if (s.level != usual.level && s.level) text += fmt::format(", icosphere {}", *s.level);
   if (s.precision != usual.precision) text += fmt::format(", {}", name(s.precision));

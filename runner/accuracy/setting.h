@@ -26,6 +26,8 @@ struct Setting {
   std::optional<std::uint64_t> substeps;  // of XPBD; absent: 1
   std::optional<OtherModel> model;        // absent: the scene's
   bool automatic = false;                 // the scene chooses its time steps; timeStep is the least of them
+  double autoShare = 1;                   // of the steps that it would choose, where `automatic`
+  std::optional<double> coarsen;          // [length] physics.mesh.coarsen; absent: the scene's
 };
 
 inline constexpr Integrator allIntegrators[] = {Integrator::velocityVerlet, Integrator::thesisVerlet,
@@ -43,6 +45,9 @@ std::uint64_t evaluationsPerStep(const Setting& setting);
 Setting settingOf(const Scenario& scenario, double timeStep);
 /// Just as it is; `leastTimeStep` is the shortest that it takes.
 Setting settingAsItIs(const Scenario& scenario, double leastTimeStep);
+
+/// The text after --set for the time step: "physics.time_step=0.5", "physics.time_step.auto=0.5".
+std::string timeStepChange(const Setting& setting);
 
 /// "path=value", as --set takes them. All of them: they make any scenario of the scene compute in this way.
 std::vector<std::string> changesFor(const Setting& setting);

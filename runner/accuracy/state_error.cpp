@@ -44,35 +44,62 @@ struct Patch {
 };
 
 std::vector<Patch> patchesOf(const Mesh& mesh) {
-  std::vector<Patch> patches;
+  std::vector<Patch> patches;  // by their centres' x
   for (const Face& f : mesh.faces) {
     Patch p{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]], {}, 0};
     p.centre = (p.a + p.b + p.c) / 3.0;
     p.radius = std::max({norm(p.a - p.centre), norm(p.b - p.centre), norm(p.c - p.centre)});
     patches.push_back(p);
   }
+  std::sort(patches.begin(), patches.end(),
+            [](const Patch& a, const Patch& b) { return a.centre.x < b.centre.x; });
   return patches;
 }
 
 /// Squared, from the vertices of one to the surface of the other.
 std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   const std::vector<Patch> patches = patchesOf(to);
+  double largest = 0;
+  for (const Patch& patch : patches) largest = std::max(largest, patch.radius);
   std::vector<double> squares;
   for (std::size_t v = 0; v < from.vertices.size(); ++v) {
     const Point& p = from.vertices[v];
     // The vertex of the same number is a good guess where the meshes are the same, and harmless elsewhere.
     const Vector guess = p - to.vertices[std::min(v, to.vertices.size() - 1)];
     double least = dot(guess, guess), reach = std::sqrt(least);
-    for (const Patch& patch : patches) {
+    const auto tryPatch = [&](const Patch& patch) {
       const Vector away = p - patch.centre;
       const double far = reach + patch.radius;
-      if (dot(away, away) > far * far) continue;
+      if (dot(away, away) > far * far) return;
       const double squared = squaredDistance(p, patch.a, patch.b, patch.c);
       if (squared < least) least = squared, reach = std::sqrt(squared);
-    }
+    };
+    // Outwards on both sides of the vertex's x, as far as a patch could still be nearer than the nearest.
+    const auto middle = std::lower_bound(patches.begin(), patches.end(), p.x,
+                                         [](const Patch& q, double x) { return q.centre.x < x; });
+    for (auto up = middle; up != patches.end() && up->centre.x - p.x <= reach + largest; ++up) tryPatch(*up);
+    for (auto down = middle; down != patches.begin() && p.x - std::prev(down)->centre.x <= reach + largest;
+         --down)
+      tryPatch(*std::prev(down));
     squares.push_back(least);
   }
   return squares;
+}
+
+/// Of the enclosed volume: tetrahedra from the vertices' mean, each with its centre a quarter of the way
+/// behind its four corners' sum. The vertices' mean where nothing is enclosed.
+Point volumeCentroid(const Mesh& mesh) {
+  const Point origin = measureCentroid(mesh.vertices);
+  Vector moment;
+  double sixfold = 0;
+  for (const Face& f : mesh.faces) {
+    const Vector a = mesh.vertices[f[0]] - origin, b = mesh.vertices[f[1]] - origin,
+                 c = mesh.vertices[f[2]] - origin;
+    const double part = dot(a, cross(b, c));  // six volumes of a tetrahedron
+    sixfold += part;
+    moment += part / 4 * (a + b + c);
+  }
+  return sixfold > 0 ? origin + moment / sixfold : origin;
 }
 
 double sumOfSquares(const Mesh& from, const Mesh& to) {
@@ -83,13 +110,18 @@ double sumOfSquares(const Mesh& from, const Mesh& to) {
 
 }  // namespace
 
+ComparedCell comparedCell(const CellPath& path, Mesh surface) {
+  ComparedCell cell{path, std::move(surface), {}};
+  cell.centroid = volumeCentroid(cell.surface);
+  cell.volume = measureVolume(cell.surface.vertices, cell.surface.faces);
+  return cell;
+}
+
 Shapes takeShapes(const World& world) {
-  Shapes shapes{world.clock.time, {}};
-  for (const CellPath& path : world.cells.path) {
-    ComparedCell cell{path, cellMesh(world, path), {}, 0};
-    cell.centroid = measureCentroid(cell.surface.vertices);
-    cell.volume = measureVolume(cell.surface.vertices, cell.surface.faces);
-    shapes.cells.push_back(std::move(cell));
+  Shapes shapes{world.clock.time, {}, measureContacts(world)};
+  for (const CellMeasures& measures : measureCells(world)) {
+    shapes.cells.push_back(comparedCell(measures.path, cellMesh(world, measures.path)));
+    shapes.cells.back().pressure = measures.pressure;
   }
   return shapes;
 }

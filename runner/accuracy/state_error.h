@@ -6,24 +6,28 @@
 #include "base/cell_path.h"
 #include "biology/lineage.h"
 #include "mesh/mesh.h"
+#include "simulation/measures.h"
 
 namespace morula {
-
-struct World;
 
 /// A cell as others see it, whatever its mesh.
 struct ComparedCell {
   CellPath path;
   Mesh surface;
-  Point centroid;     // [length]
-  double volume = 0;  // [length³]
+  Point centroid;       // [length] of what the surface encloses: a mean of vertices depends on where they lie
+  double volume = 0;    // [length³]
+  double pressure = 0;  // [force/length²] inner minus outer; Bullet's cells: not known, 0
 };
 
 /// All living cells at one time, by path.
 struct Shapes {
   double time = 0;
   std::vector<ComparedCell> cells;
+  std::vector<ContactMeasures> contacts = {};  // by (a, b)
 };
+
+/// Centroid and volume from the surface.
+ComparedCell comparedCell(const CellPath& path, Mesh surface);
 
 /// The world has bodies.
 Shapes takeShapes(const World& world);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "bench/clock.h"
 #include "bench/statistics.h"
 
@@ -13,26 +14,32 @@ namespace {
 
 constexpr double slack = 1e-9;  // of a time: sums of time steps may miss it by rounding
 
+struct TooLong {
+  std::string text;
+};
+
 /// Steps until the time is reached and adds up what that costs.
-void goTo(World& world, double time, Trial& trial, double& seconds) {
+void goTo(World& world, double time, double mostSeconds, Trial& trial, double& seconds) {
   const std::uint64_t perStep = evaluationsPerStep(trial.setting);
   while (world.clock.time < time * (1 - slack) && !world.cells.path.empty()) {
     const auto vertices = static_cast<std::uint64_t>(world.bodies->livingVertices), before = world.clock.step;
     const std::uint64_t most = stepsUntil(world.clock, time * (1 - slack));
     seconds += timeOf(ClockKind::process, [&] { takeSteps(world, most); });
     const std::uint64_t steps = world.clock.step - before;
+    if (seconds > mostSeconds)
+      throw TooLong{"it takes more than " + numberText(mostSeconds, 3) + " s of CPU time"};
     trial.steps += steps;
     trial.forceEvaluations += steps * perStep;
     trial.vertexSteps += steps * vertices;
   }
 }
 
-void runOnce(const Scene& scene, const std::vector<double>& times, const Execution& execution, Trial& trial,
-             double& seconds) {
+void runOnce(const Scene& scene, const std::vector<double>& times, const Execution& execution,
+             double mostSeconds, Trial& trial, double& seconds) {
   World world = makeWorld(scene, execution);
   trial.shapes.push_back(takeShapes(world));
   for (const double time : times) {
-    goTo(world, time, trial, seconds);
+    goTo(world, time, mostSeconds, trial, seconds);
     trial.shapes.push_back(takeShapes(world));
     trial.born = world.lineage.entries;
   }
@@ -49,17 +56,17 @@ double largestDifference(const World& a, const World& b) {
 }  // namespace
 
 Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vector<double>& times,
-               const Execution& execution, int rounds) {
+               const Execution& execution, int rounds, double mostSeconds) {
   std::vector<double> seconds;
   Trial trial;
   for (int round = 0; round < rounds && trial.failure.empty(); ++round) {
     trial = {setting, "", {}, {}, 0, 0, 0, 0};
     double took = 0;
     try {
-      runOnce(read(changesFor(setting)).scene, times, execution, trial, took);
+      runOnce(read(changesFor(setting)).scene, times, execution, mostSeconds, trial, took);
     } catch (const InputError& error) { trial.failure = error.what(); } catch (const NumericalError& error) {
       trial.failure = error.what();
-    }
+    } catch (const TooLong& late) { trial.failure = late.text; }
     seconds.push_back(took);
   }
   trial.cpuSeconds = median(seconds);

@@ -1,5 +1,6 @@
 #pragma once
 // One run of a scene in one way: what it came to, and what it cost.
+#include <cmath>
 #include <cstdint>
 
 #include "accuracy/setting.h"
@@ -19,9 +20,9 @@ struct Trial {
 };
 
 /// Runs it `rounds` times, which give the same, through the times [time], rising multiples of its time step.
-/// What cannot run, or not to the end, is told in `failure`.
+/// What cannot run, not to the end, or takes more CPU time than `mostSeconds` [s] is told in `failure`.
 Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vector<double>& times,
-               const Execution& execution, int rounds);
+               const Execution& execution, int rounds, double mostSeconds = INFINITY);
 
 /// How long a scene can be told apart from chaos.
 struct Horizon {

@@ -48,21 +48,6 @@ double widestLabel(const Chart& chart, double size) {
   return widest;
 }
 
-Sheet makeSheet(const Chart& chart, const Annotations& words) {
-  const Bands bands = bandsFor(words, chart.width, chart.height);
-  Sheet s{};
-  s.textSize = textSizeFor(chart.width, chart.height);
-  s.left = 5.5 * s.textSize;
-  s.right = chart.width - widestLabel(chart, s.textSize) - 2.5 * s.textSize;
-  s.top = bands.top + s.textSize;
-  s.bottom = chart.height - bands.bottom - 4 * s.textSize;
-  for (const Spot& p : allPoints(chart)) s.xRange.see(p.x), s.yRange.see(p.y);
-  if (chart.xScale == Chart::Scale::decades) s.xRange.low *= 0.8, s.xRange.high *= 1.25;
-  s.yRange.low *= 0.8, s.yRange.high *= 1.25;
-  if (!(s.xRange.low < s.xRange.high)) s.xRange = {s.xRange.low / 2, 2 * s.xRange.low};
-  return s;
-}
-
 /// Numbers to write beside an axis.
 std::vector<double> ticks(const Range& range, Chart::Scale scale) {
   std::vector<double> list;
@@ -78,8 +63,34 @@ std::vector<double> ticks(const Range& range, Chart::Scale scale) {
   return list;
 }
 
+constexpr double tickSize = 0.9;  // of the text
+
+/// [pixel] Of the numbers beside the vertical axis.
+double widestTick(const Range& range, double textSize) {
+  double widest = 0;
+  for (const double y : ticks(range, Chart::Scale::decades))
+    widest = std::max(widest, textWidth(fmt::format("{:g}", y), {.size = tickSize * textSize}));
+  return widest;
+}
+
+Sheet makeSheet(const Chart& chart, const Annotations& words) {
+  const Bands bands = bandsFor(words, chart.width, chart.height);
+  Sheet s{};
+  s.textSize = textSizeFor(chart.width, chart.height);
+  s.right = chart.width - widestLabel(chart, s.textSize) - 2.5 * s.textSize;
+  s.top = bands.top + s.textSize;
+  s.bottom = chart.height - bands.bottom - 4 * s.textSize;
+  for (const Spot& p : allPoints(chart)) s.xRange.see(p.x), s.yRange.see(p.y);
+  if (chart.xScale == Chart::Scale::decades) s.xRange.low *= 0.8, s.xRange.high *= 1.25;
+  s.yRange.low *= 0.8, s.yRange.high *= 1.25;
+  if (!(s.xRange.low < s.xRange.high)) s.xRange = {s.xRange.low / 2, 2 * s.xRange.low};
+  // From the edge: half a line, the upright title, half a line, the numbers, and their distance to the axis.
+  s.left = std::max(5.5 * s.textSize, 2.6 * s.textSize + widestTick(s.yRange, s.textSize));
+  return s;
+}
+
 void drawAxes(Image& image, const Sheet& s, const Chart& chart) {
-  const double small = 0.9 * s.textSize;
+  const double small = tickSize * s.textSize;
   for (const double x : ticks(s.xRange, chart.xScale)) {
     const double px = std::floor(s.place({x, s.yRange.low}).x) + 0.5;
     drawStroke(image, {{px, s.top}, {px, s.bottom}}, 1, gridInk);

@@ -27,7 +27,11 @@ std::string digestOf(const Golden& golden) {
       .field("seed")
       .add(data.seed);
   for (const GoldenGrowth& g : golden.growth) hasher.add(g.size).add(g.step);
-  if (golden.error) hasher.field("error").add(golden.error->size).add(golden.error->until);
+  if (golden.error) {
+    hasher.field("error").add(golden.error->time);
+    if (golden.error->mesh) hasher.field("mesh").add(*golden.error->mesh);
+    hasher.add(golden.error->until);
+  }
   for (const auto& [key, value] : data.parameters) hasher.field("parameter").add(key).add(value);
   for (const GoldenItem& item : data.items) hasher.add(write(item));
   return hasher.digest().text();
@@ -123,14 +127,38 @@ GoldenGrowth readGrowth(const Lines& lines, std::string_view line, const std::ve
   return {*size, *step};
 }
 
+/// "error time 2.8e-4 mesh 1.3e-2 until 6", "error time 2.8e-4 mesh unknown until 6"; and as goldens said it
+/// before meshes were compared: "error 2.8e-4 until 6".
 GoldenError readError(const Lines& lines, std::string_view line) {
-  line.remove_prefix(std::string_view("error ").size());
-  constexpr std::string_view until = " until ";
-  const std::size_t at = std::min(line.find(until), line.size());
-  const auto size = readReal(line.substr(0, at)),
-             time = readReal(line.substr(std::min(at + until.size(), line.size())));
-  if (!size || !(*size >= 0) || !time || !(*time > 0)) lines.fail("`error SIZE until TIME` is expected");
-  return {*size, *time};
+  const auto word = [&] {
+    const std::size_t space = std::min(line.find(' '), line.size());
+    const std::string_view first = line.substr(0, space);
+    line.remove_prefix(std::min(space + 1, line.size()));
+    return first;
+  };
+  const auto refuse = [&] { lines.fail("`error time SIZE mesh SIZE until TIME` is expected"); };
+  word();
+  std::string_view text = word();
+  const bool apart = text == "time";
+  if (apart) text = word();
+  GoldenError error;
+  const auto time = readReal(text);
+  if (!time || !(*time >= 0)) refuse();
+  error.time = *time;
+  if (apart) {
+    if (word() != "mesh") refuse();
+    text = word();
+    if (text != "unknown") {
+      const auto mesh = readReal(text);
+      if (!mesh || !(*mesh >= 0)) refuse();
+      error.mesh = *mesh;
+    }
+  }
+  if (word() != "until") refuse();
+  const auto until = readReal(line);
+  if (!until || !(*until > 0)) refuse();
+  error.until = *until;
+  return error;
 }
 
 std::pair<std::string, std::string> readParameter(const Lines& lines, std::string_view line) {
@@ -177,8 +205,10 @@ std::string writeGolden(const Golden& golden) {
   for (const GoldenGrowth& g : golden.growth)
     text += "growth " + writeReal(g.size) + ' ' + std::to_string(g.step) + '\n';
   if (golden.error)
-    text += "\n# error size until: of these settings, by morula accuracy\nerror " +
-            writeReal(golden.error->size) + " until " + writeReal(golden.error->until) + '\n';
+    text += "\n# error time mesh until: of these settings, by morula accuracy\nerror time " +
+            writeReal(golden.error->time) + " mesh " +
+            (golden.error->mesh ? writeReal(*golden.error->mesh) : "unknown") + " until " +
+            writeReal(golden.error->until) + '\n';
   if (!data.parameters.empty())
     text += "\n# parameter key value: what decides the result, defaults filled in\n";
   for (const auto& [key, value] : data.parameters) text += "parameter " + key + ' ' + value + '\n';

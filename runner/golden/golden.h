@@ -32,8 +32,10 @@ struct GoldenGrowth {
 
 /// How far the scenario's settings are from what they approximate, as `morula accuracy` has measured.
 struct GoldenError {
-  double size = 0;   // the largest of centroids and surfaces [radii of the egg] and volumes [relative]
-  double until = 0;  // [time] compared up to here
+  double time = 0;  // of the time step, and of the precision if it is single: the largest of centroids and
+                    // surfaces [radii of the egg] and volumes [relative]
+  std::optional<double> mesh;  // the same of the mesh; 0 for spheres, which have none; absent: not known
+  double until = 0;            // [time] compared up to here
 };
 
 struct Golden {

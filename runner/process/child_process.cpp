@@ -58,11 +58,12 @@ struct Pipe {
   void closeWrite() { write = write < 0 ? -1 : (::close(write), -1); }
 };
 
-int waitFor(pid_t process) {
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0)
+void waitFor(pid_t process, ChildEnd& end) {
+  rusage used{};
+  while (::wait4(process, &end.status, 0, &used) < 0)
     if (errno != EINTR) throw failed("cannot be waited for");
-  return status;
+  const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+  end.cpuSeconds = seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
 /// In the child: the kernel ends it once it has computed so long, whatever it is stuck in.
@@ -101,6 +102,7 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& o
     if (options.silent) ::dup2(::open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
     ::dup2(question.read, STDIN_FILENO);
     ::dup2(answer.write, STDOUT_FILENO);
+    if (options.errorsToo) ::dup2(answer.write, STDERR_FILENO);
     ::execvp(words[0], words.data());
     ::_exit(127);
   }
@@ -118,7 +120,7 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& o
   ChildEnd end;
   end.said = receive(answer.read);
   sender.join();
-  end.status = waitFor(process);
+  waitFor(process, end);
   return end;
 }
 

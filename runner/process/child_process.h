@@ -10,11 +10,13 @@ struct ChildOptions {
   std::string input = {};  // for its stdin, which then ends
   int cpuSeconds = 0;      // after so much CPU time the kernel ends it: what loops for ever does not stop us
   bool silent = false;     // its stderr goes nowhere; otherwise to ours
+  bool errorsToo = false;  // what it writes to stderr is part of what it said
 };
 
 struct ChildEnd {
   std::string said;  // all that it wrote, also if it did not end well
   int status = 0;    // as waitpid has it
+  double cpuSeconds = 0;
 
   bool well() const;         // it ended by itself, with code 0
   bool notStarted() const;   // there is no such program, or none that can be run: code 127, as in a shell

@@ -142,9 +142,7 @@ std::vector<Parameter> parameters() {
       optionalNatural("stop.cells", {1, 1'000'000'000}, "no limit", "When at least so many cells live",
                       AT(scene.stop.cells)),
 
-      optionalReal("physics.time_step", "time", positive, "auto", "auto",
-                   "Smaller: more exact and slower. auto: powers of two below the stability limits",
-                   PHYSICS(timeStep)),
+      timeStep(),
       choice(
           "physics.integrator",
           {"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4", "xpbd"},

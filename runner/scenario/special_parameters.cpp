@@ -72,6 +72,44 @@ Parameter dna() {
   return p;
 }
 
+Parameter timeStep() {
+  Parameter p;
+  p.path = "physics.time_step";
+  p.unit = "time";
+  p.allowed = numberAllowed(positive, p.unit) + ", auto, or {auto: 0.5}";
+  p.meaning =
+      "Smaller: more exact and slower. auto: powers of two below the stability limits, which fall as cells "
+      "halve; {auto: 0.5}: half as long ones, any share > 0 and <= 1";
+  p.absent = "auto";
+  const Range share{0, 1, true};
+  p.schema = {{"oneOf", Json::array({numberSchema(positive),
+                                     {{"const", "auto"}},
+                                     {{"type", "object"},
+                                      {"properties", {{"auto", numberSchema(share)}}},
+                                      {"required", {"auto"}},
+                                      {"additionalProperties", false}}})}};
+  p.read = [path = p.path, allowed = p.allowed, share](Scenario& s, const Node& node, Reading& reading) {
+    auto& physics = s.scene.mechanics->physics;
+    if (node.kind == Node::Kind::map) {
+      const auto* given = readOnly(node, path, "auto", allowed, reading.problems);
+      if (!given) return;
+      if (const auto value = readReal(given->value, share, path + ".auto", numberAllowed(share, ""),
+                                      reading.problems))
+        physics.timeStep = std::nullopt, physics.autoShare = *value;
+    } else if (node.kind == Node::Kind::scalar && node.text == "auto") {
+      physics.timeStep = std::nullopt, physics.autoShare = 1;
+    } else if (const auto value = readReal(node, positive, path, allowed, reading.problems)) {
+      physics.timeStep = *value, physics.autoShare = 1;
+    }
+  };
+  p.write = [](const Scenario& s) {
+    const auto& physics = s.scene.mechanics->physics;
+    if (physics.timeStep) return Json(*physics.timeStep);
+    return physics.autoShare == 1 ? Json("auto") : Json{{"auto", physics.autoShare}};
+  };
+  return p;
+}
+
 Parameter shellSphere() {
   auto p = real("physics.shell.sphere", "length", positive, "Radius of a sphere about the origin", nullptr);
   p.absent = "see ellipsoid";

@@ -49,6 +49,7 @@ Parameter choice(std::string path, std::vector<std::string> names, std::string m
 
 // Parameters that are one of a kind.
 Parameter dna();
+Parameter timeStep();
 Parameter shellSphere();
 Parameter shellEllipsoid();
 Parameter divisionPlane();

@@ -1,14 +1,14 @@
-#include "accuracy/accuracy.h"
-
+// The experiment: which runs, and what each is held against.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "accuracy/bullet_trial.h"
 #include "accuracy/cheaper_model.h"
+#include "accuracy/reference.h"
 #include "base/error.h"
-#include "base/maths.h"
 #include "base/number_text.h"
 #include "simulation/stages.h"
 
@@ -32,36 +32,9 @@ std::vector<double> timesUpTo(double end, double longestStep, int samples) {
   return times;
 }
 
-/// Largest error up to where other cells live.
-struct Comparison {
-  std::optional<StateError> errors;
-  std::optional<double> partedAt;
-};
-
-Comparison compare(const Trial& trial, const Trial& reference, double eggRadius) {
-  Comparison c;
-  for (std::size_t i = 1; i < reference.shapes.size() && i < trial.shapes.size(); ++i) {
-    if (!haveSameCells(trial.shapes[i], reference.shapes[i])) {
-      c.partedAt = reference.shapes[i].time;
-      break;
-    }
-    const StateError now = compareShapes(trial.shapes[i], reference.shapes[i], eggRadius);
-    c.errors = c.errors ? larger(*c.errors, now) : now;
-  }
-  return c;
+std::string cellText(const CellPath& path) {
+  return path == CellPath{} ? "the egg" : "cell " + path.text();
 }
-
-double distance(const Trial& a, const Trial& b, double eggRadius) {
-  if (!a.failure.empty() || !b.failure.empty()) return INFINITY;
-  const Comparison c = compare(a, b, eggRadius);
-  return c.partedAt || !c.errors ? INFINITY : c.errors->largest();
-}
-
-/// A run with the finest step, and what is left of its error.
-struct Converged {
-  Trial trial;
-  LeftError left;
-};
 
 class Experiment {
  public:
@@ -76,16 +49,18 @@ class Experiment {
   AccuracyReport run() {
     report_.scenario = scenario_.scene.name;
     choose();
+    lab_.emplace(Laboratory{read_, options_, usual_, report_.times, radius_});
     findReference();
-    report_.own = rowOf(settingAsItIs(scenario_, report_.horizon->leastTimeStep), "as it is");
-    for (const Setting& setting : settings())
-      report_.rows.push_back(rowOf(setting, seriesName(setting, usual_)));
-    if (options_.bullet) addBullet();
+    study_ = studyMeshes(*lab_, scenario_, reference_, options_.levels);
+    report_.mesh = study_.error;
+    report_.own = ownRow();
+    if (!options_.brief) addRows();
     report_.rival = findRival(report_.own, report_.rows);
     addRemarks();
     report_.orders = findOrders(report_.rows);
     report_.speeds = findSpeeds(report_.rows, report_.usual);
     report_.bulletSpeeds = compareSpeeds(report_.rows);
+    report_.end = plannedEnd(scenario_.scene);
     return std::move(report_);
   }
 
@@ -124,41 +99,31 @@ class Experiment {
     report_.usual = seriesName(usual_, usual_);
   }
 
-  Trial trial(const Setting& setting, int rounds) const {
-    return runTrial(read_, setting, report_.times, options_.execution, rounds);
+  AccuracyRow ownRow() const {
+    return rowOf(settingAsItIs(scenario_, report_.horizon->leastTimeStep), "as it is");
   }
 
-  Converged converge(Integrator integrator) const {
-    Setting s = usual_;
-    s.integrator = integrator;
-    if (s.substeps) s.substeps = 1;
-    s.precision = Precision::binary64;
-    s.timeStep = std::ldexp(longest_, -options_.halvings - finer);
-    options_.tell(fmt::format("reference by {}, time step {}", name(integrator), numberText(s.timeStep)));
-    Setting middle = s, coarse = s;
-    middle.timeStep *= 2, coarse.timeStep *= 4;
-    Converged c{trial(s, 1), {}};
-    if (!c.trial.failure.empty()) return {c.trial, {INFINITY, 0}};
-    const Trial m = trial(middle, 1);
-    const double fine = distance(m, c.trial, radius_);
-    c.left = estimateByRichardson(distance(trial(coarse, 1), m, radius_), fine, orderOf(integrator));
-    return c;
-  }
-
+  /// As fine as rows ask for. Where the steps are still too long for integrators that only bear stable ones,
+  /// finer; in brief, as fine as the scenario as it is asks for.
   void findReference() {
-    Converged a = converge(Integrator::rungeKutta4), b = converge(Integrator::velocityVerlet);
-    if (b.left.error < a.left.error) std::swap(a, b);
-    if (!a.trial.failure.empty())
-      throw InputError(scenario_.file + ": there is no reference: " + a.trial.failure);
-    AccuracyReference& r = report_.reference;
-    r.setting = a.trial.setting, r.witness = b.trial.setting;
-    r.left = a.left, r.witnessLeft = b.left;
-    r.distance = distance(b.trial, a.trial, radius_);
-    // Rounding is an error too; beyond the horizon an estimate that looks good does so by chance.
-    r.left.error = std::max(r.left.error, report_.horizon->rounding / radius_);
-    if (report_.horizon->parted && options_.until) r.left.error = std::max(r.left.error, r.distance);
-    r.agrees = r.distance <= 2 * (r.left.error + r.witnessLeft.error);
-    reference_ = std::move(a.trial);
+    constexpr int most = 6;
+    for (int halvings = options_.brief ? 1 : options_.halvings;; ++halvings) {
+      try {
+        reference_ =
+            findTimeReference(*lab_, halvings + finer, *report_.horizon, scenario_.file, report_.reference);
+      } catch (const InputError&) {
+        if (halvings >= options_.halvings + most) throw;
+        continue;
+      }
+      if (!options_.brief || halvings >= most || ownRow().resolved) return;
+      if (8 * reference_.cpuSeconds > options_.budget) return;  // two integrators, three runs each, once finer
+    }
+  }
+
+  void addRows() {
+    for (const Setting& setting : settings())
+      report_.rows.push_back(rowOf(setting, seriesName(setting, usual_)));
+    if (options_.bullet) addBullet();
   }
 
   /// The longest time step that is stable at the start and fits into the times of comparison a whole number
@@ -189,10 +154,25 @@ class Experiment {
     }
   }
 
+  /// Whether the scene chooses its time steps and may go on with others than those compared.
+  bool stepsChange() const {
+    const Horizon& h = *report_.horizon;
+    if (scenario_.scene.mechanics->physics.timeStep) return false;
+    const auto end = plannedEnd(scenario_.scene);
+    return h.leastTimeStep < h.mostTimeStep || !end || report_.times.back() < *end - longest_;
+  }
+
+  /// Shares of the automatic time steps: what later cells need is theirs to say.
+  void addShares(std::vector<Setting>& list) const {
+    Setting s = settingAsItIs(scenario_, report_.horizon->leastTimeStep);
+    for (int i = 0; i < options_.halvings; ++i, s.timeStep /= 2, s.autoShare /= 2) list.push_back(s);
+  }
+
   /// One thing is varied at a time, beside the time step.
   std::vector<Setting> settings() const {
     std::vector<Setting> list;
     addSeries(list, usual_);
+    if (stepsChange()) addShares(list);
     const auto vary = [&](auto change) {
       Setting s = usual_;
       change(s);
@@ -235,22 +215,21 @@ class Experiment {
     verlet.integrator = Integrator::velocityVerlet;
     const BulletSearch search{longest_,           longestStable(verlet), options_.halvings, report_.times,
                               options_.execution, options_.rounds,       options_.program};
-    const auto errorOf = [&](const Trial& t) { return judged(t, "").error; };
-    for (const BulletTrial& b : tryBullet(scenario_, search, errorOf, options_.tell)) {
-      report_.rows.push_back(judged(b.trial, b.series));
-      report_.rows.back().engine = std::string("bullet-") + name(b.setting.baseline);
-    }
+    const auto errorOf = [&](const Trial& t) { return judged(t, "", "bullet").error; };
+    for (const BulletTrial& b : tryBullet(scenario_, search, errorOf, options_.tell))
+      report_.rows.push_back(
+          judged(b.trial, b.series, std::string("bullet-") + name(b.setting.baseline)));
   }
 
   AccuracyRow rowOf(const Setting& setting, const std::string& series) const {
     options_.tell(fmt::format("{}, time step {}", series, numberText(setting.timeStep)));
-    return judged(trial(setting, options_.rounds), series);
+    return judged(lab_->trial(setting, options_.brief ? 1 : options_.rounds), series, "morula");
   }
 
-  AccuracyRow judged(const Trial& t, const std::string& series) const {
+  AccuracyRow judged(const Trial& t, const std::string& series, const std::string& engine) const {
     AccuracyRow row;
     row.setting = t.setting;
-    row.series = series;
+    row.series = series, row.engine = engine;
     row.failure = t.failure;
     row.cpuSeconds = t.cpuSeconds;
     row.steps = t.steps, row.forceEvaluations = t.forceEvaluations, row.vertexSteps = t.vertexSteps;
@@ -260,8 +239,49 @@ class Experiment {
       if (c.errors) row.errors = *c.errors, row.error = c.errors->largest();
       row.birthTimes = compareBirths(t.born, reference_.born) / scenario_.scene.cycle.length;
       row.resolved = row.error && *row.error >= resolution * report_.reference.left.error;
+      row.cut = findDividedElsewhere(t, reference_);
+      if (row.error) row.parts = partsOf(row, t);
     }
     return row;
+  }
+
+  /// By the triangle inequality: from the row to the converged solution on its own mesh, and on to that on
+  /// the finest mesh.
+  ErrorParts partsOf(const AccuracyRow& row, const Trial& t) const {
+    const Setting& s = row.setting;
+    ErrorParts parts;
+    parts.mesh = study_.error.error();
+    if (row.engine != "morula" || s.model || s.law != usual_.law) {
+      parts.model = row.error;
+      return parts;
+    }
+    const Trial* converged = &reference_;
+    if (s.level != usual_.level) {
+      const auto solved = study_.solved.find(*s.level);
+      if (solved == study_.solved.end()) {
+        if (parts.mesh) *parts.mesh += *row.error;
+        return parts;
+      }
+      converged = &solved->second;
+      parts.mesh = study_.error.errorOf(*s.level);
+    }
+    if (s.precision == Precision::binary64) {
+      parts.time = largestError(t, *converged);
+      parts.precision = report_.horizon->rounding / radius_;
+      return parts;
+    }
+    Setting twin = s;
+    twin.precision = Precision::binary64;
+    const Trial wide = lab_->trial(twin, 1);
+    if (!wide.failure.empty()) return parts;
+    parts.time = largestError(wide, *converged);
+    parts.precision = largestError(t, wide);
+    return parts;
+  }
+
+  std::optional<double> largestError(const Trial& t, const Trial& converged) const {
+    const Comparison c = compare(t, converged, radius_);
+    return c.errors ? std::optional(c.errors->largest()) : std::nullopt;
   }
 
   void addRemarks() {
@@ -280,6 +300,32 @@ class Experiment {
                       "and neither fitted nor "
                       "interpolated",
                       below, report_.rows.size(), r.left.error));
+    addCuts();
+  }
+
+  /// Divisions whose plane hangs on rounding: one remark for each mother.
+  void addCuts() {
+    std::map<CellPath, std::vector<DividedElsewhere>> cuts;
+    const auto see = [&](const std::optional<DividedElsewhere>& cut) {
+      if (cut) cuts[cut->mother].push_back(*cut);
+    };
+    see(report_.own.cut);
+    for (const AccuracyRow& row : report_.rows) see(row.cut);
+    for (const auto& [mother, list] : cuts) {
+      double angle = 0;
+      for (const DividedElsewhere& cut : list) angle = std::max(angle, cut.angle);
+      report_.remarks.push_back(fmt::format(
+          "{} runs of {} divide {} at {} across another plane than the reference, up to {:.0f} degrees from "
+          "it: its largest extent is {:.4f} times its second largest, so that a small difference decides. "
+          "Their errors are of that choice, not of their time steps",
+          list.size(), report_.rows.size() + 1, cellText(mother), numberText(list.front().time), angle,
+          list.front().extentRatio));
+    }
+    if (const auto& cut = study_.error.cut)
+      report_.remarks.push_back(fmt::format(
+          "on other meshes {} divides at {} across another plane, {:.0f} degrees from it: the mesh's error "
+          "is of that choice",
+          cellText(cut->mother), numberText(cut->time), cut->angle));
   }
 
   const ReadScenario& read_;
@@ -287,124 +333,16 @@ class Experiment {
   Scenario scenario_;
   double radius_ = 1, longest_ = 0;
   Setting usual_;
+  std::optional<Laboratory> lab_;
   Trial reference_;
+  MeshStudy study_;
   AccuracyReport report_;
 };
-
-bool counts(const AccuracyRow& row) { return row.error && row.resolved && !row.partedAt; }
-
-/// Rows by series, in the order in which they first come.
-std::vector<std::vector<const AccuracyRow*>> bySeries(const std::vector<AccuracyRow>& rows) {
-  std::vector<std::vector<const AccuracyRow*>> groups;
-  for (const AccuracyRow& row : rows) {
-    const auto group = std::find_if(groups.begin(), groups.end(),
-                                    [&](const auto& g) { return g.front()->series == row.series; });
-    if (group == groups.end()) groups.push_back({&row});
-    else group->push_back(&row);
-  }
-  return groups;
-}
-
-std::vector<WorkPoint> work(const std::vector<const AccuracyRow*>& series, bool seconds) {
-  std::vector<WorkPoint> points;
-  // A row that does not count breaks the line: nothing is interpolated across it.
-  for (const AccuracyRow* row : series)
-    points.push_back(
-        {seconds ? row->cpuSeconds : double(row->forceEvaluations), counts(*row) ? *row->error : 0});
-  return points;
-}
 
 }  // namespace
 
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options) {
   return Experiment(read, options).run();
-}
-
-const AccuracyRow* cheapest(const AccuracyReport& report, double target) {
-  const AccuracyRow* best = nullptr;
-  for (const AccuracyRow& row : report.rows)
-    if (row.engine == "morula" && row.error && !row.partedAt &&
-        *row.error + report.reference.left.error <= target && (!best || row.cpuSeconds < best->cpuSeconds))
-      best = &row;
-  return best;
-}
-
-namespace {
-
-/// Between neighbouring runs, or of one that is more exact and not dearer.
-std::optional<double> leastSeconds(const std::vector<const AccuracyRow*>& series, double error) {
-  std::optional<double> least = costAtError(work(series, true), error);
-  for (const AccuracyRow* row : series)
-    if (row->error && !row->partedAt && *row->error <= error && (!least || row->cpuSeconds < *least))
-      least = row->cpuSeconds;
-  return least;
-}
-
-}  // namespace
-
-std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<AccuracyRow>& rows) {
-  std::optional<Rival> best;
-  const auto offer = [&](const std::string& series, double seconds) {
-    if (!best || seconds < best->cpuSeconds) best = {series, seconds, own.cpuSeconds / seconds};
-  };
-  if (!own.error || own.partedAt) return best;
-  for (const auto& series : bySeries(rows)) {
-    const auto seconds = leastSeconds(series, *own.error);
-    if (seconds && series.front()->engine == "morula") offer(series.front()->series, *seconds);
-  }
-  return best;
-}
-
-std::vector<BulletSpeed> compareSpeeds(const std::vector<AccuracyRow>& rows) {
-  std::vector<BulletSpeed> speeds;
-  const auto groups = bySeries(rows);
-  for (int decade = -1; decade >= -12; --decade) {
-    BulletSpeed s;
-    s.error = std::pow(10.0, decade);
-    for (const auto& series : groups) {
-      const auto seconds = leastSeconds(series, s.error);
-      if (!seconds) continue;
-      const bool own = series.front()->engine == "morula";
-      if (!own) s.bulletMostSeconds = std::max(s.bulletMostSeconds, *seconds);
-      double& least = own ? s.ourSeconds : s.bulletSeconds;
-      if (least > 0 && least <= *seconds) continue;
-      least = *seconds;
-      (own ? s.ours : s.bullets) = series.front()->series;
-    }
-    if (s.ourSeconds > 0 && s.bulletSeconds > 0) speeds.push_back(s);
-  }
-  return speeds;
-}
-
-std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows) {
-  std::vector<SeriesOrder> orders;
-  for (const auto& series : bySeries(rows)) {
-    std::vector<XY> points;
-    for (const AccuracyRow* row : series)
-      if (counts(*row)) points.push_back({row->setting.timeStep, *row->error});
-    orders.push_back(
-        {series.front()->series, orderOf(series.front()->setting.integrator), fitPowerLaw(points)});
-  }
-  return orders;
-}
-
-std::vector<SpeedAtError> findSpeeds(const std::vector<AccuracyRow>& rows, const std::string& usual) {
-  std::vector<SpeedAtError> speeds;
-  const auto groups = bySeries(rows);
-  for (int decade = -1; decade >= -12; --decade) {
-    const double error = std::pow(10.0, decade);
-    std::optional<double> own;
-    for (const auto& series : groups)
-      if (series.front()->series == usual) own = costAtError(work(series, true), error);
-    for (const auto& series : groups) {
-      const auto seconds = costAtError(work(series, true), error),
-                 evaluations = costAtError(work(series, false), error);
-      if (!seconds || !evaluations) continue;
-      speeds.push_back({error, series.front()->series, *seconds, *evaluations,
-                        own ? std::optional(*own / *seconds) : std::nullopt});
-    }
-  }
-  return speeds;
 }
 
 }  // namespace morula

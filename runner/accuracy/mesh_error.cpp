@@ -1,0 +1,137 @@
+#include "accuracy/mesh_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "accuracy/convergence.h"
+#include "base/error.h"
+
+namespace morula {
+
+namespace {
+
+double largestPressure(const Shapes& shapes) {
+  double largest = 0;
+  for (const ComparedCell& cell : shapes.cells) largest = std::max(largest, std::abs(cell.pressure));
+  return largest;
+}
+
+double largestArea(const Shapes& shapes) {
+  double largest = 0;
+  for (const ContactMeasures& contact : shapes.contacts) largest = std::max(largest, contact.area);
+  return largest;
+}
+
+double pressureDifference(const Shapes& a, const Shapes& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.cells.size(); ++i)
+    largest = std::max(largest, std::abs(a.cells[i].pressure - b.cells[i].pressure));
+  return largest;
+}
+
+double areaOf(const Shapes& shapes, const ContactMeasures& pair) {
+  for (const ContactMeasures& c : shapes.contacts)
+    if (c.a == pair.a && c.b == pair.b) return c.area;
+  return 0;
+}
+
+/// A pair that touches on one mesh alone differs by all of its area.
+double areaDifference(const Shapes& a, const Shapes& b) {
+  double largest = 0;
+  for (const Shapes* side : {&a, &b})
+    for (const ContactMeasures& pair : side->contacts)
+      largest = std::max(largest, std::abs(areaOf(a, pair) - areaOf(b, pair)));
+  return largest;
+}
+
+/// 0 where both are 0.
+double over(double difference, double scale) { return difference == 0 ? 0 : difference / scale; }
+
+}  // namespace
+
+double MeshMeasures::largest() const { return std::max({position, volume, surface}); }
+
+MeshDistance compareMeshes(const Trial& coarse, const Trial& fine, double eggRadius) {
+  MeshDistance d;
+  double pressure = 0, pressureScale = 0, area = 0, areaScale = 0;
+  for (std::size_t i = 0; i < std::min(coarse.shapes.size(), fine.shapes.size()); ++i) {
+    const Shapes &a = coarse.shapes[i], &b = fine.shapes[i];
+    if (!haveSameCells(a, b)) {
+      d.partedAt = b.time;
+      break;
+    }
+    const StateError e = compareShapes(a, b, eggRadius);
+    if (i == 0) {
+      d.atStart = e.surface;
+      continue;
+    }
+    const double p = pressureDifference(a, b), s = areaDifference(a, b);
+    d.atEnd = {e.centroid, e.volume, e.surface, over(p, largestPressure(b)), over(s, largestArea(b))};
+    pressure = std::max(pressure, p), pressureScale = std::max(pressureScale, largestPressure(b));
+    area = std::max(area, s), areaScale = std::max(areaScale, largestArea(b));
+    for (const auto m : meshMeasures) d.worst.*m = std::max(d.worst.*m, d.atEnd.*m);
+    d.until = b.time;
+  }
+  // A pressure passes through 0, and so does an area: over all times their largest is the scale.
+  d.worst.pressure = over(pressure, pressureScale), d.worst.contactArea = over(area, areaScale);
+  return d;
+}
+
+const LevelError* MeshError::find(std::uint64_t level) const {
+  const auto found =
+      std::find_if(levels.begin(), levels.end(), [&](const LevelError& l) { return l.level == level; });
+  return found == levels.end() ? nullptr : &*found;
+}
+
+std::optional<double> MeshError::error() const { return errorOf(own); }
+
+std::optional<double> MeshError::errorOf(std::uint64_t level) const {
+  if (none) return 0;
+  if (!unknown.empty() || levels.empty()) return {};
+  if (const LevelError* known = find(level)) return known->worst.largest();
+  const LevelError& finest = levels.back();
+  if (level < finest.level || order == 0) return {};
+  return finest.worst.largest() * std::exp2(-order * static_cast<double>(level - finest.level));
+}
+
+MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t own, double eggRadius) {
+  CHECK(solved.size() >= 2, "an error of a mesh needs another mesh");
+  MeshError error;
+  error.own = own;
+  error.until = INFINITY;
+  std::vector<MeshDistance> toFinest;
+  for (std::size_t i = 0; i + 1 < solved.size(); ++i) {
+    const MeshDistance d = compareMeshes(*solved[i].trial, *solved.back().trial, eggRadius);
+    error.until = std::min(error.until, d.until);
+    if (d.partedAt && (!error.partedAt || *d.partedAt < *error.partedAt)) error.partedAt = d.partedAt;
+    toFinest.push_back(d);
+  }
+  error.cut = findDividedElsewhere(*solved.front().trial, *solved.back().trial);
+  if (error.until == 0) {
+    error.unknown = "on other meshes other cells live from the first comparison on";
+    return error;
+  }
+  const MeshDistance fine = toFinest.back();
+  toFinest.emplace_back();  // the finest is nowhere from itself
+  MeshDistance coarse;      // from the third level to the second
+  error.orderIsObserved = solved.size() > 2;
+  if (error.orderIsObserved)
+    coarse = compareMeshes(*solved[solved.size() - 3].trial, *solved[solved.size() - 2].trial, eggRadius);
+  const auto left = [&](double coarseToMiddle, double middleToFine) -> LeftError {
+    if (error.orderIsObserved) return estimateByRichardson(coarseToMiddle, middleToFine, assumedMeshOrder);
+    return {middleToFine / (std::exp2(assumedMeshOrder) - 1), assumedMeshOrder};
+  };
+  error.order = left(coarse.worst.largest(), fine.worst.largest()).order;
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    LevelError level{solved[i].level, toFinest[i].worst, toFinest[i].atEnd};
+    for (const auto m : meshMeasures) {
+      level.worst.*m += left(coarse.worst.*m, fine.worst.*m).error;
+      level.atEnd.*m += left(coarse.atEnd.*m, fine.atEnd.*m).error;
+    }
+    if (level.level == own) error.atStart = toFinest[i].atStart;
+    error.levels.push_back(level);
+  }
+  return error;
+}
+
+}  // namespace morula

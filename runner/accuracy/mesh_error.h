@@ -1,0 +1,78 @@
+#pragma once
+// What a mesh costs: the same scene on meshes of several fineness, all with converged time steps.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "accuracy/divided_elsewhere.h"
+#include "accuracy/trial.h"
+
+namespace morula {
+
+/// Between two meshes, each the largest over the cells or pairs of cells.
+struct MeshMeasures {
+  double position = 0;     // [radii of the egg] centroids of the enclosed volumes
+  double volume = 0;       // [1] over the finer one's volume
+  double surface = 0;      // [radii of the egg] root mean square distance; flat faces count
+  double pressure = 0;     // [1] over the finer one's largest
+  double contactArea = 0;  // [1] over the finer one's largest
+  /// Of what rows are compared by.
+  double largest() const;
+};
+
+inline constexpr std::array<double MeshMeasures::*, 5> meshMeasures{
+    &MeshMeasures::position, &MeshMeasures::volume, &MeshMeasures::surface, &MeshMeasures::pressure,
+    &MeshMeasures::contactArea};
+
+struct MeshDistance {
+  MeshMeasures worst, atEnd;       // of all times after the start; at the last one compared
+  double atStart = 0;              // [radii of the egg] surfaces at time 0: faces are flat, cells are not
+  double until = 0;                // [time] of the last comparison; 0: there was none
+  std::optional<double> partedAt;  // [time] first comparison at which other cells lived
+};
+
+MeshDistance compareMeshes(const Trial& coarse, const Trial& fine, double eggRadius);
+
+/// The scene on one mesh, with converged time steps.
+struct SolvedMesh {
+  std::uint64_t level = 0;  // of the icosphere
+  const Trial* trial = nullptr;
+};
+
+/// The error of one mesh: distance to the finest, and by Richardson what is left of the finest's own.
+struct LevelError {
+  std::uint64_t level = 0;
+  MeshMeasures worst, atEnd;
+};
+
+struct MeshError {
+  std::string unknown;             // why it is not known; "": it is
+  std::string limit;               // why no finer mesh took part; "": as many as help did
+  bool none = false;               // cells have no mesh: spheres
+  std::vector<LevelError> levels;  // that took part, rising
+  std::uint64_t own = 0;           // level
+  double order = 0;                // in the length of an edge; 0: it does not converge
+  bool orderIsObserved = false;    // from three levels; else assumed
+  double atStart = 0;              // [radii of the egg] of it: surfaces at time 0 against the finest's
+  double until = 0;                // [time] compared so far
+  std::optional<double> partedAt;  // [time] other cells live on another mesh from then on
+  std::optional<DividedElsewhere> cut;  // on another mesh a cell divides across another plane
+  double timeError = 0;            // left in the finer runs
+  double cpuSeconds = 0;           // of all of them
+
+  const LevelError* find(std::uint64_t level) const;
+  /// Of the scenario's own mesh. Absent: not known.
+  std::optional<double> error() const;
+  /// Of any icosphere, from those that took part; absent: not known.
+  std::optional<double> errorOf(std::uint64_t level) const;
+};
+
+/// Order that is assumed where only two levels are there: faces are flat, to second order in their edges.
+inline constexpr double assumedMeshOrder = 2;
+
+/// From two or three neighbouring levels, rising. Sets levels, order, atStart, until and partedAt.
+MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t own, double eggRadius);
+
+}  // namespace morula

@@ -1,0 +1,169 @@
+// The reference over meshes: which levels can be had for the CPU time that is allowed, and in which steps.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "accuracy/reference.h"
+#include "base/number_text.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::uint64_t finestLevel = 4;    // of all icospheres that scenarios take
+constexpr std::uint64_t coarsestLevel = 1;  // twelve vertices are no sphere
+constexpr double share = 0.1;  // of the mesh's error that time steps may add
+constexpr int mostHalvings = 5;
+
+/// Runs on other levels, and what they have cost.
+class Study {
+ public:
+  Study(const Laboratory& lab, const Scenario& scenario, const Trial& own)
+      : lab_(lab), scenario_(scenario), own_(own), level_(*lab.usual.level) {
+    // The steps of the scenario's own integrator are too long for others where it bears any.
+    const double usual = lab.usual.timeStep / 2;
+    step_ = lab.usual.integrator == Integrator::xpbd ? std::min(usual, 2 * own.setting.timeStep) : usual;
+  }
+
+  MeshStudy run(const std::vector<std::uint64_t>& furtherLevels) {
+    std::string limit;
+    const bool first = addFiner(limit);
+    if (first && level_ + 2 <= finestLevel) addFinest(limit);
+    std::uint64_t finest = level_;
+    while (at(finest + 1)) ++finest;
+    // Three neighbouring levels show the order; where there are not enough above, one or two below do.
+    for (std::uint64_t l = level_; l-- > coarsestLevel && finest - l <= 2;) addCoarser(l);
+    for (const std::uint64_t l : furtherLevels)
+      if (!at(l)) addCoarser(l);
+    std::vector<SolvedMesh> meshes;
+    for (std::uint64_t l = finest + 1; l-- > 0 && meshes.size() < 3 && at(l);)
+      meshes.insert(meshes.begin(), {l, at(l)});
+    if (meshes.size() < 2) result_.error.unknown = limit.empty() ? "there is no other mesh" : limit;
+    else result_.error = estimateMeshError(meshes, level_, lab_.eggRadius);
+    result_.error.own = level_;
+    result_.error.limit = limit;
+    result_.error.timeError = timeError_;
+    result_.error.cpuSeconds = spent_;
+    return std::move(result_);
+  }
+
+ private:
+  const Trial* at(std::uint64_t level) const {
+    if (level == level_) return &own_;
+    const auto found = result_.solved.find(level);
+    return found == result_.solved.end() ? nullptr : &found->second;
+  }
+
+  Setting settingAt(std::uint64_t level, double timeStep) const {
+    Setting s = convergent(lab_.usual, Integrator::velocityVerlet);
+    s.level = level;
+    s.timeStep = timeStep;
+    if (const auto coarsen = scenario_.scene.mechanics->physics.coarsen)
+      s.coarsen = std::ldexp(*coarsen, static_cast<int>(level_) - static_cast<int>(level));
+    return s;
+  }
+
+  /// [s] Of CPU time, from what the reference took for each vertex and evaluation of forces.
+  double foretell(std::uint64_t level, double timeStep) const {
+    const auto vertices = [](std::uint64_t l) { return 10 * std::exp2(2.0 * double(l)) + 2; };
+    const double perStep = own_.steps > 0 ? own_.cpuSeconds / double(own_.forceEvaluations) : 0;
+    return perStep * (vertices(level) / vertices(level_)) * (lab_.times.back() / timeStep);
+  }
+
+  /// In steps of at most that length; shorter where such do not run. Fails also if it is not affordable.
+  Trial solve(std::uint64_t level, double& timeStep) {
+    Trial t;
+    for (int i = 0; i <= mostHalvings; ++i, timeStep /= 2) {
+      const double seconds = foretell(level, timeStep), rest = lab_.options.budget - spent_;
+      if (!(seconds <= rest)) {
+        t.failure = fmt::format(
+            "icosphere {} takes about {} s of CPU time, and {} s of {} s are left (--budget)", level,
+            numberText(seconds, 2), numberText(std::max(0.0, rest), 2), numberText(lab_.options.budget, 4));
+        return t;
+      }
+      lab_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(timeStep)));
+      t = lab_.trial(settingAt(level, timeStep), 1, rest);
+      spent_ += t.cpuSeconds;
+      if (t.failure.empty()) return t;
+    }
+    t.failure = fmt::format("icosphere {} does not run: {}", level, t.failure);
+    return t;
+  }
+
+  double largestDistance(const Trial& a, const Trial& b) const {
+    return compareMeshes(a, b, lab_.eggRadius).worst.largest();
+  }
+
+  /// One level up, in steps that are halved until halving them changes little beside what the mesh does.
+  bool addFiner(std::string& limit) {
+    if (level_ + 1 > finestLevel) {
+      limit = "there is no finer icosphere";
+      return false;
+    }
+    double timeStep = step_ / 2;
+    Trial coarse = solve(level_ + 1, timeStep);
+    if (!coarse.failure.empty()) {
+      limit = coarse.failure;
+      return false;
+    }
+    fine_ = timeStep;
+    for (int i = 0; i < mostHalvings; ++i) {
+      timeStep = fine_ / 2;
+      Trial fine = solve(level_ + 1, timeStep);
+      if (!fine.failure.empty()) break;
+      timeError_ = largestDistance(coarse, fine);
+      fine_ = timeStep;
+      coarse = std::move(fine);
+      if (timeError_ <= share * largestDistance(own_, coarse)) break;
+    }
+    result_.solved[level_ + 1] = std::move(coarse);
+    return true;
+  }
+
+  void addFinest(std::string& limit) {
+    double timeStep = fine_ / 2;
+    Trial t = solve(level_ + 2, timeStep);
+    if (t.failure.empty()) result_.solved[level_ + 2] = std::move(t);
+    else limit = t.failure;
+  }
+
+  /// Cheaper than the reference, so in its steps.
+  void addCoarser(std::uint64_t level) {
+    Setting s = own_.setting;
+    s.level = level;
+    s.coarsen = settingAt(level, s.timeStep).coarsen;
+    if (level > level_) s.timeStep = std::ldexp(s.timeStep, static_cast<int>(level_) - static_cast<int>(level));
+    if (!(foretell(level, s.timeStep) <= lab_.options.budget - spent_)) return;
+    lab_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(s.timeStep)));
+    Trial t = lab_.trial(s, 1);
+    spent_ += t.cpuSeconds;
+    if (t.failure.empty()) result_.solved[level] = std::move(t);
+  }
+
+  const Laboratory& lab_;
+  const Scenario& scenario_;
+  const Trial& own_;
+  const std::uint64_t level_;
+  double step_ = 0, fine_ = 0;             // [time]
+  double timeError_ = 0, spent_ = 0;       // [s]
+  MeshStudy result_;
+};
+
+}  // namespace
+
+MeshStudy studyMeshes(const Laboratory& lab, const Scenario& scenario, const Trial& own,
+                      const std::vector<std::uint64_t>& furtherLevels) {
+  MeshStudy none;
+  if (scenario.scene.mechanics->physics.cell.model == CellModel::sphere) {
+    none.error.none = true;
+    return none;
+  }
+  if (!lab.usual.level) {
+    none.error.unknown = "the mesh comes from a file, and there is no finer one of the same shape";
+    return none;
+  }
+  return Study(lab, scenario, own).run(furtherLevels);
+}
+
+}  // namespace morula

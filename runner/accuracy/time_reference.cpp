@@ -1,0 +1,83 @@
+// The reference in time: Runge–Kutta and velocity Verlet, each with Richardson's estimate of what is left.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "accuracy/reference.h"
+#include "base/error.h"
+#include "base/number_text.h"
+
+namespace morula {
+
+namespace {
+
+/// A run with the finest step, and what is left of its error.
+struct Converged {
+  Trial trial;
+  LeftError left;
+};
+
+double distance(const Trial& a, const Trial& b, double eggRadius) {
+  if (!a.failure.empty() || !b.failure.empty()) return INFINITY;
+  const Comparison c = compare(a, b, eggRadius);
+  return c.partedAt || !c.errors ? INFINITY : c.errors->largest();
+}
+
+Converged converge(const Laboratory& lab, Integrator integrator, int halvings) {
+  Setting s = convergent(lab.usual, integrator);
+  s.timeStep = std::ldexp(lab.usual.timeStep, -halvings);
+  lab.options.tell(fmt::format("reference by {}, time step {}", name(integrator), numberText(s.timeStep)));
+  Setting middle = s, coarse = s;
+  middle.timeStep *= 2, coarse.timeStep *= 4;
+  Converged c{lab.trial(s, 1), {}};
+  if (!c.trial.failure.empty()) return {c.trial, {INFINITY, 0}};
+  const Trial m = lab.trial(middle, 1);
+  const double fine = distance(m, c.trial, lab.eggRadius);
+  c.left = estimateByRichardson(distance(lab.trial(coarse, 1), m, lab.eggRadius), fine, orderOf(integrator));
+  return c;
+}
+
+}  // namespace
+
+Comparison compare(const Trial& trial, const Trial& reference, double eggRadius) {
+  Comparison c;
+  for (std::size_t i = 1; i < reference.shapes.size() && i < trial.shapes.size(); ++i) {
+    if (!haveSameCells(trial.shapes[i], reference.shapes[i])) {
+      c.partedAt = reference.shapes[i].time;
+      break;
+    }
+    const StateError now = compareShapes(trial.shapes[i], reference.shapes[i], eggRadius);
+    c.errors = c.errors ? larger(*c.errors, now) : now;
+  }
+  return c;
+}
+
+Setting convergent(Setting s, Integrator integrator) {
+  s.integrator = integrator;
+  if (s.substeps) s.substeps = 1;
+  s.precision = Precision::binary64;
+  return s;
+}
+
+Trial Laboratory::trial(const Setting& setting, int rounds, double mostSeconds) const {
+  return runTrial(read, setting, times, options.execution, rounds, mostSeconds);
+}
+
+Trial findTimeReference(const Laboratory& lab, int halvings, const Horizon& horizon, const std::string& file,
+                        AccuracyReference& r) {
+  Converged a = converge(lab, Integrator::rungeKutta4, halvings),
+            b = converge(lab, Integrator::velocityVerlet, halvings);
+  if (b.left.error < a.left.error) std::swap(a, b);
+  if (!a.trial.failure.empty()) throw InputError(file + ": there is no reference: " + a.trial.failure);
+  r.setting = a.trial.setting, r.witness = b.trial.setting;
+  r.left = a.left, r.witnessLeft = b.left;
+  r.distance = distance(b.trial, a.trial, lab.eggRadius);
+  // Rounding is an error too; beyond the horizon an estimate that looks good does so by chance.
+  r.left.error = std::max(r.left.error, horizon.rounding / lab.eggRadius);
+  if (horizon.parted && lab.options.until) r.left.error = std::max(r.left.error, r.distance);
+  r.agrees = r.distance <= 2 * (r.left.error + r.witnessLeft.error);
+  return std::move(a.trial);
+}
+
+}  // namespace morula
