@@ -1,27 +1,24 @@
 #pragma once
 // Two runs whose cells divide at the same times, but across other planes: a round cell has no longest
-// extent, and rounding chooses one. What comes later then differs by a large share of a radius, whatever the
-// time step.
+// extent, and a small difference chooses one. What comes later then differs by a large share of a radius,
+// whatever the time step.
 #include <optional>
+#include <span>
 
-#include "accuracy/trial.h"
+#include "division/record.h"
 
 namespace morula {
 
 struct DividedElsewhere {
   CellPath mother;
-  double time = 0;         // [time] of the division
-  double angle = 0;        // [degrees] between the two planes
-  double extentRatio = 0;  // of the mother's two largest extents, at the last comparison before; 1: ambiguous
+  double time = 0;                    // [time] of the division in the reference
+  double angle = 0;                   // [degrees] between the two axes to daughter A, up to 180
+  std::optional<double> extentRatio;  // [1] of the reference's mother [DivisionRecord]
 };
 
-/// The first division whose planes are more than `least` degrees apart. Planes are seen by their daughters'
-/// centroids at the first comparison after the division.
-std::optional<DividedElsewhere> findDividedElsewhere(const Trial& trial, const Trial& reference,
-                                                     double least = 15);
-
-/// The largest extent over the second largest, as standard deviations of the vertices along the principal
-/// axes. [1]
-double measureExtentRatio(const Mesh& surface);
+/// The first division whose axes are more than `least` degrees apart.
+std::optional<DividedElsewhere> findDividedElsewhere(std::span<const DivisionRecord> divisions,
+                                                     std::span<const DivisionRecord> reference,
+                                                     double least = 10);
 
 }  // namespace morula

@@ -239,7 +239,7 @@ class Experiment {
       if (c.errors) row.errors = *c.errors, row.error = c.errors->largest();
       row.birthTimes = compareBirths(t.born, reference_.born) / scenario_.scene.cycle.length;
       row.resolved = row.error && *row.error >= resolution * report_.reference.left.error;
-      row.cut = findDividedElsewhere(t, reference_);
+      row.cut = findDividedElsewhere(t.divisions, reference_.divisions);
       if (row.error) row.parts = partsOf(row, t);
     }
     return row;
@@ -314,18 +314,23 @@ class Experiment {
     for (const auto& [mother, list] : cuts) {
       double angle = 0;
       for (const DividedElsewhere& cut : list) angle = std::max(angle, cut.angle);
+      const auto& ratio = list.front().extentRatio;
       report_.remarks.push_back(fmt::format(
-          "{} runs of {} divide {} at {} across another plane than the reference, up to {:.0f} degrees from "
-          "it: its largest extent is {:.4f} times its second largest, so that a small difference decides. "
-          "Their errors are of that choice, not of their time steps",
+          "{} of {} runs divide {} at {} across another plane than the reference, up to {:.0f} degrees from "
+          "it{}; their errors are those of another plane, whatever the time step",
           list.size(), report_.rows.size() + 1, cellText(mother), numberText(list.front().time), angle,
-          list.front().extentRatio));
+          ratio ? fmt::format(": its largest extent is {:.4f} times its second largest, so that a small "
+                              "difference decides",
+                              *ratio)
+                : std::string()));
     }
     if (const auto& cut = study_.error.cut)
       report_.remarks.push_back(fmt::format(
-          "on other meshes {} divides at {} across another plane, {:.0f} degrees from it: the mesh's error "
-          "is of that choice",
-          cellText(cut->mother), numberText(cut->time), cut->angle));
+          "on another mesh {} divides at {} across another plane, {:.0f} degrees from it{}: the mesh's error "
+          "is that of another plane",
+          cellText(cut->mother), numberText(cut->time), cut->angle,
+          cut->extentRatio ? fmt::format(" (its two largest extents are {:.4f} to 1)", *cut->extentRatio)
+                           : std::string()));
   }
 
   const ReadScenario& read_;

@@ -106,7 +106,7 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
     if (d.partedAt && (!error.partedAt || *d.partedAt < *error.partedAt)) error.partedAt = d.partedAt;
     toFinest.push_back(d);
   }
-  error.cut = findDividedElsewhere(*solved.front().trial, *solved.back().trial);
+  error.cut = findDividedElsewhere(solved.front().trial->divisions, solved.back().trial->divisions);
   if (error.until == 0) {
     error.unknown = "on other meshes other cells live from the first comparison on";
     return error;

@@ -42,6 +42,7 @@ void runOnce(const Scene& scene, const std::vector<double>& times, const Executi
     goTo(world, time, mostSeconds, trial, seconds);
     trial.shapes.push_back(takeShapes(world));
     trial.born = world.lineage.entries;
+    trial.divisions = world.divisions;
   }
 }
 
@@ -60,7 +61,7 @@ Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vect
   std::vector<double> seconds;
   Trial trial;
   for (int round = 0; round < rounds && trial.failure.empty(); ++round) {
-    trial = {setting, "", {}, {}, 0, 0, 0, 0};
+    trial = {.setting = setting};
     double took = 0;
     try {
       runOnce(read(changesFor(setting)).scene, times, execution, mostSeconds, trial, took);

@@ -14,6 +14,7 @@ struct Trial {
   std::string failure;             // "": it ran to the end
   std::vector<Shapes> shapes;      // at the times asked for, as far as it came
   std::vector<LineageEntry> born;  // the whole lineage
+  std::vector<DivisionRecord> divisions;
   // Cost of the steps alone
   double cpuSeconds = 0;  // median of the rounds
   std::uint64_t steps = 0, forceEvaluations = 0, vertexSteps = 0;

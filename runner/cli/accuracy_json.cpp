@@ -23,7 +23,7 @@ Json toJson(const std::optional<DividedElsewhere>& cut) {
   return {{"path", cut->mother.text()},
           {"time", cut->time},
           {"angle", cut->angle},
-          {"extent_ratio", cut->extentRatio}};
+          {"extent_ratio", orNull(cut->extentRatio)}};
 }
 
 Json toJson(const AccuracyRow& row) {

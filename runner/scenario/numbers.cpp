@@ -79,6 +79,8 @@ Parsed<std::uint64_t> parseNatural(std::string_view text) {
 }
 
 std::string Range::text() const {
+  if (std::isfinite(low) && std::isfinite(high) && openLow)
+    return "> " + formatReal(low) + " and ≤ " + formatReal(high);
   if (std::isfinite(low) && std::isfinite(high)) return "from " + formatReal(low) + " to " + formatReal(high);
   if (std::isfinite(low)) return (openLow ? "> " : "≥ ") + formatReal(low);
   return "";

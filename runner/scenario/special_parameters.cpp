@@ -79,7 +79,7 @@ Parameter timeStep() {
   p.allowed = numberAllowed(positive, p.unit) + ", auto, or {auto: 0.5}";
   p.meaning =
       "Smaller: more exact and slower. auto: powers of two below the stability limits, which fall as cells "
-      "halve; {auto: 0.5}: half as long ones, any share > 0 and <= 1";
+      "halve; {auto: 0.5}: half as long ones, any share > 0 and ≤ 1";
   p.absent = "auto";
   const Range share{0, 1, true};
   p.schema = {{"oneOf", Json::array({numberSchema(positive),

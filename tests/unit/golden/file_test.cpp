@@ -53,23 +53,39 @@ int lastLine() { return static_cast<int>(linesOf(writeGolden(exampleGolden())).s
 
 TEST_CASE("the error of a scenario's settings is kept, and sealed") {
   Golden golden = exampleGolden();
-  golden.error = GoldenError{2.8e-4, 1.6875};
-  const std::string text = writeGolden(golden);
-  CHECK(text.find("\nerror 0.00028 until 1.6875\n") != text.npos);
+  golden.error = GoldenError{2.8e-4, 0.013, 1.6875};
+  const std::string text = writeGolden(golden), line = "error time 0.00028 mesh 0.013 until 1.6875";
+  CHECK(text.find("\n" + line + "\n") != text.npos);
   const Golden again = readGolden(text, "x.golden");
   REQUIRE(again.error);
-  CHECK((again.error->size == 2.8e-4 && again.error->until == 1.6875));
+  CHECK((again.error->time == 2.8e-4 && again.error->mesh == 0.013 && again.error->until == 1.6875));
   CHECK(writeGolden(again) == text);
   const auto replaced = [&](const std::string& by) {
     std::string other = text;
-    const auto at = other.find("error 0.00028 until 1.6875");
-    return other.replace(at, 26, by);
+    return other.replace(other.find(line), line.size(), by);
   };
-  complains(replaced("error 0.00027 until 1.6875"), 0, "edited");
-  for (const char* broken : {"error", "error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2"})
-    CHECK_THROWS_AS(readGolden(replaced(broken), "x.golden"), InputError);
-  complains(replaced("error 0.00028 until 1.6875\nerror 0.00028 until 1.6875"), 0, "stands twice");
+  complains(replaced("error time 0.00027 mesh 0.013 until 1.6875"), 0, "edited");
+  complains(replaced("error time 0.00028 mesh 0.014 until 1.6875"), 0, "edited");
+  complains(replaced("error time 0.00028 mesh unknown until 1.6875"), 0, "edited");
+  for (const char* broken :
+       {"error", "error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2", "error time 1 until 2",
+        "error time 1 mesh until 2", "error time 1 mesh -1 until 2", "error time 1 mesh 1 until 0",
+        "error time 1 mesh 1 until 2 3"})
+    CHECK_THROWS_WITH(readGolden(replaced(broken), "x.golden"),
+                      ContainsSubstring("`error time SIZE mesh SIZE until TIME` is expected"));
+  complains(replaced(line + "\n" + line), 0, "stands twice");
   CHECK_FALSE(readGolden(writeGolden(exampleGolden()), "x.golden").error);
+}
+
+TEST_CASE("an error without a mesh is not known there, and goldens once said it shorter") {
+  Golden golden = exampleGolden();
+  golden.error = GoldenError{2.8e-4, std::nullopt, 1.6875};
+  std::string text = writeGolden(golden);
+  const std::string line = "error time 0.00028 mesh unknown until 1.6875";
+  CHECK(text.find("\n" + line + "\n") != text.npos);
+  CHECK_FALSE(readGolden(text, "x.golden").error->mesh);
+  text.replace(text.find(line), line.size(), "error 0.00028 until 1.6875");
+  CHECK(readGolden(text, "x.golden").error->time == 2.8e-4);
 }
 
 TEST_CASE("the file is one value per line in a fixed order") {

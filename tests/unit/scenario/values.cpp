@@ -117,6 +117,21 @@ TEST_CASE("what is not said has the defaults of the structs") {
   CHECK(!s.record.every);
 }
 
+TEST_CASE("a share of automatic time steps is part of what a scenario means, and all of it is not") {
+  const std::string text =
+      "morula: 1\nname: one\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nphysics: {time_step: ";
+  const Scenario all = readScenario(text + "auto}\n", "x.yaml", ".");
+  const Scenario half = readScenario(text + "{auto: 0.5}}\n", "x.yaml", ".");
+  CHECK_FALSE(half.scene.mechanics->physics.timeStep);
+  CHECK(half.scene.mechanics->physics.autoShare == 0.5);
+  CHECK(half.resolved.find("\"auto\"") != std::string::npos);
+  CHECK(half.meaning.text() != all.meaning.text());
+  CHECK(readScenario(text + "{auto: 1}}\n", "x.yaml", ".").meaning.text() == all.meaning.text());
+  const Scenario set = readScenario(text + "0.01}\n", "x.yaml", ".",
+                                    {parseOverride("physics.time_step.auto=0.5")});
+  CHECK(set.meaning.text() == half.meaning.text());
+}
+
 TEST_CASE("parts that are not named do not exist") {
   const auto s = read("morula: 1\nname: x\ndna: 'START: a0'\nstop: {cells: 1}\n");
   CHECK(!s.scene.mechanics);

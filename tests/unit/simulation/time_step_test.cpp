@@ -35,6 +35,22 @@ TEST_CASE("auto is a power of two, changes at divisions and deaths only, and eac
   }
 }
 
+TEST_CASE("A share of the automatic time step is taken at every change, and rounded down to a power of two") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 4);
+  scene.mechanics->contact = scenes::pairContact;
+  const World whole = makeWorld(scene);
+  for (const double share : {0.5, 0.25, 0.3}) {
+    scene.mechanics->physics.autoShare = share;
+    World world = makeWorld(scene);
+    while (!finished(world)) {
+      CHECK(world.clock.timeStep == powerOfTwoBelow(share * timeStepLimit(world)));
+      const std::size_t cells = world.cells.path.size();
+      while (!finished(world) && world.cells.path.size() == cells) step(world);
+    }
+    CHECK(world.timeSteps.front().timeStep <= share * whole.clock.timeStep);
+  }
+}
+
 TEST_CASE("Drag alone has a limit too: a cell in thick medium comes to rest, and no step oversteps it") {
   for (const Integrator integrator : {Integrator::velocityVerlet, Integrator::thesisVerlet})
     for (const double drag : {200.0, 1e3, 1e6}) {
