@@ -61,7 +61,8 @@ Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vect
   std::vector<double> seconds;
   Trial trial;
   for (int round = 0; round < rounds && trial.failure.empty(); ++round) {
-    trial = {.setting = setting};
+    trial = {};
+    trial.setting = setting;
     double took = 0;
     try {
       runOnce(read(changesFor(setting)).scene, times, execution, mostSeconds, trial, took);

@@ -18,6 +18,8 @@ Json toJson(const Setting& s) {
 
 namespace {
 
+using cli::toJson;  // of settings
+
 Json toJson(const std::optional<DividedElsewhere>& cut) {
   if (!cut) return {};
   return {{"path", cut->mother.text()},
