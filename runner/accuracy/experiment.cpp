@@ -32,9 +32,7 @@ std::vector<double> timesUpTo(double end, double longestStep, int samples) {
   return times;
 }
 
-std::string cellText(const CellPath& path) {
-  return path == CellPath{} ? "the egg" : "cell " + path.text();
-}
+std::string cellText(const CellPath& path) { return path == CellPath{} ? "the egg" : "cell " + path.text(); }
 
 class Experiment {
  public:
@@ -116,7 +114,8 @@ class Experiment {
         continue;
       }
       if (!options_.brief || halvings >= most || ownRow().resolved) return;
-      if (8 * reference_.cpuSeconds > options_.budget) return;  // two integrators, three runs each, once finer
+      if (8 * reference_.cpuSeconds > options_.budget)
+        return;  // two integrators, three runs each, once finer
     }
   }
 
@@ -217,8 +216,7 @@ class Experiment {
                               options_.execution, options_.rounds,       options_.program};
     const auto errorOf = [&](const Trial& t) { return judged(t, "", "bullet").error; };
     for (const BulletTrial& b : tryBullet(scenario_, search, errorOf, options_.tell))
-      report_.rows.push_back(
-          judged(b.trial, b.series, std::string("bullet-") + name(b.setting.baseline)));
+      report_.rows.push_back(judged(b.trial, b.series, std::string("bullet-") + name(b.setting.baseline)));
   }
 
   AccuracyRow rowOf(const Setting& setting, const std::string& series) const {

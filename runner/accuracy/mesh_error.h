@@ -48,19 +48,19 @@ struct LevelError {
 };
 
 struct MeshError {
-  std::string unknown;             // why it is not known; "": it is
-  std::string limit;               // why no finer mesh took part; "": as many as help did
-  bool none = false;               // cells have no mesh: spheres
-  std::vector<LevelError> levels;  // that took part, rising
-  std::uint64_t own = 0;           // level
-  double order = 0;                // in the length of an edge; 0: it does not converge
-  bool orderIsObserved = false;    // from three levels; else assumed
-  double atStart = 0;              // [radii of the egg] of it: surfaces at time 0 against the finest's
-  double until = 0;                // [time] compared so far
-  std::optional<double> partedAt;  // [time] other cells live on another mesh from then on
+  std::string unknown;                  // why it is not known; "": it is
+  std::string limit;                    // why no finer mesh took part; "": as many as help did
+  bool none = false;                    // cells have no mesh: spheres
+  std::vector<LevelError> levels;       // that took part, rising
+  std::uint64_t own = 0;                // level
+  double order = 0;                     // in the length of an edge; 0: it does not converge
+  bool orderIsObserved = false;         // from three levels; else assumed
+  double atStart = 0;                   // [radii of the egg] of it: surfaces at time 0 against the finest's
+  double until = 0;                     // [time] compared so far
+  std::optional<double> partedAt;       // [time] other cells live on another mesh from then on
   std::optional<DividedElsewhere> cut;  // on another mesh a cell divides across another plane
-  double timeError = 0;            // left in the finer runs
-  double cpuSeconds = 0;           // of all of them
+  double timeError = 0;                 // left in the finer runs
+  double cpuSeconds = 0;                // of all of them
 
   const LevelError* find(std::uint64_t level) const;
   /// Of the scenario's own mesh. Absent: not known.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t finestLevel = 4;    // of all icospheres that scenarios take
 constexpr std::uint64_t coarsestLevel = 1;  // twelve vertices are no sphere
-constexpr double share = 0.1;  // of the mesh's error that time steps may add
+constexpr double share = 0.1;               // of the mesh's error that time steps may add
 constexpr int mostHalvings = 5;
 
 /// Runs on other levels, and what they have cost.
@@ -133,7 +133,8 @@ class Study {
     Setting s = own_.setting;
     s.level = level;
     s.coarsen = settingAt(level, s.timeStep).coarsen;
-    if (level > level_) s.timeStep = std::ldexp(s.timeStep, static_cast<int>(level_) - static_cast<int>(level));
+    if (level > level_)
+      s.timeStep = std::ldexp(s.timeStep, static_cast<int>(level_) - static_cast<int>(level));
     if (!(foretell(level, s.timeStep) <= lab_.options.budget - spent_)) return;
     lab_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(s.timeStep)));
     Trial t = lab_.trial(s, 1);
@@ -145,8 +146,8 @@ class Study {
   const Scenario& scenario_;
   const Trial& own_;
   const std::uint64_t level_;
-  double step_ = 0, fine_ = 0;             // [time]
-  double timeError_ = 0, spent_ = 0;       // [s]
+  double step_ = 0, fine_ = 0;        // [time]
+  double timeError_ = 0, spent_ = 0;  // [s]
   MeshStudy result_;
 };
 

@@ -89,8 +89,7 @@ std::string timeStepChange(const Setting& s) {
 
 std::vector<std::string> changesFor(const Setting& s) {
   std::vector<std::string> changes{fmt::format("physics.integrator={}", name(s.integrator)),
-                                   timeStepChange(s),
-                                   fmt::format("physics.precision={}", name(s.precision))};
+                                   timeStepChange(s), fmt::format("physics.precision={}", name(s.precision))};
   if (s.substeps) changes.push_back(fmt::format("physics.substeps={}", *s.substeps));
   if (s.level) changes.push_back(fmt::format("physics.mesh.icosphere={}", *s.level));
   if (s.coarsen) changes.push_back("physics.mesh.coarsen=" + exactText(*s.coarsen));

@@ -39,9 +39,8 @@ std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double ta
     if (row.engine == "morula" && row.error && !row.partedAt &&
         *row.error + report.reference.left.error <= target)
       rows.push_back(&row);
-  std::stable_sort(rows.begin(), rows.end(), [](const AccuracyRow* a, const AccuracyRow* b) {
-    return a->cpuSeconds < b->cpuSeconds;
-  });
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const AccuracyRow* a, const AccuracyRow* b) { return a->cpuSeconds < b->cpuSeconds; });
   return rows;
 }
 

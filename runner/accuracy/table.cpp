@@ -43,8 +43,7 @@ std::string line(const AccuracyRow& row, const std::string& before) {
                       row.errors.volume, row.errors.surface, row.birthTimes, row.cpuSeconds,
                       row.forceEvaluations);
   if (row.partedAt) text += fmt::format("  * up to {}: then other cells live", numberText(*row.partedAt));
-  if (row.cut)
-    text += fmt::format("  * divides across another plane at {}", numberText(row.cut->time));
+  if (row.cut) text += fmt::format("  * divides across another plane at {}", numberText(row.cut->time));
   return text + "\n";
 }
 
@@ -55,9 +54,8 @@ std::string ownText(const AccuracyReport& report) {
   if (!own.error) return text + "other cells live from " + numberText(*own.partedAt) + " on\n";
   const ErrorParts& p = own.parts;
   text += fmt::format("error {}{:.2g}: time {}{}, mesh {}, precision {:.2g}\n", p.mesh ? "" : "at least ",
-                      p.sum(), p.time ? fmt::format("{:.2g}", *p.time) : "not known",
-                      own.resolved ? "" : "~", p.mesh ? fmt::format("{:.2g}", *p.mesh) : "not known",
-                      p.precision.value_or(0));
+                      p.sum(), p.time ? fmt::format("{:.2g}", *p.time) : "not known", own.resolved ? "" : "~",
+                      p.mesh ? fmt::format("{:.2g}", *p.mesh) : "not known", p.precision.value_or(0));
   text += fmt::format("           in {:.4f} s, {} evaluations, time step {}{}\n", own.cpuSeconds,
                       own.forceEvaluations, stepText(own.setting), own.setting.automatic ? " at least" : "");
   if (own.partedAt)
@@ -80,22 +78,24 @@ std::string meshText(const MeshError& mesh) {
   if (mesh.none) return "mesh       no error: spheres have no mesh\n";
   if (!mesh.unknown.empty()) return "mesh       error not known: " + mesh.unknown + "\n";
   const LevelError& own = *mesh.find(mesh.own);
-  std::string text = fmt::format("mesh       icosphere {}, up to {}: {}\n", mesh.own,
-                                 numberText(mesh.until), measuresText(own.worst));
+  std::string text = fmt::format("mesh       icosphere {}, up to {}: {}\n", mesh.own, numberText(mesh.until),
+                                 measuresText(own.worst));
   text += fmt::format("           at time {}: {}\n", numberText(mesh.until), measuresText(own.atEnd));
   text += "           by icospheres";
   for (const LevelError& level : mesh.levels)
     text += fmt::format("{} {} ({:.2g})", &level == mesh.levels.data() ? "" : ",", level.level,
                         level.worst.largest());
-  text += mesh.orderIsObserved
-              ? mesh.order > 0 ? fmt::format("; order observed in the edge's length {:.2g}", mesh.order)
-                               : "; from mesh to mesh it does not converge"
-              : fmt::format("; order {:g} assumed: there are only two", mesh.order);
+  text += mesh.orderIsObserved ? mesh.order > 0
+                                     ? fmt::format("; order observed in the edge's length {:.2g}", mesh.order)
+                                     : "; from mesh to mesh it does not converge"
+                               : fmt::format("; order {:g} assumed: there are only two", mesh.order);
   text += fmt::format("; time steps add {:.2g}; {:.1f} s of CPU time\n", mesh.timeError, mesh.cpuSeconds);
   if (mesh.atStart > 0)
-    text += fmt::format("           of the surface's {:.2g} at time 0 already: faces are flat\n", mesh.atStart);
+    text +=
+        fmt::format("           of the surface's {:.2g} at time 0 already: faces are flat\n", mesh.atStart);
   if (mesh.partedAt)
-    text += fmt::format("           from {} on other cells live on another mesh\n", numberText(*mesh.partedAt));
+    text +=
+        fmt::format("           from {} on other cells live on another mesh\n", numberText(*mesh.partedAt));
   if (!mesh.limit.empty()) text += "           no finer one took part: " + mesh.limit + "\n";
   return text;
 }
@@ -120,10 +120,10 @@ std::string referenceText(const AccuracyReference& r) {
 std::string describe(const AccuracyReport& report) {
   const double until = report.times.back();
   const bool whole = report.end && until >= *report.end * (1 - 1e-6);
-  std::string text = fmt::format(
-      "{}: compared up to time {}{}, at {} times{}\n", report.scenario, numberText(until, 6),
-      whole || !report.end ? "" : " of " + numberText(*report.end, 6), report.times.size(),
-      report.horizon && report.horizon->parted ? "; later is chaos: see the remark" : "");
+  std::string text =
+      fmt::format("{}: compared up to time {}{}, at {} times{}\n", report.scenario, numberText(until, 6),
+                  whole || !report.end ? "" : " of " + numberText(*report.end, 6), report.times.size(),
+                  report.horizon && report.horizon->parted ? "; later is chaos: see the remark" : "");
   text += referenceText(report.reference) + meshText(report.mesh) + ownText(report);
   for (const std::string& remark : report.remarks) text += "remark     " + remark + "\n";
   if (report.rows.empty()) return text;
@@ -139,7 +139,8 @@ std::string describe(const AccuracyReport& report) {
     if (row.series != series) {
       series = row.series, failure.clear();
       text += fmt::format(
-          "\n{}{}\n  time step      error       time       mesh precision  centroid    volume   surface    births  "
+          "\n{}{}\n  time step      error       time       mesh precision  centroid    volume   surface    "
+          "births  "
           "  CPU [s]  evaluations\n",
           series, series == report.usual ? " (the scenario's own)" : "");
     }
@@ -148,7 +149,8 @@ std::string describe(const AccuracyReport& report) {
   }
   text += "\norder, from the slope of the error on the scenario's mesh over the time step\n";
   for (const SeriesOrder& o : report.orders) text += orderText(o);
-  text += "\nspeed at equal error on the scenario's mesh, between neighbouring runs; speed 1: its own settings\n";
+  text +=
+      "\nspeed at equal error on the scenario's mesh, between neighbouring runs; speed 1: its own settings\n";
   double error = 0;
   for (const SpeedAtError& s : report.speeds) {
     if (s.error != error) text += fmt::format("  error {:g}\n", error = s.error);

@@ -117,8 +117,9 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   std::string text = words.output.json ? "" : describe(report);
   bool held = true;
   if (target) {
-    const TargetQuestion question{*target,        file,     words.scene.set, words.scene.seed, options.budget,
-                                  options.program, folder.string(), read, options.tell};
+    const TargetQuestion question{*target,          file,           words.scene.set,
+                                  words.scene.seed, options.budget, options.program,
+                                  folder.string(),  read,           options.tell};
     const TargetAnswer answer = findTarget(report, question);
     held = answer.best.has_value();
     if (words.output.json) json["target"] = toJson(answer, question, report);
@@ -136,8 +137,8 @@ int actOnAll(const AccuracyWords& words) {
     try {
       const Scenario scenario = loadScenario(file);
       if (!scenario.scene.mechanics || !scenario.check.fails.empty()) {
-        tell("accuracy: " + file + ": left out: " +
-                 (scenario.scene.mechanics ? "it must fail" : "it has no bodies"),
+        tell("accuracy: " + file +
+                 ": left out: " + (scenario.scene.mechanics ? "it must fail" : "it has no bodies"),
              words.output.quiet);
         continue;
       }

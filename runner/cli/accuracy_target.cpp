@@ -42,7 +42,8 @@ std::string lastLine(const std::string& text) {
   const auto end = text.find_last_not_of('\n');
   if (end == std::string::npos) return "";
   const auto begin = text.rfind('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1, end - (begin == std::string::npos ? -1 : begin));
+  return text.substr(begin == std::string::npos ? 0 : begin + 1,
+                     end - (begin == std::string::npos ? -1 : begin));
 }
 
 /// Runs commands to their ends, within one budget for all.
@@ -62,8 +63,8 @@ class Runner {
     const auto folder = std::filesystem::path(question_.folder) / ("target-" + std::to_string(++runs_));
     auto words = command;
     words.insert(words.begin(), question_.program);
-    for (const std::string& word : {std::string("--no-check"), std::string("--no-pictures"), std::string("--quiet"),
-                                    std::string("--out"), folder.string()})
+    for (const std::string& word : {std::string("--no-check"), std::string("--no-pictures"),
+                                    std::string("--quiet"), std::string("--out"), folder.string()})
       words.push_back(word);
     const ChildEnd end = runChild(
         words, {.cpuSeconds = static_cast<int>(std::ceil(rest)), .silent = false, .errorsToo = true});
@@ -87,8 +88,9 @@ class Runner {
 };
 
 std::string quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                             "0123456789-_=./,:+@%") == std::string::npos;
+  const bool plain = !word.empty() && word.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789-_=./,:+@%") == std::string::npos;
   if (plain) return word;
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -127,23 +129,27 @@ TargetAnswer findTarget(const AccuracyReport& report, const TargetQuestion& ques
     if (answer.best) break;
   }
   const auto mesh = report.mesh.error();
-  if (!answer.best || !mesh || report.mesh.none || *mesh + answer.best->error <= question.error) return answer;
+  if (!answer.best || !mesh || report.mesh.none || *mesh + answer.best->error <= question.error)
+    return answer;
   answer.levelThatHolds = levelThatHolds(report.mesh, question.error - answer.best->error);
   const Setting& best = answer.best->setting;
   if (!answer.levelThatHolds || best.level != report.mesh.own || best.model) return answer;
   Setting finer = best;
   finer.level = answer.levelThatHolds;
   if (!finer.automatic)
-    finer.timeStep = std::ldexp(finer.timeStep, static_cast<int>(*best.level) - static_cast<int>(*finer.level));
+    finer.timeStep =
+        std::ldexp(finer.timeStep, static_cast<int>(*best.level) - static_cast<int>(*finer.level));
   answer.finer = runner.run(finer, fmt::format("icosphere {}", *finer.level),
                             answer.best->error + *report.mesh.errorOf(*finer.level));
   return answer;
 }
 
-std::string describe(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report) {
+std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
+                     const AccuracyReport& report) {
   const std::string target = numberText(question.error);
   std::string text;
-  for (const std::string& failure : answer.failures) text += "cheaper, but it does not come to its end: " + failure + "\n";
+  for (const std::string& failure : answer.failures)
+    text += "cheaper, but it does not come to its end: " + failure + "\n";
   if (!answer.best)
     return text + (answer.outOfTime
                        ? "no settings that hold an error of " + target +
@@ -152,7 +158,8 @@ std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
   const EndedRun& best = *answer.best;
   const bool toTheEnd = report.end && report.times.back() >= *report.end * (1 - 1e-6);
   text += fmt::format(
-      "the cheapest settings tried whose error on the scenario's mesh is at most {}: {:.2g}, compared up to time "
+      "the cheapest settings tried whose error on the scenario's mesh is at most {}: {:.2g}, compared up to "
+      "time "
       "{}{}\n  {}\n  has been run to its end, in {:.2f} s of CPU time\n",
       target, best.error, numberText(report.times.back()),
       toTheEnd || !report.end ? "" : " of " + numberText(*report.end) + ", where later is chaos",
@@ -161,16 +168,17 @@ std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
   if (report.mesh.none) return text;
   if (!mesh) return text + "  what the mesh adds is not known: " + report.mesh.unknown + "\n";
   if (*mesh + best.error <= question.error)
-    return text + fmt::format("  the mesh adds {:.2g}: the whole error is at most {:.2g}\n", *mesh, *mesh + best.error);
-  text += fmt::format("  icosphere {} itself adds {:.2g}, so the whole error is above {}: ", report.mesh.own, *mesh,
-                      target);
+    return text + fmt::format("  the mesh adds {:.2g}: the whole error is at most {:.2g}\n", *mesh,
+                              *mesh + best.error);
+  text += fmt::format("  icosphere {} itself adds {:.2g}, so the whole error is above {}: ", report.mesh.own,
+                      *mesh, target);
   if (!answer.levelThatHolds) return text + "no icosphere up to 4 would hold it\n";
   text += fmt::format("icosphere {} would hold it\n", *answer.levelThatHolds);
   if (answer.finer)
-    text += fmt::format("  {}\n  has been run to its end, in {:.2f} s of CPU time; its whole error by estimate: {:.2g}\n",
-                        commandText(answer.finer->command), answer.finer->cpuSeconds, answer.finer->error);
-  else
-    text += "  which has not been run to its end\n";
+    text += fmt::format(
+        "  {}\n  has been run to its end, in {:.2f} s of CPU time; its whole error by estimate: {:.2g}\n",
+        commandText(answer.finer->command), answer.finer->cpuSeconds, answer.finer->error);
+  else text += "  which has not been run to its end\n";
   return text;
 }
 

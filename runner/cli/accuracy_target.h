@@ -10,11 +10,11 @@
 namespace morula::cli {
 
 struct TargetQuestion {
-  double error = 0;       // that settings must hold
-  std::string file;       // the scenario, as it was given
+  double error = 0;              // that settings must hold
+  std::string file;              // the scenario, as it was given
   std::vector<std::string> set;  // changes that were asked for: "path=value"
   std::string seed;              // "": the scenario's
-  double budget = 120;    // [s] of CPU time, for all runs to the end
+  double budget = 120;           // [s] of CPU time, for all runs to the end
   std::string program, folder;   // that runs, and where its results may lie meanwhile
   ReadScenario read;
   std::function<void(const std::string&)> tell;
@@ -42,7 +42,8 @@ TargetAnswer findTarget(const AccuracyReport& report, const TargetQuestion& ques
 std::string commandText(const std::vector<std::string>& command);
 
 /// For people.
-std::string describe(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report);
+std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
+                     const AccuracyReport& report);
 Json toJson(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report);
 
 }  // namespace morula::cli

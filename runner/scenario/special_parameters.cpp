@@ -93,8 +93,8 @@ Parameter timeStep() {
     if (node.kind == Node::Kind::map) {
       const auto* given = readOnly(node, path, "auto", allowed, reading.problems);
       if (!given) return;
-      if (const auto value = readReal(given->value, share, path + ".auto", numberAllowed(share, ""),
-                                      reading.problems))
+      if (const auto value =
+              readReal(given->value, share, path + ".auto", numberAllowed(share, ""), reading.problems))
         physics.timeStep = std::nullopt, physics.autoShare = *value;
     } else if (node.kind == Node::Kind::scalar && node.text == "auto") {
       physics.timeStep = std::nullopt, physics.autoShare = 1;

@@ -1,5 +1,5 @@
-// Comments of scenarios and their goldens state the error of the settings; the two were written by hand, and both left out the
-// mesh. What a comment says is what its golden says.
+// Comments of scenarios and their goldens state the error of the settings; the two were written by hand, and
+// both left out the mesh. What a comment says is what its golden says.
 #include <cstdlib>
 #include <filesystem>
 #include <regex>

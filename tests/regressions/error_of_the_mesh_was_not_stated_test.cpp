@@ -1,6 +1,6 @@
-// Errors that were stated were those of the time step alone: the reference was computed on the scenario's own mesh, which
-// itself was off by fifty times as much. `accuracy` states both, and what it says of the mesh is what a run on a mesh two
-// levels finer shows.
+// Errors that were stated were those of the time step alone: the reference was computed on the scenario's own
+// mesh, which itself was off by fifty times as much. `accuracy` states both, and what it says of the mesh is
+// what a run on a mesh two levels finer shows.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -42,8 +42,8 @@ struct Cell {
 /// The first cell at the end.
 Cell cellAtEnd(const TemporaryFolder& folder, const std::string& level, const std::string& timeStep) {
   const std::string file = folder / ("level" + level + ".db");
-  const auto run = launch({"run", folder / "pair.yaml", "--no-pictures", "--no-check", "--quiet", "--db", file, "--out",
-                           folder.path(), "--set", "physics.mesh.icosphere=" + level, "--set",
+  const auto run = launch({"run", folder / "pair.yaml", "--no-pictures", "--no-check", "--quiet", "--db",
+                           file, "--out", folder.path(), "--set", "physics.mesh.icosphere=" + level, "--set",
                            "physics.time_step=" + timeStep});
   CAPTURE(run.err);
   REQUIRE(run.code == 0);

@@ -1,6 +1,6 @@
-// accuracy --target printed a command that exited with 4 at the second division: nothing later than the horizon of chaos had
-// been computed, and lighter daughters bear only shorter time steps. What is printed has been run to its end, and holds its
-// error against a run in an eighth of its time steps.
+// accuracy --target printed a command that exited with 4 at the second division: nothing later than the
+// horizon of chaos had been computed, and lighter daughters bear only shorter time steps. What is printed has
+// been run to its end, and holds its error against a run in an eighth of its time steps.
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -21,9 +21,20 @@ const std::string crowd =
 TEST_CASE("accuracy --target: the printed command runs to its end, and holds its error") {
   const TemporaryFolder folder;
   writeWhole(folder / "crowd.yaml", crowd);
-  const std::vector<std::string> words{"accuracy", folder / "crowd.yaml", "--target",  "3e-2",   "--only",
-                                       "--integrator", "velocity-verlet", "--halvings", "2",     "--rounds",
-                                       "1",        "--out",               folder.path(), "--quiet"};
+  const std::vector<std::string> words{"accuracy",
+                                       folder / "crowd.yaml",
+                                       "--target",
+                                       "3e-2",
+                                       "--only",
+                                       "--integrator",
+                                       "velocity-verlet",
+                                       "--halvings",
+                                       "2",
+                                       "--rounds",
+                                       "1",
+                                       "--out",
+                                       folder.path(),
+                                       "--quiet"};
   auto asJson = words;
   asJson.push_back("--json");
   const auto run = launch(asJson);
@@ -59,8 +70,8 @@ TEST_CASE("accuracy --target: a share of automatic time steps is what growing or
   CHECK(shares == 4);
   for (const Json& row : json["rows"]) {
     if (row["settings"]["automatic_share"] != 0.25) continue;
-    std::vector<std::string> words{"run", folder / "crowd.yaml", "--no-check", "--no-pictures", "--quiet", "--out",
-                                   folder.path()};
+    std::vector<std::string> words{"run",   folder / "crowd.yaml", "--no-check", "--no-pictures", "--quiet",
+                                   "--out", folder.path()};
     for (const auto& change : row["settings"]["set"]) words.insert(words.end(), {"--set", change});
     CHECK(launch(words).code == 0);
   }

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "accuracy/divided_elsewhere.h"
 #include "accuracy/accuracy.h"
+#include "accuracy/divided_elsewhere.h"
 #include "catch.h"
 #include "reader.h"
 #include "scenes.h"
@@ -18,7 +18,8 @@ Mesh moved(Mesh mesh, const Vector& by) {
   return mesh;
 }
 
-/// One cube, at time 0 at the origin, and at times 1 and 2 off by that along x; its pressure is off by as much.
+/// One cube, at time 0 at the origin, and at times 1 and 2 off by that along x; its pressure is off by as
+/// much.
 Trial run(double off) {
   Trial trial;
   for (int time = 0; time < 3; ++time) {
@@ -77,7 +78,8 @@ TEST_CASE("Where other cells live on another mesh, errors are those up to then")
 TEST_CASE("A finer mesh that costs more than is allowed takes no part, and the reason is told") {
   const auto read = reader(
       "morula: 1\nname: one\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 0.5}\nphysics:\n  drag: 4\n"
-      "  mesh: {icosphere: 2}\n  membrane: {stiffness: 10, damping: 0.02}\n  pressure: {constant: 8, outside: 0}\n");
+      "  mesh: {icosphere: 2}\n  membrane: {stiffness: 10, damping: 0.02}\n  pressure: {constant: 8, "
+      "outside: 0}\n");
   AccuracyOptions options;
   options.brief = true;
   options.budget = 1e-6;

@@ -68,9 +68,9 @@ TEST_CASE("the error of a scenario's settings is kept, and sealed") {
   complains(replaced("error time 0.00028 mesh 0.014 until 1.6875"), 0, "edited");
   complains(replaced("error time 0.00028 mesh unknown until 1.6875"), 0, "edited");
   for (const char* broken :
-       {"error", "error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2", "error time 1 until 2",
-        "error time 1 mesh until 2", "error time 1 mesh -1 until 2", "error time 1 mesh 1 until 0",
-        "error time 1 mesh 1 until 2 3"})
+       {"error", "error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2",
+        "error time 1 until 2", "error time 1 mesh until 2", "error time 1 mesh -1 until 2",
+        "error time 1 mesh 1 until 0", "error time 1 mesh 1 until 2 3"})
     CHECK_THROWS_WITH(readGolden(replaced(broken), "x.golden"),
                       ContainsSubstring("`error time SIZE mesh SIZE until TIME` is expected"));
   complains(replaced(line + "\n" + line), 0, "stands twice");
