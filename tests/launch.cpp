@@ -29,6 +29,24 @@ namespace {
   _exit(127);
 }
 
+/// The two ends of a pseudo-terminal: what the program writes to, and where that can be read; −1, both, if
+/// there is none to open.
+struct Terminal {
+  int program = -1, reader = -1;
+};
+
+Terminal openTerminal() {
+  const int reader = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (reader < 0) return {};
+  const char* name = grantpt(reader) == 0 && unlockpt(reader) == 0 ? ptsname(reader) : nullptr;
+  const int program = name ? open(name, O_RDWR | O_NOCTTY | O_CLOEXEC) : -1;
+  if (program < 0) {
+    close(reader);
+    return {};
+  }
+  return {program, reader};
+}
+
 int waitFor(int process) {
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {}
@@ -57,24 +75,23 @@ Launched launch(const std::vector<std::string>& arguments, const Environment& en
   return launch(arguments, environment, {});
 }
 
-Launched launchOnTerminal(const std::vector<std::string>& arguments, const Environment& environment) {
+std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments,
+                                         const Environment& environment) {
+  const Terminal ends = openTerminal();
+  if (ends.program < 0) return {};
   const TemporaryFolder folder;
   const auto outFile = folder / "out";
   const int out = open(outFile.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
-  const int master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-  if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0)
-    throw std::runtime_error("no terminal to be had");
-  const int terminal = open(ptsname(master), O_RDWR | O_NOCTTY | O_CLOEXEC);
   const int process = fork();
   if (process < 0) throw std::runtime_error("fork failed");
-  if (process == 0) become(arguments, environment, out, terminal);
+  if (process == 0) become(arguments, environment, out, ends.program);
   close(out);
-  close(terminal);
+  close(ends.program);
   Launched result;
   char buffer[4096];
-  for (ssize_t n; (n = read(master, buffer, sizeof buffer)) > 0 || (n < 0 && errno == EINTR);)
+  for (ssize_t n; (n = read(ends.reader, buffer, sizeof buffer)) > 0 || (n < 0 && errno == EINTR);)
     if (n > 0) result.err.append(buffer, static_cast<std::size_t>(n));
-  close(master);
+  close(ends.reader);
   result.code = waitFor(process);
   result.out = readWhole(outFile);
   return result;

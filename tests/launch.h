@@ -2,6 +2,7 @@
 // Runs the built program as users do: its own process, arguments, exit code, stdout and stderr apart.
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,13 @@ Launched launch(const std::vector<std::string>& arguments, const Environment& en
 Launched launch(const std::vector<std::string>& arguments, const Environment& environment,
                 const std::function<void(int)>& meanwhile);
 
-/// The same with stderr on a terminal, which `err` holds what was written to.
-Launched launchOnTerminal(const std::vector<std::string>& arguments, const Environment& environment = {});
+/// The same with stderr on a terminal, which `err` holds what was written to. None where the system has no
+/// pseudo-terminals: then the test says so (skippedWithoutTerminal) and has nothing to look at.
+std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments,
+                                         const Environment& environment = {});
+
+/// What such a test says.
+inline constexpr auto skippedWithoutTerminal = "skipped: no pseudo-terminals here";
 
 /// An empty folder that goes away with its owner.
 class TemporaryFolder {

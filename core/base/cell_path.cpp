@@ -14,7 +14,8 @@ CellPath CellPath::parse(std::string_view text) {
 }
 
 CellPath CellPath::daughter(bool b) const {
-  if (depth_ == maxDepth) throw InputError("cell " + text() + ": a line of descent may hold at most 120 divisions");
+  if (depth_ == maxDepth)
+    throw InputError(cellName(text()) + ": a line of descent may hold at most 120 divisions");
   CellPath d = *this;
   if (b) (depth_ < 64 ? d.high_ : d.low_) |= std::uint64_t{1} << (depth_ < 64 ? 63 - depth_ : 127 - depth_);
   ++d.depth_;
@@ -42,5 +43,15 @@ std::string CellPath::text() const {
     if (letter(i)) s[i] = 'B';
   return s;
 }
+
+std::string cellName(std::string_view path) { return path.empty() ? "the egg" : "cell " + std::string(path); }
+
+NumericalError::NumericalError(std::string failed, std::uint64_t at, std::string what, std::string advice)
+    : std::runtime_error("step " + std::to_string(at) + ", " + cellName(failed) + ": " + what + "; " +
+                         advice),
+      cell(std::move(failed)),
+      step(at),
+      quantity(std::move(what)),
+      remedy(std::move(advice)) {}
 
 }  // namespace morula

@@ -13,10 +13,8 @@ struct InputError : std::runtime_error {
 
 /// The physics cannot go on. Names cell, step, quantity and the parameter to change. Exit 4.
 struct NumericalError : std::runtime_error {
-  NumericalError(std::string cell, std::uint64_t step, std::string quantity, std::string remedy)
-      : std::runtime_error("step " + std::to_string(step) + ", cell '" + cell + "': " + quantity + "; " + remedy),
-        cell(std::move(cell)), step(step), quantity(std::move(quantity)), remedy(std::move(remedy)) {}
-  std::string cell;
+  NumericalError(std::string cell, std::uint64_t step, std::string quantity, std::string remedy);
+  std::string cell;  // its path
   std::uint64_t step;
   std::string quantity, remedy;
 };

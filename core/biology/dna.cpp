@@ -38,12 +38,15 @@ Dna compose(const Lines& lines, std::string_view text) {
 }  // namespace
 
 Dna parseDna(std::string_view text, const std::string& file, int firstLine, int firstColumn,
-             const std::string& path) {
-  Complaints complaints;
+             const std::string& path, const DnaSurroundings* surroundings) {
+  Complaints complaints, warnings;
   const Lines lines = readLines(text, {firstLine, firstColumn}, complaints);
   checkMeaning(lines, complaints);
+  checkEffect(lines, surroundings, complaints, warnings);
   complaints.report(file, path);
-  return compose(lines, text);
+  Dna dna = compose(lines, text);
+  dna.warnings = warnings.lines(file, path);
+  return dna;
 }
 
 std::optional<SubstanceId> findSubstance(const Dna& dna, std::string_view name) {

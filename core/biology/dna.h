@@ -5,9 +5,11 @@
 //   START: a0, a1                  the egg's substances; may repeat
 //   g1(a3|a1, a2)                  gene g1 produces a3 in a cell cycle if a1 and a2 are present
 //
-// Names are made of letters, digits and '_' and begin with a letter. Eight of them act on the cell, see
-// substances.h.
+// Names are made of letters, digits and '_', at most 100 of them, and begin with a letter. Eight of them act
+// on the cell, see substances.h.
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,15 +30,24 @@ struct Dna {
   std::vector<SubstanceId> start;  // what the egg holds; sorted
   std::vector<Gene> genes;         // as written
   std::string source;              // the text that this was read from
+  std::vector<std::string> warnings;  // what works, but may not be meant; each as a line of an InputError
+};
+
+/// What a scene does with substances outside its DNA.
+struct DnaSurroundings {
+  std::set<std::string> given;    // to start cells, instead of START
+  std::vector<std::string> read;  // by colours, cycle lengths …; a name, or its beginning and '*'
+  /// Acting substances without effect in this scene; why, and what would be right: "needs x; add x".
+  std::map<std::string, std::string> inert;
 };
 
 /// Reads DNA in the syntax above. `file` and `path` only name the place in messages; `firstLine` and
 /// `firstColumn` (from 1) tell where the text begins in the file, for DNA inside a YAML block, where every
 /// line is indented alike. Throws InputError with all that is wrong, one line each: "file:line:column: [path:
 /// ]what is wrong; what would be right". Wrong is also what could never have an effect, such as an input that
-/// no gene produces.
+/// no gene produces. Without `surroundings` (null) only what no scene could make work is wrong.
 Dna parseDna(std::string_view text, const std::string& file, int firstLine = 1, int firstColumn = 1,
-             const std::string& path = "");
+             const std::string& path = "", const DnaSurroundings* surroundings = nullptr);
 
 /// The id of a name, if the DNA knows it.
 std::optional<SubstanceId> findSubstance(const Dna& dna, std::string_view name);

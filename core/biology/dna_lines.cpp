@@ -40,6 +40,8 @@ std::string shown(std::string_view text) {
   return "'" + std::string(text.substr(0, length)) + "' (U+" + hex + ")";
 }
 
+constexpr std::size_t longestName = 100;  // [letter] so that messages and pictures can show it
+
 constexpr auto startExample = "; the egg's substances are written START: a0, a1";
 constexpr auto geneExample = "; a gene is written g1(product|input, input)";
 
@@ -72,8 +74,13 @@ class Cursor {
       failUnexpected(what + " is missing" +
                      (atEnd() ? " at the end of the line" : " before " + shown(rest())));
     }
-    Word word{"", place()};
-    while (!atEnd() && isWordPart(next())) word.text += line_[at_++];
+    std::size_t length = 1;
+    while (length < rest().size() && isWordPart(rest()[length])) ++length;
+    if (length > longestName)
+      fail(what + " of " + std::to_string(length) + " letters; a name has at most " +
+           std::to_string(longestName));
+    Word word{std::string(rest().substr(0, length)), place()};
+    at_ += length;
     skipSpace();
     return word;
   }
@@ -190,20 +197,25 @@ Lines readLines(std::string_view text, Place begin, Complaints& complaints) {
   return lines;
 }
 
-void Complaints::report(const std::string& file, const std::string& path) {
-  if (list_.empty()) return;
+std::vector<std::string> Complaints::lines(const std::string& file, const std::string& path) {
   std::ranges::stable_sort(list_, [](const Complaint& a, const Complaint& b) {
     return a.place.line != b.place.line ? a.place.line < b.place.line : a.place.column < b.place.column;
   });
+  std::vector<std::string> lines;
+  for (const Complaint& c : list_)
+    lines.push_back(file + ":" + std::to_string(c.place.line) + ":" + std::to_string(c.place.column) + ": " +
+                    (path.empty() ? "" : path + ": ") + c.text);
+  return lines;
+}
+
+void Complaints::report(const std::string& file, const std::string& path) {
+  if (list_.empty()) return;
   constexpr std::size_t most = 50;  // a picture taken for DNA has one per line
+  const auto all = lines(file, path);
   std::string text;
-  for (std::size_t i = 0; i < std::min(list_.size(), most); ++i) {
-    const Complaint& c = list_[i];
-    text += (i ? "\n" : "") + file + ":" + std::to_string(c.place.line) + ":" +
-            std::to_string(c.place.column) + ": " + (path.empty() ? "" : path + ": ") + c.text;
-  }
-  if (list_.size() > most)
-    text += "\n" + file + ": … and " + std::to_string(list_.size() - most) + " more like these";
+  for (std::size_t i = 0; i < std::min(all.size(), most); ++i) text += (i ? "\n" : "") + all[i];
+  if (all.size() > most)
+    text += "\n" + file + ": … and " + std::to_string(all.size() - most) + " more like these";
   throw InputError(text);
 }
 

@@ -9,9 +9,10 @@
 
 namespace morula::dna_text {
 
+std::string quoted(const std::string& text) { return "'" + text + "'"; }
+
 namespace {
 
-std::string quoted(const std::string& text) { return "'" + text + "'"; }
 std::string atLine(const Place& place) { return "line " + std::to_string(place.line); }
 
 /// All names that a cell can come to hold; those of lines that could not be read get the benefit of the
@@ -33,17 +34,6 @@ std::set<std::string> inputsOfAllGenes(const Lines& lines) {
 
 bool isAsymmetry(const std::string& name) { return name == substance::a || name == substance::b; }
 
-/// `Divide`, or `devide` where no gene reads it: it would do nothing. Short words have too many innocent
-/// neighbours.
-std::string misspelt(const std::string& name, bool isRead) {
-  for (const std::string& word : substance::acting) {
-    if (name == word) return "";
-    if (equalButForCase(name, word)) return word;
-    if (!isRead && word.size() >= 6 && editDistance(name, word) == 1) return word;
-  }
-  return "";
-}
-
 void checkStart(const Lines& lines, Complaints& complaints) {
   if (!lines.hasStartLine)
     complaints.add(lines.begin, "no START line; name the egg's substances, for example START: a0");
@@ -53,7 +43,7 @@ void checkStart(const Lines& lines, Complaints& complaints) {
     if (word.text == "START") complaints.add(word.place, "START cannot be a substance; take another name");
     else if (!isNew)
       complaints.add(word.place, quoted(word.text) + " is in START already (" + atLine(first->second) +
-                                     "); take one away");
+                                     "); remove one");
     else if (isAsymmetry(word.text))
       complaints.add(word.place,
                      quoted(word.text) + " is given to daughters only, at a division; take another name");
@@ -81,19 +71,16 @@ void checkNames(const Lines& lines, Complaints& complaints) {
     if (!isNewGene)
       complaints.add(gene.product.place,
                      "the same product and inputs as gene " + quoted(firstGene->second->name.text) + " (" +
-                         atLine(firstGene->second->name.place) + "); take one of the two away");
+                         atLine(firstGene->second->name.place) + "); remove one of the two");
   }
 }
 
-void checkProduct(const Word& product, bool isRead, Complaints& complaints) {
+void checkProduct(const Word& product, Complaints& complaints) {
   if (product.text == "START")
     complaints.add(product.place, "START cannot be a substance; take another name");
   else if (isAsymmetry(product.text))
     complaints.add(product.place, "no gene produces " + quoted(product.text) +
                                       ": daughters get it at a division; take another name");
-  else if (const std::string meant = misspelt(product.text, isRead); !meant.empty())
-    complaints.add(product.place,
-                   quoted(product.text) + " does nothing; did you mean " + quoted(meant) + "?");
 }
 
 void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Complaints& complaints) {
@@ -104,10 +91,10 @@ void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Co
     if (input.text == "START") {
       complaints.add(input.place, "START cannot be a substance; take another name");
     } else if (!isNew) {
-      complaints.add(input.place, name + " is an input of this gene already; take one away");
+      complaints.add(input.place, name + " is an input of this gene already; remove one");
     } else if (isAsymmetry(input.text) && seen.contains(substance::a) && seen.contains(substance::b)) {
       complaints.add(input.place,
-                     "no cell holds both 'A' and 'B', so this gene is never active; take one away");
+                     "no cell holds both 'A' and 'B', so this gene is never active; remove one");
     } else if (input.text == substance::die) {
       complaints.add(input.place,
                      "a cell that holds 'die' runs no further cycle, so this gene is never active; "
@@ -132,7 +119,7 @@ void checkMeaning(const Lines& lines, Complaints& complaints) {
   // Without all of START everything would seem unproduced: one complaint is enough.
   if (!lines.hasStartLine || !lines.isStartReadable) possible.insert(read.begin(), read.end());
   for (const GeneLine& gene : lines.genes) {
-    checkProduct(gene.product, read.contains(gene.product.text), complaints);
+    checkProduct(gene.product, complaints);
     checkInputs(gene, possible, complaints);
   }
 }

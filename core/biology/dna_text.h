@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "biology/dna.h"
+
 namespace morula::dna_text {
 
 struct Place {
@@ -36,6 +38,8 @@ class Complaints {
   void add(Place place, std::string text) { list_.push_back({place, std::move(text)}); }
   /// Throws InputError if there are any.
   void report(const std::string& file, const std::string& path);
+  /// All of them, one line each.
+  std::vector<std::string> lines(const std::string& file, const std::string& path);
 
  private:
   struct Complaint {
@@ -50,5 +54,12 @@ Lines readLines(std::string_view text, Place begin, Complaints& complaints);
 
 /// The meaning: whatever is well written but cannot work.
 void checkMeaning(const Lines& lines, Complaints& complaints);
+
+/// What could work and yet has no effect: a gene whose inputs are never present, a substance that nothing
+/// reads, an acting substance misspelt or in a scene that does nothing with it. `surroundings` may be null.
+void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints,
+                 Complaints& warnings);
+
+std::string quoted(const std::string& text);
 
 }  // namespace morula::dna_text

@@ -88,7 +88,7 @@ void LogicalDna::readPace(const Dna& dna, const CycleParameters& cycle) {
     const auto id = findSubstance(dna, name);
     if (!id) {
       const std::string meant = closest(name, names_);
-      throw InputError("cycle: the DNA knows no substance '" + name + "'; " +
+      throw InputError("cycle: the DNA has no substance '" + name + "'; " +
                        (meant.empty() ? "name one that it produces" : "did you mean '" + meant + "'?"));
     }
     pace_[*id] = length;
@@ -175,7 +175,7 @@ StateId LogicalDna::stateOf(const std::string& description) {
     const std::string word(rest.substr(0, rest.find(' ')));
     rest.remove_prefix(std::min(word.size() + 1, rest.size()));
     const auto at = std::ranges::lower_bound(names_, word);
-    if (at == names_.end() || *at != word) throw InputError("the DNA knows no substance '" + word + "'");
+    if (at == names_.end() || *at != word) throw InputError("the DNA has no substance '" + word + "'");
     substances.push_back(static_cast<SubstanceId>(at - names_.begin()));
   }
   if (!std::ranges::is_sorted(substances, std::ranges::less_equal()))

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/cell_path.h"
 #include "base/error.h"
 #include "simulation/saved_state.h"
 #include "simulation/world.h"
@@ -13,7 +14,7 @@ namespace morula {
 namespace {
 
 void demand(bool holds, const std::string& what) {
-  if (!holds) throw InputError("checkpoint: it does not hang together: " + what);
+  if (!holds) throw InputError("checkpoint: its parts contradict each other: " + what);
 }
 
 template <class... Columns>
@@ -49,7 +50,7 @@ void checkCells(const SavedState& s) {
   for (std::size_t i = 0; i < path.size(); ++i) {
     demand(i == 0 || CellPath::parse(path[i - 1]) < CellPath::parse(path[i]), "the order of cells");
     demand(entry[i] < l.path.size() && l.path[entry[i]] == path[i] && l.fate[entry[i]] == 0,
-           "cell '" + path[i] + "' is not in the lineage");
+           cellName(path[i]) + " is not in the lineage");
   }
   for (double time : lastCycle) demand(std::isfinite(time), "the time of a cell cycle");
 }

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "biology/logical_dna.h"
+#include "biology/substances.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
 
@@ -69,6 +70,14 @@ std::optional<double> plannedEnd(const Scene& scene) {
     end = end ? std::min(*end, cycles) : cycles;
   }
   return end;
+}
+
+bool usesSeed(const Scene& scene) {
+  const auto divides = [&](const Gene& gene) {
+    return scene.dna.substances[gene.product] == substance::divide;
+  };
+  return scene.mechanics && scene.mechanics->division.plane == DivisionPlane::random &&
+         std::ranges::any_of(scene.dna.genes, divides);
 }
 
 bool finished(const World& world) {

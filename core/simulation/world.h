@@ -100,6 +100,10 @@ std::uint64_t stepsUntil(const Clock& clock, double time);
 /// True once one of the scene's stop conditions holds.
 bool finished(const World& world);
 
+/// True if a part of the scene draws random numbers. Otherwise every seed gives the same result. Whatever
+/// comes to draw some (grep for base/random.h) has its line here.
+bool usesSeed(const Scene& scene);
+
 /// The simulated time at which the run stops, if it is known beforehand (not with stop.cells alone). [time]
 std::optional<double> plannedEnd(const Scene& scene);
 

@@ -32,6 +32,10 @@ void tellError(const std::string& text) { std::cerr << red("morula: ") << text <
 
 void tellInputError(const std::string& text) { std::cerr << text << "\n"; }
 
+void tellWarnings(const std::vector<std::string>& lines, bool quiet) {
+  for (const auto& line : lines) tell("warning: " + line, quiet);
+}
+
 bool isTerminal() {
   const char* kind = std::getenv("TERM");
   return isatty(STDERR_FILENO) == 1 && kind && std::string(kind) != "dumb";

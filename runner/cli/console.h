@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace morula::cli {
 
@@ -24,6 +25,9 @@ void tell(const std::string& text, bool quiet);
 void tellError(const std::string& text);
 /// Lines that begin with "file:line:column:", as editors and other programs read them.
 void tellInputError(const std::string& text);
+
+/// The same for what may not be meant: "warning: file:line:column: …"; not said when `quiet`.
+void tellWarnings(const std::vector<std::string>& lines, bool quiet);
 
 /// True if stderr is a terminal on which lines can be rewritten.
 bool isTerminal();

@@ -19,7 +19,8 @@ Colour colour(std::uint64_t n) {
 /// Takes `count` of the values, from `at` on.
 template <class Value>
 std::vector<Value> next(const std::vector<Value>& values, std::size_t& at, std::uint64_t count) {
-  if (count > values.size() - at) throw InputError("frame: it does not hang together");
+  if (count > values.size() - at)
+    throw InputError("frame: its columns have different lengths, so it is damaged");
   at += count;
   return {values.begin() + static_cast<std::ptrdiff_t>(at - count),
           values.begin() + static_cast<std::ptrdiff_t>(at)};
@@ -41,6 +42,14 @@ std::string frameBytes(const OrganismPicture& picture) {
   }
   FieldWriter out;
   out.add("caption", std::vector<std::string>{picture.caption});
+  std::vector<std::string> labels;
+  Numbers labelColours;
+  for (const LegendEntry& entry : picture.legend) {
+    labels.push_back(entry.label);
+    labelColours.push_back(number(entry.colour));
+  }
+  out.add("legend.label", labels);
+  out.add("legend.colour", labelColours);
   out.add("cells.path", paths);
   out.add("cells.colour", colours);
   out.add("cells.vertices", vertices);
@@ -53,6 +62,8 @@ std::string frameBytes(const OrganismPicture& picture) {
 OrganismPicture pictureFrom(const std::string& bytes, OrganismPicture blank) {
   FieldReader in(bytes, "frame");
   const auto caption = in.texts("caption");
+  const auto labels = in.texts("legend.label");
+  const Numbers labelColours = in.numbers("legend.colour");
   const auto paths = in.texts("cells.path");
   const Numbers colours = in.numbers("cells.colour"), vertices = in.numbers("cells.vertices"),
                 faces = in.numbers("cells.faces");
@@ -60,9 +71,12 @@ OrganismPicture pictureFrom(const std::string& bytes, OrganismPicture blank) {
   const Numbers corners = in.numbers("corners");
   in.end();
   const std::size_t n = paths.size();
-  if (caption.size() != 1 || colours.size() != n || vertices.size() != n || faces.size() != n)
-    throw InputError("frame: it does not hang together");
+  if (caption.size() != 1 || labelColours.size() != labels.size() || colours.size() != n ||
+      vertices.size() != n || faces.size() != n)
+    throw InputError("frame: its columns have different lengths, so it is damaged");
   blank.caption = caption[0];
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    blank.legend.push_back({colour(labelColours[i]), labels[i]});
   std::size_t atPosition = 0, atCorner = 0;
   for (std::size_t i = 0; i < n; ++i) {
     CellShape cell{paths[i], {}, colour(colours[i])};

@@ -159,7 +159,7 @@ std::vector<CheckResult> Invariants::collect(const World* end) const {
     if (worst.cell) r.cell = worst.cell->text();
     if (passed) return;
     r.message += " at step " + std::to_string(worst.step);
-    if (worst.cell) r.message += worst.cell->isEgg() ? " of the egg" : " of cell " + worst.cell->text();
+    if (worst.cell) r.message += " of " + cellName(worst.cell->text());
   };
   const auto addBounds = [&](const char* check, const Bounds& bounds, const Extreme& least,
                              const Extreme& most) {

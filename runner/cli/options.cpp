@@ -57,12 +57,25 @@ std::uint64_t naturalOption(const std::string& option, const std::string& text, 
   return number.value;
 }
 
-double positiveOption(const std::string& option, const std::string& text) {
+namespace {
+
+double realOption(const std::string& option, const std::string& text, bool mayBeZero) {
+  const std::string needs = mayBeZero ? "; needs a number ≥ 0" : "; needs a number > 0";
   const auto number = scenario::parseReal(text);
-  if (!number.wrong.empty())
-    throw UsageError(option + ": '" + text + "' " + number.wrong + "; needs a number > 0");
-  if (number.value <= 0) throw UsageError(option + ": " + text + " is out of range; needs a number > 0");
+  if (!number.wrong.empty()) throw UsageError(option + ": '" + text + "' " + number.wrong + needs);
+  if (number.value < 0 || (number.value == 0 && !mayBeZero))
+    throw UsageError(option + ": " + text + " is out of range" + needs);
   return number.value;
+}
+
+}  // namespace
+
+double positiveOption(const std::string& option, const std::string& text) {
+  return realOption(option, text, false);
+}
+
+double nonNegativeOption(const std::string& option, const std::string& text) {
+  return realOption(option, text, true);
 }
 
 std::vector<std::uint64_t> seedRange(const std::string& text) {

@@ -40,6 +40,8 @@ std::uint64_t naturalOption(const std::string& option, const std::string& text, 
                             std::uint64_t high);
 /// A number > 0. Throws UsageError.
 double positiveOption(const std::string& option, const std::string& text);
+/// A number ≥ 0. Throws UsageError.
+double nonNegativeOption(const std::string& option, const std::string& text);
 /// "1..50": the numbers from 1 to 50. Throws UsageError.
 std::vector<std::uint64_t> seedRange(const std::string& text);
 

@@ -18,18 +18,20 @@ constexpr int sequenceSize = 600;  // [pixel] many of them, so smaller than the 
 
 }  // namespace
 
-Colour Palette::colourOf(const std::string& substances) const {
+Colour Palette::colourOf(const std::string& substances) {
   std::istringstream words(substances);
   std::vector<Colour> colours;
   for (std::string substance; words >> substance;)
-    if (const auto colour = morula::colourOf(scenario_, substance)) colours.push_back(parseColour(*colour));
+    if (const auto* entry = colourEntryOf(scenario_, substance)) {
+      colours.push_back(parseColour(entry->second));
+      used_.insert(*entry);
+    }
   return mixColours(colours);
 }
 
 std::vector<LegendEntry> Palette::legend() const {
   std::vector<LegendEntry> entries;
-  for (const auto& [substance, colour] : scenario_.colours)
-    entries.push_back({parseColour(colour), substance});
+  for (const auto& [substance, colour] : used_) entries.push_back({parseColour(colour), substance});
   return entries;
 }
 
@@ -43,14 +45,25 @@ OrganismPicture blankPicture(const Scenario& scenario) {
   if (const auto& shell = mechanics.physics.shell)
     picture.shell = Vector{shell->semiAxes[0], shell->semiAxes[1], shell->semiAxes[2]};
   picture.title = scenario.scene.name;
-  picture.legend = Palette(scenario).legend();
   return picture;
+}
+
+/// The pictures of a sequence share one legend, so that the organism does not move when a colour comes or
+/// goes.
+void shareLegend(std::vector<OrganismPicture>& frames) {
+  std::map<std::string, Colour> all;
+  for (const auto& frame : frames)
+    for (const auto& entry : frame.legend) all.emplace(entry.label, entry.colour);
+  for (auto& frame : frames) {
+    frame.legend.clear();
+    for (const auto& [label, colour] : all) frame.legend.push_back({colour, label});
+  }
 }
 
 }  // namespace
 
 OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
-  const Palette palette(scenario);
+  Palette palette(scenario);
   OrganismPicture picture = blankPicture(scenario);
   for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
     Mesh mesh = cellMesh(world, world.cells.path[i]);
@@ -59,13 +72,14 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
                              palette.colourOf(world.biology->describe(world.cells.state[i])), 1,
                              std::move(mesh.faces)});
   }
+  picture.legend = palette.legend();
   picture.caption = fmt::format("time {:.4g}, {} cell{}", world.clock.time, world.cells.path.size(),
                                 world.cells.path.size() == 1 ? "" : "s");
   return picture;
 }
 
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
-  const Palette palette(scenario);
+  Palette palette(scenario);
   TreePicture picture;
   for (const auto& entry : world.lineage.entries) {
     const auto substances = world.biology->describe(entry.state);
@@ -121,6 +135,7 @@ std::vector<std::string> writePictures(const World& world, const Scenario& scena
   if (frames.empty()) return files;
   fs::remove_all(folder / "sequence");  // of an earlier run, perhaps a longer one
   makeFolder(folder / "sequence");
+  shareLegend(frames);
   const auto framing = fitFraming(frames);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     frames[i].camera.framing = framing;

@@ -19,12 +19,13 @@ class Palette {
   explicit Palette(const Scenario& scenario) : scenario_(scenario) {}
 
   /// The mixture of the colours of all coloured substances in "a0 a1 divide"; grey without any.
-  Colour colourOf(const std::string& substances) const;
-  /// The scenario's colours and the names or patterns that they stand for.
+  Colour colourOf(const std::string& substances);
+  /// The colours that were asked for so far, and the names or patterns that they stand for.
   std::vector<LegendEntry> legend() const;
 
  private:
   const Scenario& scenario_;
+  std::map<std::string, std::string> used_;  // of the scenario's colours
 };
 
 /// The organism as it is now. The world has bodies.

@@ -1,4 +1,7 @@
 // morula render: one picture of a scenario, or of a stored run, at any time of its life.
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <memory>
 
 #include "base/error.h"
@@ -33,19 +36,36 @@ Image draw(const World& world, const Scenario& scenario, const RenderOptions& op
   return drawOrganism(picture, options.style == "wireframe" ? Style::wireframe : Style::solid);
 }
 
+/// A PNG is what this verb writes, so no name may promise anything else.
+void checkEnding(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (!ending.empty() && ending != ".png")
+    throw UsageError("--output: '" + file + "' ends in " + ending +
+                     ", which render cannot write; needs a name that ends in .png (shapes: morula export)");
+}
+
+[[noreturn]] void failAfterEnd(const std::string& time, double end) {
+  throw UsageError(
+      fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that", time, end));
+}
+
 int act(const RenderOptions& options) {
   const std::vector<std::string> styles{"solid", "wireframe", "both", "lineage"};
   if (std::find(styles.begin(), styles.end(), options.style) == styles.end())
     throw UsageError("--style: '" + options.style +
                      "' is not known; needs solid, wireframe, both or lineage");
+  checkEnding(options.output);
   // Positions are not stored: the same bits come out of running again.
   auto scenario = anyScenario(options.file, options.run);
   if (!scenario.scene.mechanics && options.style != "lineage")
     throw UsageError("--style: " + scenario.scene.name + " has no bodies; needs lineage");
+  std::optional<double> time;
   if (!options.time.empty()) {
-    const double time = positiveOption("--time", options.time);
-    auto& stop = scenario.scene.stop.time;
-    stop = stop ? std::min(*stop, time) : time;
+    time = nonNegativeOption("--time", options.time);
+    if (const auto end = plannedEnd(scenario.scene); end && *time > *end) failAfterEnd(options.time, *end);
+    scenario.scene.stop.time = time;
   }
   Progress progress(scenario.scene.name, options.messages.quiet);
   const auto run = simulate(makeScenarioWorld(scenario, execution(options.execution)), {}, progress);
@@ -54,6 +74,8 @@ int act(const RenderOptions& options) {
     tellError(run.end.failure);
     return numerical;
   }
+  // A run may end before its planned end: by its number of cells, or when all have died.
+  if (time && run.world.bodies && run.end.time < *time * (1 - 1e-9)) failAfterEnd(options.time, run.end.time);
   const auto file = options.output.empty() ? scenario.scene.name + ".png" : options.output;
   writePng(draw(run.world, scenario, options), file);
   if (options.messages.json)

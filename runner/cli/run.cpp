@@ -87,6 +87,7 @@ Json describePlan(const Planned& run) {
   const auto end = plannedEnd(run.scenario.scene);
   return {{"scenario", run.scenario.scene.name},
           {"seed", run.scenario.scene.seed},
+          {"seed_matters", usesSeed(run.scenario.scene)},
           {"status", "planned"},
           {"until", end ? Json(*end) : Json()},
           {"scenario_hash", run.scenario.meaning.text()},
@@ -101,8 +102,28 @@ std::string describePlanForPeople(const Planned& run) {
          run.settings.database.string() + "\n";
 }
 
+/// Ten seeds of one result must not be taken for ten results.
+void tellIfSeedsDoNotMatter(const RunOptions& options, const std::vector<Planned>& runs) {
+  if (options.seeds.empty() && options.scene.seed.empty()) return;
+  const Planned* told = nullptr;
+  for (const auto& run : runs) {
+    if ((told && told->scenario.file == run.scenario.file) || usesSeed(run.scenario.scene)) continue;
+    told = &run;
+    tell(run.scenario.file + ": nothing in this scenario is random, so every seed gives the same result; " +
+             (run.scenario.scene.mechanics ? "division.plane: random"
+                                           : "with a physics block, division.plane: random") +
+             " would make seeds differ where cells divide",
+         options.output.quiet);
+  }
+}
+
 int act(const RunOptions& options) {
   auto runs = plan(options);
+  tellIfSeedsDoNotMatter(options, runs);
+  std::string warned;
+  for (const auto& run : runs)
+    if (warned != run.scenario.file)
+      tellWarnings(run.scenario.warnings, options.output.quiet), warned = run.scenario.file;
   Json list = Json::array();
   int code = fine;
   for (const auto& run : runs) {

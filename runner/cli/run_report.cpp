@@ -92,6 +92,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettin
   Json json{{"run_id", outcome.id},
             {"scenario", scenario.scene.name},
             {"seed", scenario.scene.seed},
+            {"seed_matters", usesSeed(scenario.scene)},
             {"status", name(end.status)},
             {"state_hash", end.stateHash ? Json(end.stateHash->text()) : Json()},
             {"steps", end.steps},

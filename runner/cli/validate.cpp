@@ -38,7 +38,9 @@ int act(const ValidateOptions& options) {
                       {"valid", true},
                       {"scenario", scenario.scene.name},
                       {"scenario_hash", scenario.meaning.text()},
-                      {"errors", Json::array()}});
+                      {"errors", Json::array()},
+                      {"warnings", scenario.warnings}});
+      tellWarnings(scenario.warnings, options.output.quiet);
       if (options.resolved && options.output.json) list.back()["resolved"] = Json::parse(scenario.resolved);
       else if (options.resolved) print(scenario.resolved);
       else if (!options.output.json)

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "base/cell_path.h"
 #include "golden/difference.h"
 #include "golden/number_text.h"
 #include "simulation/world.h"
@@ -11,8 +12,6 @@
 namespace morula {
 
 namespace {
-
-std::string nameOf(const std::string& path) { return path.empty() ? "the egg" : "cell " + path; }
 
 class Finder {
  public:
@@ -38,7 +37,7 @@ class Finder {
  private:
   void note(const char* field, const std::string& e, const std::string& a, const std::string& words) {
     if (found) return;
-    std::string what = path_ ? nameOf(*path_) + ": " : "";
+    std::string what = path_ ? cellName(*path_) + ": " : "";
     what += field;
     if (vertex_) what += " of vertex " + std::to_string(*vertex_) + ", " + component_;
     found = {lineage_, path_, field, vertex_, component_, e, a, what + ": " + words};

@@ -1,4 +1,5 @@
 // A report for people.
+#include "base/cell_path.h"
 #include "golden/check_result.h"
 #include "golden/number_text.h"
 
@@ -22,7 +23,7 @@ std::string oneLine(const CheckResult& r) {
   if (r.share) line += ", " + inPercent(*r.share) + " of the tolerance used";
   if (r.share && *r.share > 0 && r.passed) {
     line += " by " + r.field;
-    if (r.cell) line += r.cell->empty() ? " of the egg" : " of cell " + *r.cell;
+    if (r.cell) line += " of " + cellName(*r.cell);
   }
   return line;
 }

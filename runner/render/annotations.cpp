@@ -17,13 +17,18 @@ struct LegendPlace {
 
 double swatch(double size) { return 0.85 * size; }
 
+std::string legendText(const LegendEntry& entry, double size, double width) {
+  return shortened(entry.label, {.size = size}, width - swatch(size) - 0.45 * size);
+}
+
 /// Entries run from left to right and wrap; every place is relative to the legend's left end.
 std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, double size, double width) {
   std::vector<LegendPlace> places;
   double x = 0;
   int row = 0;
   for (const LegendEntry& entry : legend) {
-    const double length = swatch(size) + 0.45 * size + textWidth(entry.label, {.size = size});
+    const double length =
+        swatch(size) + 0.45 * size + textWidth(legendText(entry, size, width), {.size = size});
     if (x > 0 && x + length > width) x = 0, ++row;
     places.push_back({x, row});
     x += length + 1.3 * size;
@@ -75,7 +80,7 @@ void annotate(Image& image, const Annotations& annotations) {
     const double baseline = image.height - bands.bottom + (places[i].row + 1) * 1.6 * size;
     if (baseline > image.height) break;
     drawSwatch(image, x, baseline - 0.78 * size, swatch(size), annotations.legend[i].colour);
-    drawText(image, x + swatch(size) + 0.45 * size, baseline, annotations.legend[i].label,
+    drawText(image, x + swatch(size) + 0.45 * size, baseline, legendText(annotations.legend[i], size, room),
              {.size = size, .colour = captionInk});
   }
 }

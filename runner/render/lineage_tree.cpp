@@ -50,10 +50,13 @@ void settleSize(TreePicture& picture, const TreeLayout& layout) {
                        " pixels cannot be drawn; width and height must be 64 to 16384, or 0 for what suits");
 }
 
-double widestLabel(const TreeLayout& layout, double size) {
+/// [pixel] Beyond `most` it does not matter how much wider.
+double widestLabel(const TreeLayout& layout, double size, double most) {
+  const TextStyle style{.size = size};
   double widest = 0;
   for (const TreePlace& place : layout.places)
-    if (place.isLeaf()) widest = std::max(widest, textWidth(place.node->label, {.size = size}));
+    if (place.isLeaf())
+      widest = std::max(widest, textWidth(beginningWiderThan(place.node->label, style, most), style));
   return widest;
 }
 
@@ -68,7 +71,7 @@ Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Anno
   sheet.line = std::clamp(0.25 * sheet.pitch, 1.0, 0.2 * sheet.textSize);
   double below = 1.2 * sheet.textSize;
   if (layout.leaves <= maxLabelledLeaves) {
-    const double widest = widestLabel(layout, sheet.textSize);
+    const double widest = widestLabel(layout, sheet.textSize, std::max(picture.width, picture.height));
     sheet.upward = widest > sheet.pitch - 0.6 * sheet.textSize;
     below += sheet.upward ? std::min(widest + sheet.textSize, 0.25 * picture.height) : 1.2 * sheet.textSize;
   }

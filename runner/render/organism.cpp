@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cell_path.h"
 #include "base/error.h"
 #include "render/annotations.h"
 #include "render/camera.h"
@@ -30,15 +31,15 @@ void checkCells(const OrganismPicture& picture) {
   for (const CellShape& cell : picture.cells) {
     const std::int32_t needed = cell.faces.empty() ? neededByMost : neededBy(cell.faces);
     if (cell.vertices.size() < std::size_t(needed))
-      throw InputError("cell '" + cell.path + "' has " + std::to_string(cell.vertices.size()) +
+      throw InputError(cellName(cell.path) + " has " + std::to_string(cell.vertices.size()) +
                        " vertices; its faces in the picture need " + std::to_string(needed));
     if (!std::all_of(cell.vertices.begin(), cell.vertices.end(), finite))
-      throw InputError("cell '" + cell.path + "' has a vertex that is not finite and cannot be drawn");
+      throw InputError(cellName(cell.path) + " has a vertex that is not finite and cannot be drawn");
     if (!cell.colours.empty() && cell.colours.size() != cell.vertices.size())
-      throw InputError("cell '" + cell.path + "' has " + std::to_string(cell.colours.size()) +
+      throw InputError(cellName(cell.path) + " has " + std::to_string(cell.colours.size()) +
                        " colours for its " + std::to_string(cell.vertices.size()) + " vertices");
     if (!(cell.opacity >= 0 && cell.opacity <= 1))
-      throw InputError("the opacity of cell '" + cell.path + "' must be 0 (not drawn) to 1 (solid)");
+      throw InputError("the opacity of " + cellName(cell.path) + " must be 0 (not drawn) to 1 (solid)");
   }
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <vector>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
@@ -45,32 +44,33 @@ const Typefaces& typefaces() {
   return mine;
 }
 
-std::vector<char32_t> decodeUtf8(std::string_view text) {
-  std::vector<char32_t> result;
-  for (std::size_t i = 0; i < text.size();) {
-    const unsigned char lead = text[i];
-    const int length = lead < 0x80 ? 1 : lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
-    char32_t code = length == 1 ? lead : lead & (0x7F >> length);
-    bool good = length > 0 && i + length <= text.size();
-    for (int k = 1; good && k < length; ++k) {
-      const unsigned char next = text[i + k];
-      good = next >> 6 == 2;
-      code = code << 6 | (next & 0x3F);
-    }
-    result.push_back(good ? code : U'\uFFFD');
-    i += good ? length : 1;
+/// Takes the first character off a text that is not empty; what is not UTF-8 is U+FFFD, a byte at a time.
+char32_t takeUtf8(std::string_view& text) {
+  const unsigned char lead = text[0];
+  const std::size_t length = lead < 0x80       ? 1
+                             : lead >> 5 == 6  ? 2
+                             : lead >> 4 == 14 ? 3
+                             : lead >> 3 == 30 ? 4
+                                               : 0;
+  char32_t code = length == 1 ? lead : lead & (0x7F >> length);
+  bool good = length > 0 && length <= text.size();
+  for (std::size_t k = 1; good && k < length; ++k) {
+    const unsigned char next = text[k];
+    good = next >> 6 == 2;
+    code = code << 6 | (next & 0x3F);
   }
-  return result;
+  text.remove_prefix(good ? length : 1);
+  return good ? code : U'\uFFFD';
 }
 
-/// Calls `visit(glyph index, pen position)` along the line and returns where it ends. Unhinted, so that text
-/// scales evenly.
-template <class Visit>
-double walk(FT_Face face, std::string_view text, const Visit& visit) {
+/// Calls `visit(pen position)` with each glyph loaded and `after(pen position behind it)`, which says whether
+/// to go on; returns where the line ends. Unhinted, so that text scales evenly.
+template <class Visit, class After>
+double walk(FT_Face face, std::string_view& text, const Visit& visit, const After& after) {
   double pen = 0;
   FT_UInt previous = 0;
-  for (const char32_t code : decodeUtf8(text)) {
-    const FT_UInt glyph = FT_Get_Char_Index(face, code);
+  while (!text.empty()) {
+    const FT_UInt glyph = FT_Get_Char_Index(face, takeUtf8(text));
     FT_Vector kern{};
     if (previous && glyph && !FT_Get_Kerning(face, previous, glyph, FT_KERNING_UNFITTED, &kern))
       pen += kern.x / 64.0;
@@ -79,9 +79,12 @@ double walk(FT_Face face, std::string_view text, const Visit& visit) {
     visit(pen);
     pen += advance;
     previous = glyph;
+    if (!after(pen)) break;
   }
   return pen;
 }
+
+constexpr auto always = [](double) { return true; };
 
 void blend(Colour& under, Colour over, int cover) {
   const auto mix = [cover](std::uint8_t a, std::uint8_t b) {
@@ -124,7 +127,9 @@ std::string findFont(bool bold) {
 
 double textWidth(std::string_view text, const TextStyle& style) {
   const FT_Face face = typefaces().of(style);
-  return face ? walk(face, text, [](double) {}) : 0;
+  return face ? walk(
+                    face, text, [](double) {}, always)
+              : 0;
 }
 
 void drawText(Image& image, double x, double y, std::string_view text, const TextStyle& style) {
@@ -133,14 +138,29 @@ void drawText(Image& image, double x, double y, std::string_view text, const Tex
   double back = 0;
   if (style.anchor != Anchor::left)
     back = textWidth(text, style) * (style.anchor == Anchor::centre ? 0.5 : 1);
-  walk(face, text, [&](double pen) {
-    const double along = pen - back;
-    stamp(image, face->glyph, style.upward ? x : x + along, style.upward ? y - along : y, style);
-  });
+  walk(
+      face, text,
+      [&](double pen) {
+        const double along = pen - back;
+        stamp(image, face->glyph, style.upward ? x : x + along, style.upward ? y - along : y, style);
+      },
+      always);
+}
+
+std::string_view beginningWiderThan(std::string_view text, const TextStyle& style, double width) {
+  const FT_Face face = typefaces().of(style);
+  if (!face) return text;
+  // An em more than asked for: the next letter may stand closer to the last one, never by so much.
+  std::string_view rest = text;
+  walk(
+      face, rest, [](double) {}, [&](double pen) { return pen <= width + style.size; });
+  return text.substr(0, text.size() - rest.size());
 }
 
 std::string shortened(std::string_view text, const TextStyle& style, double width) {
-  if (textWidth(text, style) <= width) return std::string(text);
+  const std::string_view beginning = beginningWiderThan(text, style, width);
+  if (beginning.size() == text.size() && textWidth(text, style) <= width) return std::string(text);
+  text = beginning;  // from here down there are as many letters as fit into the width, and a few more
   while (!text.empty()) {
     std::size_t end = text.size() - 1;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)

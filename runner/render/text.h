@@ -24,6 +24,10 @@ void drawText(Image& image, double x, double y, std::string_view text, const Tex
 /// How far the text runs. [pixel] 0 without a font.
 double textWidth(std::string_view text, const TextStyle& style);
 
+/// So many of its letters that they run a little farther than `width` pixels, or all: what there is to
+/// measure of a text, however long it is.
+std::string_view beginningWiderThan(std::string_view text, const TextStyle& style, double width);
+
 /// The text, shortened with an ellipsis if it would run farther than `width` pixels; empty if not even that
 /// fits.
 std::string shortened(std::string_view text, const TextStyle& style, double width);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/cell_path.h"
 #include "base/error.h"
 
 namespace morula {
@@ -13,8 +14,8 @@ void check(const LineageNode& node) {
   if (node.path.find_first_not_of("AB") != std::string::npos)
     throw InputError("'" + node.path + "' is not a lineage path; it must be made of the letters A and B");
   if (!std::isfinite(node.born) || !std::isfinite(node.ended))
-    throw InputError("cell '" + node.path + "' is born or ends at a time that is not finite");
-  if (node.ended < node.born) throw InputError("cell '" + node.path + "' ends before it is born");
+    throw InputError(cellName(node.path) + " is born or ends at a time that is not finite");
+  if (node.ended < node.born) throw InputError(cellName(node.path) + " ends before it is born");
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ TreeLayout layoutTree(const std::vector<LineageNode>& nodes) {
   for (int i = 0; i < int(places.size()); ++i) {
     const std::string& path = places[i].node->path;
     if (i > 0 && path == places[i - 1].node->path)
-      throw InputError("cell '" + path + "' appears twice in the tree");
+      throw InputError(cellName(path) + " appears twice in the tree");
     while (!line.empty() && !path.starts_with(places[line.back()].node->path)) line.pop_back();
     if (!line.empty() && places[line.back()].node->path.size() + 1 == path.size()) {
       places[i].mother = line.back();

@@ -55,9 +55,9 @@ std::vector<Unfit> unfitForBullet(const Scenario& scenario, Baseline baseline) {
     unfit.push_back({false, "Bullet computes in double precision", "set physics.precision to double"});
   checkTimeStep(mechanics.physics, unfit);
   if (baseline == Baseline::b3 && mechanics.contact)
-    unfit.push_back({false, "b3 knows no contact", "use b1, or remove physics.contact"});
+    unfit.push_back({false, "b3 does not compute contact", "use b1, or remove physics.contact"});
   if (baseline == Baseline::b3 && mechanics.physics.shell)
-    unfit.push_back({false, "b3 knows no shell", "use b1, or remove physics.shell"});
+    unfit.push_back({false, "b3 does not compute a shell", "use b1, or remove physics.shell"});
   return unfit;
 }
 

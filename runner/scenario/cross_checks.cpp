@@ -4,6 +4,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
+#include "biology/substances.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/numbers.h"
 
@@ -21,8 +22,8 @@ void checkSubstances(const Dna& dna, Reading& reading) {
     };
     if (std::any_of(dna.substances.begin(), dna.substances.end(), fits)) continue;
     if (pattern) {
-      reading.problems.add(use.place, use.path + "." + use.name, "no substance of the DNA begins so",
-                           "a name, or its beginning and '*'");
+      reading.problems.add(use.place, use.path + "." + use.name, "no substance of the DNA begins with '" + std::string(beginning) + "'",
+                           "needs a name, or its beginning and '*'");
       continue;
     }
     const auto near = closest(use.name, dna.substances);
@@ -107,7 +108,7 @@ void checkStartCells(const Scenario& scenario, Reading& reading) {
 void checkEnergy(const Scenario& scenario, Reading& reading, const Node& root) {
   if (scenario.check.energy && scenario.scene.mechanics->physics.pressure.outside == 0)
     reading.problems.add(placeOf(root, "check.energy"), "check.energy",
-                         "cannot be told where physics.pressure.outside is 0", "remove this");
+                         "has no zero to count from where physics.pressure.outside is 0", "give a pressure > 0, or remove this");
 }
 
 void checkCoarsening(const Scenario& scenario, Reading& reading, const Node& root) {
@@ -143,18 +144,18 @@ void checkModel(const Scenario& scenario, Reading& reading, const Node& root) {
     return;
   }
   const bool sphere = physics.cell.model == CellModel::sphere;
-  const std::string has =
-      sphere ? "physics.cell.model sphere has none" : "physics.cell.model shape-matching has none";
+  const std::string model = sphere ? "sphere" : "shape-matching";
+  const std::string lacking = ", which cells of model " + model + " do not have";
   for (const char* path : {"physics.membrane", "physics.pressure"})
-    refuse(path, "is for physics.cell.model shell, and " + has,
+    refuse(path, "is for physics.cell.model shell, and here it is " + model,
            sphere ? "remove this" : "remove this; see physics.shape-matching");
   if (sphere)
-    refuse("physics.shape-matching", "is for physics.cell.model shape-matching, and " + has, "remove this");
+    refuse("physics.shape-matching", "is for physics.cell.model shape-matching, and here it is " + model, "remove this");
   if (physics.integrator == Integrator::xpbd)
-    refuse("physics.integrator", "xpbd solves membranes and contents, and " + has,
+    refuse("physics.integrator", "xpbd solves membranes and contents" + lacking,
            "needs another integrator");
   if (scenario.check.energy)
-    refuse("check.energy", "is of membranes and contents, and " + has, "remove this");
+    refuse("check.energy", "is of membranes and contents" + lacking, "remove this");
 }
 
 /// What a sphere has not, and what it cannot do.
@@ -194,6 +195,28 @@ void checkReason(const CheckParameters& check, Reading& reading, const Node& roo
                          "remove it, or write sane: false");
 }
 
+/// Genes that are to connect cells need genes that want it, and neighbours.
+void checkConnections(const Scenario& scenario, Reading& reading, const Node& root) {
+  const MechanicsScene& mechanics = *scenario.scene.mechanics;
+  const Dna& dna = scenario.scene.dna;
+  if (!mechanics.connections || mechanics.connections->make == MakeConnections::atDivision) return;
+  const Place place = placeOf(root, "connections.make");
+  if (!mechanics.contact)
+    reading.problems.add(place, "connections.make",
+                         "genes connect cells that touch, and without physics.contact none do",
+                         "add 'contact: {}' to physics, or set this to at-division");
+  const auto connect = findSubstance(dna, substance::connect);
+  const bool wanted = connect && (std::ranges::find(dna.start, *connect) != dna.start.end() ||
+                                  std::ranges::find(dna.genes, *connect, &Gene::product) != dna.genes.end() ||
+                                  std::ranges::any_of(reading.substances, [](const SubstanceUse& use) {
+                                    return use.path.starts_with("cells") && use.name == substance::connect;
+                                  }));
+  if (!wanted && !dna.substances.empty())  // empty: it could not be read, which has been said
+    reading.problems.add(place, "connections.make",
+                         "no gene produces 'connect', so genes never connect cells",
+                         "write a gene such as g9(connect|a0), or set this to at-division");
+}
+
 void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
   if (!scenario.check.bullet) return;
   for (const Unfit& unfit : unfitForBullet(scenario, scenario.check.bullet->baseline))
@@ -214,6 +237,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law == ContactLaw::pair,
                     reading, root);
     checkSpheres(scenario, reading, root);
+    checkConnections(scenario, reading, root);
     checkBullet(scenario, reading, root);
   }
   if (scenario.record.pictures && !scenario.scene.mechanics)

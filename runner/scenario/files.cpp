@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "mesh/measures.h"
+#include "biology/substances.h"
 
 namespace morula {
 
@@ -49,21 +50,49 @@ const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, cons
   }
 }
 
-void readDna(Scenario& scenario, const DnaSource& dna, Problems& problems, const Places& places) {
+/// What the scenario does with substances outside its DNA.
+DnaSurroundings surroundingsOf(const Scenario& scenario, const Reading& reading) {
+  DnaSurroundings around;
+  for (const SubstanceUse& use : reading.substances) {
+    if (use.path.starts_with("cells")) around.given.insert(use.name);
+    else around.read.push_back(use.name);
+  }
+  const auto& mechanics = scenario.scene.mechanics;
+  if (!mechanics) return around;  // a lineage alone may be asked of a DNA that does more
+  if (!mechanics->physics.growth)
+    for (const auto& name : {substance::grow, substance::shrink})
+      around.inert[name] =
+          "cells neither grow nor shrink without physics.growth; add 'growth: {}' to physics, or "
+          "remove this";
+  for (const auto& name : {substance::connect, substance::release})
+    if (!mechanics->connections)
+      around.inert[name] =
+          "nothing connects without connections; add 'connections: {make: by-gene}', or remove this";
+    else if (mechanics->connections->make == MakeConnections::atDivision)
+      around.inert[name] = "connections.make is at-division; set it to by-gene or both, or remove this";
+  return around;
+}
+
+void readDna(Scenario& scenario, const Reading& reading, const Places& places) {
+  const DnaSource& dna = reading.dna;
+  Problems& problems = reading.problems;
+  const DnaSurroundings around = surroundingsOf(scenario, reading);
+  const auto parse = [&](const std::string& text, const std::string& file, int line = 1, int column = 1,
+                         const std::string& path = "") {
+    scenario.scene.dna = parseDna(text, file, line, column, path, &around);
+  };
   if (dna.file) {
     if (const auto* file = readNamedFile(scenario, "dna", *dna.file, dna.place, places, problems))
-      guarded(problems, dna.place, [&] { scenario.scene.dna = parseDna(file->content, file->path); });
+      guarded(problems, dna.place, [&] { parse(file->content, file->path); });
   } else if (dna.text) {
     const Node& text = *dna.text;
     guarded(problems, text.place, [&] {
       const auto& place = text.place;
-      if (!place.option.empty()) scenario.scene.dna = parseDna(text.text, place.option);
-      else if (text.style == '|')
-        scenario.scene.dna = parseDna(text.text, problems.file(), place.line + 1, text.textColumn, "dna");
+      if (!place.option.empty()) parse(text.text, place.option);
+      else if (text.style == '|') parse(text.text, problems.file(), place.line + 1, text.textColumn, "dna");
       else
         // In quotes a line of DNA has no line of its own; its number within the text still helps.
-        scenario.scene.dna =
-            parseDna(text.text, problems.file() + ":" + std::to_string(place.line) + ": dna");
+        parse(text.text, problems.file() + ":" + std::to_string(place.line) + ": dna");
     });
   }
 }
@@ -88,7 +117,7 @@ void readMesh(Scenario& scenario, const Node& root, Problems& problems, const Pl
 }  // namespace
 
 void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places) {
-  readDna(scenario, reading.dna, reading.problems, places);
+  readDna(scenario, reading, places);
   if (scenario.scene.mechanics) readMesh(scenario, root, reading.problems, places);
 }
 

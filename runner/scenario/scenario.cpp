@@ -65,6 +65,7 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
   crossCheck(result, reading, root);
   problems.throwIfAny();
 
+  result.warnings = result.scene.dna.warnings;
   notePlaces(root, "", result);
   result.resolved = writeJson(resolve(result));
   result.meaning = hashMeaning(result);
@@ -75,16 +76,22 @@ Scenario loadScenario(const std::filesystem::path& file, const std::vector<Overr
   return readScenario(readFile(file), file.string(), file.parent_path(), overrides);
 }
 
-std::optional<std::string> colourOf(const Scenario& scenario, const std::string& substance) {
-  if (const auto exact = scenario.colours.find(substance); exact != scenario.colours.end())
-    return exact->second;
-  std::optional<std::string> colour;
-  for (const auto& [pattern, value] : scenario.colours) {
+const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& scenario,
+                                                               const std::string& substance) {
+  if (const auto exact = scenario.colours.find(substance); exact != scenario.colours.end()) return &*exact;
+  const std::pair<const std::string, std::string>* found = nullptr;
+  for (const auto& entry : scenario.colours) {
+    const std::string& pattern = entry.first;
     if (pattern.empty() || pattern.back() != '*') continue;
     // '*' sorts before all that names are made of, so of the fitting patterns the longest comes last.
-    if (substance.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))) colour = value;
+    if (substance.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))) found = &entry;
   }
-  return colour;
+  return found;
+}
+
+std::optional<std::string> colourOf(const Scenario& scenario, const std::string& substance) {
+  const auto* entry = colourEntryOf(scenario, substance);
+  return entry ? std::optional(entry->second) : std::nullopt;
 }
 
 }  // namespace morula

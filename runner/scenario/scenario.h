@@ -80,6 +80,9 @@ struct Scenario {
   RecordParameters record;
   CheckParameters check;
 
+  /// What works, but may not be meant: "file:line:column: path: what; what would be right".
+  std::vector<std::string> warnings;
+
   std::vector<NamedFile> files;
   /// Where each value was written, for messages about them: "file:line:column" or "--set path", by path.
   std::map<std::string, std::string> places;
@@ -112,8 +115,11 @@ Scenario loadScenario(const std::filesystem::path& file, const std::vector<Overr
 Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
                       const std::vector<Override>& overrides = {}, const std::vector<NamedFile>& files = {});
 
-/// The colour of a substance by the scenario's `colours`: its own entry, or else that of the longest fitting
-/// pattern.
+/// The entry of the scenario's `colours` that a substance goes by: its own, or else the longest fitting
+/// pattern; null if there is none.
+const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& scenario,
+                                                               const std::string& substance);
+/// Its colour.
 std::optional<std::string> colourOf(const Scenario& scenario, const std::string& substance);
 
 }  // namespace morula

@@ -148,7 +148,7 @@ Parameter divisionPlane() {
   p.allowed = "longest, random, or {axis: [x, y, z]}";
   p.meaning =
       "Cells divide across the direction of their largest extent, a random one, or one fixed axis (any "
-      "length but 0)";
+      "length but 0), which points to daughter A";
   p.schema = {
       {"oneOf",
        Json::array(
@@ -169,7 +169,7 @@ Parameter divisionPlane() {
       if (!value) return;
       if (*value == Vector{})
         reading.problems.add(axis->value.place, path + ".axis", "has length 0",
-                             "at least one number is not 0");
+                             "needs at least one number other than 0");
       else division = {DivisionPlane::axis, *value};
     } else if (node.kind == Node::Kind::scalar && node.text == "longest") {
       division.plane = DivisionPlane::longest;

@@ -43,7 +43,7 @@ Parameter text(std::string path, std::string meaning, Field<std::string> field) 
 
 Parameter name(std::string path, std::string meaning, Field<std::string> field) {
   auto p = text(std::move(path), std::move(meaning), field);
-  p.allowed = "a name made of letters, digits, '-' and '_'";
+  p.allowed = "a name made of letters, digits, '-' and '_', at most 100 of them";
   p.schema["pattern"] = "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$";
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto value = readText(node, path, allowed, reading.problems);

@@ -13,6 +13,8 @@ namespace morula::scenario {
 namespace {
 
 constexpr std::size_t maxDepth = 32;
+constexpr std::size_t longestKey =
+    100;  // [byte] so that messages can show it; a substance has no more either
 
 struct TooDeep {};
 
@@ -168,6 +170,11 @@ class TreeBuilder : public YAML::EventHandler {
     const bool isText = key.kind == Node::Kind::scalar && !key.text.empty();
     if (!isText && key.kind != Node::Kind::broken)
       problems_.add(key.place, owner, "a key that is " + (isText ? "" : describe(key)), "keys are names");
+    if (isText && key.text.size() > longestKey) {
+      problems_.add(key.place, owner, "a key of " + std::to_string(key.text.size()) + " bytes",
+                    "keys have at most " + std::to_string(longestKey));
+      key.text.clear();
+    }
     if (isText && key.text == "<<") {
       problems_.add(key.place, owner, "a merge key", "write the values themselves");
       key.text.clear();

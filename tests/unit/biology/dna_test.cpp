@@ -14,9 +14,10 @@ using namespace morula;
 namespace {
 
 std::string complaintAbout(const std::string& text, const std::string& file = "f", int line = 1,
-                           int column = 1, const std::string& path = "") {
+                           int column = 1, const std::string& path = "",
+                           const DnaSurroundings* surroundings = nullptr) {
   try {
-    parseDna(text, file, line, column, path);
+    parseDna(text, file, line, column, path, surroundings);
   } catch (const InputError& error) { return error.what(); }
   return "";
 }
@@ -84,7 +85,7 @@ TEST_CASE("complaints give the place in the file that the DNA is embedded in") {
   CHECK(complaintAbout("START: a0\ng1(a1 a0)\n", "f.yaml", 7, 3, "dna") ==
         "f.yaml:8:9: dna: '|' is missing after the product 'a1'; a gene is written g1(product|input, input)");
   CHECK(complaintAbout("START: a0\ng1(a1|a0, a0)\n", "f.yaml", 7, 3, "dna") ==
-        "f.yaml:8:13: dna: 'a0' is an input of this gene already; take one away");
+        "f.yaml:8:13: dna: 'a0' is an input of this gene already; remove one");
 }
 
 TEST_CASE("a binary file is not answered with a complaint for each of its lines") {
@@ -104,7 +105,8 @@ TEST_CASE("every bad DNA file gets exactly the expected complaints") {
     const std::string name = entry.path().filename().string();
     INFO(name);
     auto expected = entry.path();
-    CHECK(complaintAbout(contentOf(entry.path()), name) + "\n" ==
+    const DnaSurroundings nothing;
+    CHECK(complaintAbout(contentOf(entry.path()), name, 1, 1, "", &nothing) + "\n" ==
           contentOf(expected.replace_extension(".expected")));
   }
   CHECK(files >= 20);

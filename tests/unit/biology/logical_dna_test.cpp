@@ -174,7 +174,7 @@ TEST_CASE("the cycle's length is the shortest that a substance of the state asks
 
   cycle.perSubstance = {{"fats", 1}};
   CHECK_THROWS_WITH(makeLogicalDna(parseDna("START: fast\n", "f"), cycle),
-                    "cycle: the DNA knows no substance 'fats'; did you mean 'fast'?");
+                    "cycle: the DNA has no substance 'fats'; did you mean 'fast'?");
 }
 
 TEST_CASE("equal states have equal ids") {

@@ -77,7 +77,7 @@ TEST_CASE("Any flipped bit of a checkpoint is noticed") {
   for (std::size_t at = 0; at < whole.size(); ++at)
     for (int bit = 0; bit < 8; ++bit)
       if (complaint(world, withByte(whole, at, 1 << bit)).empty()) FAIL("byte " << at << ", bit " << bit);
-  CHECK_THAT(complaint(world, withByte(whole, 0, 1)), ContainsSubstring("this is none"));
+  CHECK_THAT(complaint(world, withByte(whole, 0, 1)), ContainsSubstring("these bytes are not a checkpoint"));
   CHECK_THAT(complaint(world, withByte(whole, 8, 2)), ContainsSubstring("has format 3"));
   CHECK_THAT(complaint(world, withByte(whole, headSize + 50, 1)), ContainsSubstring("damaged"));
 }
@@ -128,7 +128,7 @@ TEST_CASE("A checkpoint of another scene is refused, and the message says what d
           [](Scene& s) { s.mechanics.reset(); });
 }
 
-TEST_CASE("A state that does not hang together is refused") {
+TEST_CASE("A state whose parts contradict each other is refused") {
   const World world = lived();
   const SavedState good = describeState(world);
   REQUIRE_NOTHROW(checkSavedState(good, world));

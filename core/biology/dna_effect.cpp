@@ -1,0 +1,174 @@
+// What is well written, could work, and yet has no effect. A slip of the pen must not become an organism that
+// silently does less than it should. What may be meant as it stands is a warning.
+#include <algorithm>
+#include <map>
+
+#include "base/did_you_mean.h"
+#include "biology/dna_text.h"
+#include "biology/substances.h"
+
+namespace morula::dna_text {
+
+namespace {
+
+bool isActing(const std::string& name) {
+  return std::ranges::find(substance::acting, name) != substance::acting.end();
+}
+
+std::string lowerCase(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// The acting substance that a name which nothing reads was probably meant to be, or "". Two slips in a short
+/// word could be any other word.
+std::string misspelt(const std::string& name) {
+  if (name.size() > 10) return "";  // longer than any of them by more than two letters
+  for (const std::string& word : substance::acting)
+    if (editDistance(lowerCase(name), word) <= (word.size() >= 6 ? 2 : 1)) return word;
+  return "";
+}
+
+class EffectCheck {
+ public:
+  EffectCheck(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints,
+              Complaints& warnings)
+      : lines_(lines), surroundings_(surroundings), complaints_(complaints), warnings_(warnings) {
+    // Lines that could not be read may have said anything.
+    read_ = lines.unreadableWords;
+    for (const GeneLine& gene : lines.genes)
+      for (const Word& input : gene.inputs) read_.insert(input.text);
+  }
+
+  void check() {
+    for (const Word& word : lines_.start) checkSpelling(word);
+    for (const GeneLine& gene : lines_.genes) checkSpelling(gene.product);
+    if (!surroundings_) return;
+    for (const Word& word : lines_.start) checkStart(word);
+    if (lines_.hasStartLine && lines_.isStartReadable) checkReach();
+  }
+
+ private:
+  bool isReadOutside(const std::string& name) const {
+    return surroundings_ && std::ranges::any_of(surroundings_->read, [&](const std::string& pattern) {
+             return pattern.ends_with('*')
+                        ? name.starts_with(std::string_view(pattern).substr(0, pattern.size() - 1))
+                        : name == pattern;
+           });
+  }
+
+  /// A START substance or a product: does it act here, and if not, was it meant to?
+  void checkSpelling(const Word& word) {
+    const std::string& name = word.text;
+    if (name == substance::a || name == substance::b) return;
+    if (read_.contains(name) && !isCase(name)) return;
+    if (isActing(name)) {
+      if (!surroundings_) return;
+      if (const auto found = surroundings_->inert.find(name); found != surroundings_->inert.end())
+        complaints_.add(word.place, quoted(name) + " does nothing here: " + found->second);
+      return;
+    }
+    if (isReadOutside(name) && !isCase(name)) return;
+    const std::string meant = misspelt(name);
+    if (meant.empty()) return;
+    const std::string text = quoted(name) + " does nothing; did you mean " + quoted(meant) + "?";
+    // `grown` or `divided` may be a name for what has become of the cell.
+    if (name.starts_with(meant)) warnings_.add(word.place, text);
+    else complaints_.add(word.place, text);
+  }
+
+  /// `Divide`, which is wrong even where a gene reads it.
+  static bool isCase(const std::string& name) {
+    return std::ranges::any_of(substance::acting, [&](const std::string& word) {
+      return name != word && equalButForCase(name, word);
+    });
+  }
+
+  void checkStart(const Word& word) {
+    const std::string& name = word.text;
+    if (name == "START" || name == substance::a || name == substance::b || isActing(name) ||
+        read_.contains(name) || isReadOutside(name) || !misspelt(name).empty())
+      return;
+    // Cells without any gene may be there for their bodies alone.
+    if (lines_.genes.empty() && lines_.unreadableWords.empty())
+      warnings_.add(word.place, "there is no gene that reads " + quoted(name) +
+                                    ", so cells neither divide nor change; add a gene such as g1(divide|" +
+                                    name + ")");
+    else
+      complaints_.add(word.place, "no gene reads " + quoted(name) +
+                                      ", so it does nothing; remove it, or write a gene that reads it");
+  }
+
+  /// A cell can come to hold this; so it can hold what genes make of it, and A and B where cells divide.
+  void reach(const std::string& name) {
+    std::vector<std::string> found{name};
+    while (!found.empty()) {
+      const std::string next = found.back();
+      found.pop_back();
+      if (!reachable_.insert(next).second) continue;
+      if (next == substance::divide) found.insert(found.end(), {substance::a, substance::b});
+      const auto [begin, end] = readers_.equal_range(next);
+      for (auto reader = begin; reader != end; ++reader)
+        if (--missing_[reader->second] == 0) found.push_back(lines_.genes[reader->second].product.text);
+    }
+  }
+
+  /// Genes whose inputs are all produced, and yet never present. One complaint for each substance that would
+  /// wake others up.
+  void checkReach() {
+    std::set<std::string> produced{substance::a, substance::b};
+    for (std::size_t i = 0; i < lines_.genes.size(); ++i) {
+      produced.insert(lines_.genes[i].product.text);
+      std::set<std::string> inputs;
+      for (const Word& input : lines_.genes[i].inputs)
+        if (inputs.insert(input.text).second) readers_.emplace(input.text, i);
+      missing_.push_back(inputs.size());
+    }
+    for (const std::string& name : surroundings_->given) reach(name);
+    for (const Word& word : lines_.start) reach(word.text);
+    for (const std::string& name : lines_.unreadableWords) reach(name);
+    // Inputs that nothing produces have been complained about.
+    for (const std::string& name : read_)
+      if (!produced.contains(name)) reach(name);
+    for (const GeneLine& gene : lines_.genes)
+      for (const Word& input : gene.inputs) {
+        if (reachable_.contains(input.text)) continue;
+        complaints_.add(input.place, whyAbsent(input.text, gene));
+        reach(input.text);
+      }
+  }
+
+  std::string whyAbsent(const std::string& name, const GeneLine& reader) const {
+    if (name == substance::a || name == substance::b)
+      return "no cell comes to hold " + quoted(name) +
+             ", because none divides, so this gene is never active; write a gene that produces 'divide'";
+    std::string producers;
+    for (const GeneLine& gene : lines_.genes)
+      if (gene.product.text == name) producers += (producers.empty() ? "" : ", ") + gene.name.text;
+    if (producers == reader.name.text)
+      return "only this gene produces " + quoted(name) +
+             ", and it needs it, so it is never active; add it to START or write another gene that produces "
+             "it";
+    return quoted(name) + " is never present, because what produces it (" + producers +
+           ") is never active; add it to START or write another gene that produces it";
+  }
+
+  const Lines& lines_;
+  const DnaSurroundings* surroundings_;
+  Complaints& complaints_;
+  Complaints& warnings_;
+  std::set<std::string> read_;                       // by genes
+  std::set<std::string> reachable_;                  // a cell can come to hold it
+  std::multimap<std::string, std::size_t> readers_;  // genes by their inputs
+  std::vector<std::size_t> missing_;                 // [gene] inputs that are not reachable
+};
+
+}  // namespace
+
+void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints,
+                 Complaints& warnings) {
+  EffectCheck(lines, surroundings, complaints, warnings).check();
+}
+
+}  // namespace morula::dna_text

@@ -1,0 +1,38 @@
+// The legend listed every colour of the scenario, also those of substances that no cell in the picture holds. A picture
+// must not change with a colour that is not in it, and must change with one that is.
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+
+namespace {
+
+std::string picture(const std::string& colours, const std::string& style) {
+  const TemporaryFolder folder;
+  writeWhole(folder / "s.yaml",
+             "morula: 1\nname: s\ndna: |\n  START: a\n  g1(b|a)\n  g2(b|b)\n  g3(divide|a)\n  g4(c|b, c)\n"
+             "cycle: {length: 0.125}\nstop: {cycles: 2}\nphysics:\n  mesh: {icosphere: 0}\n"
+             "cells: [{at: [0, 0, 0]}, {at: [3, 0, 0], substances: [c]}]\n"
+             "colours: " +
+                 colours);
+  const auto run = launch({"render", folder / "s.yaml", "--size", "200", "--style", style, "-o", folder / "s.png"});
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  return readWhole(folder / "s.png");
+}
+
+}  // namespace
+
+TEST_CASE("a legend lists the colours in its picture and no others") {
+  for (const std::string style : {"solid", "wireframe", "both", "lineage"}) {
+    CAPTURE(style);
+    // c is gone after the first cycle; g4 needs what no cell ever holds.
+    const auto b = picture("{b: '#377eb8'}\n", style);
+    CHECK(picture("{b: '#377eb8', c: '#e41a1c'}\n", style) == b);
+    CHECK(picture("{b: '#377eb8', c*: '#e41a1c'}\n", style) == b);
+    CHECK(picture("{b: '#377eb8', divide: '#e41a1c'}\n", style) !=
+          picture("{b: '#377eb8'}\n", style == "lineage" ? style : "lineage"));
+    CHECK(picture("{'b*': '#377eb8'}\n", style) != b);  // its label stands there
+    CHECK(picture("{c: '#e41a1c'}\n", style) != b);
+  }
+}

@@ -1,0 +1,27 @@
+// `render -o x.mp4` and `-o x.obj` wrote PNGs under these names. What is no PNG's name is a usage error that says what
+// can be written, before anything is computed or written.
+#include <filesystem>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+
+TEST_CASE("render refuses a name that promises what it cannot write") {
+  const TemporaryFolder folder;
+  for (const std::string ending : {".mp4", ".obj", ".jpg", ".svg", ".PDF", ".yaml", ".db"}) {
+    const auto run =
+        launch({"render", "scenarios/thesis/unique-four.yaml", "--time", "0", "-o", folder / ("x" + ending)});
+    CAPTURE(ending, run.err);
+    CHECK(run.code == 2);
+    CHECK(run.err.find("needs a name that ends in .png") != std::string::npos);
+    CHECK(std::filesystem::is_empty(folder.path()));
+  }
+  for (const std::string name : {"x.png", "x.PNG"}) {
+    const auto run = launch({"render", "scenarios/thesis/unique-four.yaml", "--time", "0", "--size", "64",
+                             "--style", "lineage", "-o", folder / name});
+    CAPTURE(run.err);
+    CHECK(run.code == 0);
+    CHECK(readWhole(folder / name).starts_with("\x89PNG"));
+  }
+}
