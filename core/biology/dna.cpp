@@ -41,7 +41,7 @@ Dna parseDna(std::string_view text, const std::string& file, int firstLine, int 
              const std::string& path, const DnaSurroundings* surroundings) {
   Complaints complaints, warnings;
   const Lines lines = readLines(text, {firstLine, firstColumn}, complaints);
-  checkMeaning(lines, complaints);
+  checkMeaning(lines, surroundings, complaints);
   checkEffect(lines, surroundings, complaints, warnings);
   complaints.report(file, path);
   Dna dna = compose(lines, text);

@@ -45,7 +45,9 @@ class EffectCheck {
     for (const Word& word : lines_.start) checkSpelling(word);
     for (const GeneLine& gene : lines_.genes) checkSpelling(gene.product);
     if (!surroundings_) return;
-    for (const Word& word : lines_.start) checkStart(word);
+    std::set<std::string> seen;  // what stands there twice has been complained about
+    for (const Word& word : lines_.start)
+      if (seen.insert(word.text).second) checkStart(word);
     if (lines_.hasStartLine && lines_.isStartReadable) checkReach();
   }
 
@@ -100,14 +102,13 @@ class EffectCheck {
                                       ", so it does nothing; remove it, or write a gene that reads it");
   }
 
-  /// A cell can come to hold this; so it can hold what genes make of it, and A and B where cells divide.
+  /// A cell can come to hold this; so it can hold what genes make of it.
   void reach(const std::string& name) {
     std::vector<std::string> found{name};
     while (!found.empty()) {
       const std::string next = found.back();
       found.pop_back();
       if (!reachable_.insert(next).second) continue;
-      if (next == substance::divide) found.insert(found.end(), {substance::a, substance::b});
       const auto [begin, end] = readers_.equal_range(next);
       for (auto reader = begin; reader != end; ++reader)
         if (--missing_[reader->second] == 0) found.push_back(lines_.genes[reader->second].product.text);
@@ -117,7 +118,7 @@ class EffectCheck {
   /// Genes whose inputs are all produced, and yet never present. One complaint for each substance that would
   /// wake others up.
   void checkReach() {
-    std::set<std::string> produced{substance::a, substance::b};
+    std::set<std::string> produced;
     for (std::size_t i = 0; i < lines_.genes.size(); ++i) {
       produced.insert(lines_.genes[i].product.text);
       std::set<std::string> inputs;
@@ -128,7 +129,7 @@ class EffectCheck {
     for (const std::string& name : surroundings_->given) reach(name);
     for (const Word& word : lines_.start) reach(word.text);
     for (const std::string& name : lines_.unreadableWords) reach(name);
-    // Inputs that nothing produces have been complained about.
+    // Divisions give A and B, and inputs that nothing produces have been complained about.
     for (const std::string& name : read_)
       if (!produced.contains(name)) reach(name);
     for (const GeneLine& gene : lines_.genes)
@@ -140,9 +141,6 @@ class EffectCheck {
   }
 
   std::string whyAbsent(const std::string& name, const GeneLine& reader) const {
-    if (name == substance::a || name == substance::b)
-      return "no cell comes to hold " + quoted(name) +
-             ", because none divides, so this gene is never active; write a gene that produces 'divide'";
     std::string producers;
     for (const GeneLine& gene : lines_.genes)
       if (gene.product.text == name) producers += (producers.empty() ? "" : ", ") + gene.name.text;

@@ -111,10 +111,11 @@ void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Co
 
 }  // namespace
 
-void checkMeaning(const Lines& lines, Complaints& complaints) {
+void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints) {
   checkStart(lines, complaints);
   checkNames(lines, complaints);
   std::set<std::string> possible = possibleSubstances(lines);
+  if (surroundings) possible.insert(surroundings->given.begin(), surroundings->given.end());
   const std::set<std::string> read = inputsOfAllGenes(lines);
   // Without all of START everything would seem unproduced: one complaint is enough.
   if (!lines.hasStartLine || !lines.isStartReadable) possible.insert(read.begin(), read.end());

@@ -52,8 +52,8 @@ class Complaints {
 /// The grammar: one line, one START list, gene or comment.
 Lines readLines(std::string_view text, Place begin, Complaints& complaints);
 
-/// The meaning: whatever is well written but cannot work.
-void checkMeaning(const Lines& lines, Complaints& complaints);
+/// The meaning: whatever is well written but cannot work. `surroundings` may be null.
+void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints);
 
 /// What could work and yet has no effect: a gene whose inputs are never present, a substance that nothing
 /// reads, an acting substance misspelt or in a scene that does nothing with it. `surroundings` may be null.

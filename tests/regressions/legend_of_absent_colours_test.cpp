@@ -1,5 +1,5 @@
-// The legend listed every colour of the scenario, also those of substances that no cell in the picture holds. A picture
-// must not change with a colour that is not in it, and must change with one that is.
+// The legend listed every colour of the scenario, also those of substances that no cell in the picture holds.
+// A picture must not change with a colour that is not in it, and must change with one that is.
 #include "catch.h"
 #include "launch.h"
 
@@ -15,7 +15,8 @@ std::string picture(const std::string& colours, const std::string& style) {
              "cells: [{at: [0, 0, 0]}, {at: [3, 0, 0], substances: [c]}]\n"
              "colours: " +
                  colours);
-  const auto run = launch({"render", folder / "s.yaml", "--size", "200", "--style", style, "-o", folder / "s.png"});
+  const auto run =
+      launch({"render", folder / "s.yaml", "--size", "200", "--style", style, "-o", folder / "s.png"});
   INFO(run.err);
   REQUIRE(run.code == 0);
   return readWhole(folder / "s.png");

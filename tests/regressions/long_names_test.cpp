@@ -1,6 +1,6 @@
-// Names of 10⁴ letters made a lineage picture take 18 s (the label was measured anew for each letter that it lost), and
-// nothing limited them. Names have at most 100 letters, refused with place and limit, and a message never repeats a
-// name of a million letters; labels take time by what fits, whatever their length.
+// Names of 10⁴ letters made a lineage picture take 18 s (the label was measured anew for each letter that it
+// lost), and nothing limited them. Names have at most 100 letters, refused with place and limit, and a
+// message never repeats a name of a million letters; labels take time by what fits, whatever their length.
 #include "catch.h"
 #include "launch.h"
 
@@ -27,13 +27,15 @@ void checkRefused(const std::string& text, const std::string& place) {
 TEST_CASE("names of a million letters are refused with their place and the limit") {
   const std::string head = "morula: 1\nname: s\nstop: {cycles: 2}\n";
   const std::string dna = "dna: |\n  START: a\n  g1(a|a)\n";
-  checkRefused(head + "dna: |\n  START: " + million + "\n", "5:10: dna: a substance of 1000000 letters; a name has at most 100");
+  checkRefused(head + "dna: |\n  START: " + million + "\n",
+               "5:10: dna: a substance of 1000000 letters; a name has at most 100");
   checkRefused(head + "dna: |\n  START: a\n  g1(" + million + "|a)\n",
                "6:6: dna: the gene's product of 1000000 letters; a name has at most 100");
   checkRefused(head + "dna: |\n  START: a\n  " + million + "(a|a)\n", "6:3: dna: a");
   checkRefused("morula: 1\nname: " + million + "\nstop: {cycles: 2}\n" + dna, "2:7: name: ");
   checkRefused(head + dna + million + ": 1\n", "7:1: a key of 1000000 bytes; keys have at most 100");
-  checkRefused(head + dna + "colours: {" + million + ": '#e41a1c'}\n", "7:11: colours: a key of 1000000 bytes");
+  checkRefused(head + dna + "colours: {" + million + ": '#e41a1c'}\n",
+               "7:11: colours: a key of 1000000 bytes");
   checkRefused(head + dna + "colours: {a: '" + million + "'}\n", "7:14: colours.a: ");
   checkRefused(head + dna + "physics: {integrator: " + million + "}\n", "7:23: physics.integrator: ");
 }
@@ -41,8 +43,9 @@ TEST_CASE("names of a million letters are refused with their place and the limit
 TEST_CASE("names of a hundred letters are drawn") {
   const TemporaryFolder folder;
   const std::string name(100, 'a');
-  writeWhole(folder / "s.yaml", "morula: 1\nname: s\nstop: {cycles: 4}\ndna: |\n  START: " + name + "\n  g1(" + name +
-                                    "|" + name + ")\n  g2(divide|" + name + ")\ncolours: {" + name + ": '#e41a1c'}\n");
+  writeWhole(folder / "s.yaml", "morula: 1\nname: s\nstop: {cycles: 4}\ndna: |\n  START: " + name +
+                                    "\n  g1(" + name + "|" + name + ")\n  g2(divide|" + name +
+                                    ")\ncolours: {" + name + ": '#e41a1c'}\n");
   const auto run = launch({"render", folder / "s.yaml", "--style", "lineage", "-o", folder / "s.png"});
   CAPTURE(run.err);
   CHECK(run.code == 0);

@@ -1,5 +1,5 @@
-// Ten seeds of a scenario without random parts are one result ten times, and nothing said so. `--seed` and `--seeds`
-// say it once on stderr, JSON has "seed_matters".
+// Ten seeds of a scenario without random parts are one result ten times, and nothing said so. `--seed` and
+// `--seeds` say it once on stderr, JSON has "seed_matters".
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
@@ -14,9 +14,9 @@ const std::string four = "scenarios/thesis/unique-four.yaml";
 
 /// Two seeds of it, cheaply.
 Launched runSeeds(const TemporaryFolder& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> all{"run",           four,    "--seeds",          "1..2",
-                               "--no-pictures", "--out", folder.path(),      "--set",
-                               "stop.cycles=2", "--set", "physics.mesh.icosphere=1"};
+  std::vector<std::string> all{
+      "run",         four,    "--seeds",       "1..2",  "--no-pictures",           "--out",
+      folder.path(), "--set", "stop.cycles=2", "--set", "physics.mesh.icosphere=1"};
   all.insert(all.end(), more.begin(), more.end());
   return launch(all);
 }

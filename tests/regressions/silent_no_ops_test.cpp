@@ -1,6 +1,7 @@
-// `dye`, `grw`, `grow` without physics.growth, `make: by-gene` without a gene that makes `connect`, `START: a` that
-// nothing reads, and `g1(b|b)` were valid, and the organism silently did less than was meant. Each is refused with its
-// place; a name that may be meant as it stands is a warning, and one that is used is nobody's slip.
+// `dye`, `grw`, `grow` without physics.growth, `make: by-gene` without a gene that makes `connect`, `START:
+// a` that nothing reads, and `g1(b|b)` were valid, and the organism silently did less than was meant. Each is
+// refused with its place; a name that may be meant as it stands is a warning, and one that is used is
+// nobody's slip.
 #include <algorithm>
 
 #include "catch.h"
@@ -41,12 +42,20 @@ void checkFine(const std::string& genes, const std::string& rest = "") {
 
 TEST_CASE("a near miss of a substance that acts is refused, wherever nothing else uses it") {
   const std::string start = "START: a\ng1(a|a)\n";
-  for (const auto& [slip, meant] :
-       {std::pair{"dye", "die"}, {"di", "die"}, {"grw", "grow"}, {"gorw", "grow"}, {"divde", "divide"},
-        {"dvid", "divide"}, {"Divde", "divide"}, {"shink", "shrink"}, {"conect", "connect"}, {"relaese", "release"}})
+  for (const auto& [slip, meant] : {std::pair{"dye", "die"},
+                                    {"di", "die"},
+                                    {"grw", "grow"},
+                                    {"gorw", "grow"},
+                                    {"divde", "divide"},
+                                    {"dvid", "divide"},
+                                    {"Divde", "divide"},
+                                    {"shink", "shrink"},
+                                    {"conect", "connect"},
+                                    {"relaese", "release"}})
     checkRefused(start + "g2(" + slip + "|a)", "",
                  "s.yaml:7:6: dna: '" + std::string(slip) + "' does nothing; did you mean '" + meant + "'?");
-  checkRefused("START: a, conect\ng1(a|a)", "", "s.yaml:5:13: dna: 'conect' does nothing; did you mean 'connect'?");
+  checkRefused("START: a, conect\ng1(a|a)", "",
+               "s.yaml:5:13: dna: 'conect' does nothing; did you mean 'connect'?");
 }
 
 TEST_CASE("names that only look like those of substances that act are fine where something uses them") {
@@ -101,11 +110,12 @@ TEST_CASE("a START substance that nothing reads is refused; cells without any ge
 TEST_CASE("a gene whose input can never be present is refused, through any number of genes") {
   const std::string a = "START: a\ng0(a|a)\n";
   checkRefused(a + "g1(b|b)", "", "s.yaml:7:8: dna: only this gene produces 'b'");
-  checkRefused(a + "g1(b|c)\ng2(c|b)", "", "s.yaml:7:8: dna: 'c' is never present, because what produces it (g2)");
-  checkRefused(a + "g1(b|a, A)", "", "s.yaml:7:11: dna: no cell comes to hold 'A', because none divides");
+  checkRefused(a + "g1(b|c)\ng2(c|b)", "",
+               "s.yaml:7:8: dna: 'c' is never present, because what produces it (g2)");
   checkFine(a + "g1(b|a, A)\ng2(divide|a)");
   checkFine(a + "g2(c|b)\ng1(b|a)");  // the order of genes does not matter
-  // A cell may begin with what START does not hold.
+  // A cell may begin with what START does not hold, and no gene produces.
+  checkFine(a + "g1(divide|b)", "physics: {}\ncells: [{at: [0, 0, 0], substances: [b]}]\n");
   checkFine(a + "g1(b|b)", "physics: {}\ncells: [{at: [0, 0, 0], substances: [b]}]\n");
   // One cause, one message.
   const auto run = validated(a + "g1(b|b)\ng2(c|b)\ng3(d|c)");

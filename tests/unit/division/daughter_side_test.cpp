@@ -58,8 +58,8 @@ TEST_CASE("a random axis points to daughter A") {
   }
 }
 
-// The longest extent is a line; which of its two directions is the axis must be a rule. It is the one with a positive
-// x + 0.55 y + 0.2 z: along coordinate axes their positive direction.
+// The longest extent is a line; which of its two directions is the axis must be a rule. It is the one with a
+// positive x + 0.55 y + 0.2 z: along coordinate axes their positive direction.
 TEST_CASE("across the longest extent daughter A lies on the side of (1, 0.55, 0.2)") {
   for (const Vector& along : directions)
     for (const double sign : {1.0, -1.0}) {

@@ -35,7 +35,8 @@ TEST_CASE("a scene says that it uses its seed exactly if another seed gives anot
       s.stop = {.cycles = 2, .time = {}, .cells = {}};
       if (!s.mechanics && plane != DivisionPlane::longest) continue;
       if (s.mechanics) s.mechanics->division.plane = plane;
-      if (s.mechanics && s.mechanics->physics.cell.model == CellModel::sphere && plane == DivisionPlane::longest)
+      if (s.mechanics && s.mechanics->physics.cell.model == CellModel::sphere &&
+          plane == DivisionPlane::longest)
         continue;  // a sphere has none
       CAPTURE(name, static_cast<int>(plane));
       CHECK(usesSeed(s) == (endOf(s, 1) != endOf(s, 2)));

@@ -72,10 +72,10 @@ TEST_CASE("a run is in the file before its first step") {
                   .steps = 3,
                   .cells = 2,
                   .time = 0.5,
-                  .failure = "step 3, cell 'A': volume −1"},
+                  .failure = "step 3, cell A: volume −1"},
                  exampleResults());
     REQUIRE(store.find(id).status == RunStatus::failed);
-    REQUIRE(store.find(id).failure == "step 3, cell 'A': volume −1");
+    REQUIRE(store.find(id).failure == "step 3, cell A: volume −1");
     REQUIRE(store.find(id).stateHash.empty());
     REQUIRE(store.results(id).lineage.size() == 3);
   }

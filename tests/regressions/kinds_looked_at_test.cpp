@@ -1,0 +1,79 @@
+// `parts` of a shipped scenario with two meshes ended in a bug, because verbs were only ever tried on
+// ordinary cells. render, lineage, parts and explain are tried here on every kind of scenario that is
+// shipped, cut short.
+#include <filesystem>
+#include <regex>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Kind {
+  std::string file;
+  std::string stop;   // instead of the scenario's
+  std::string cycle;  // the same; "": the scenario's
+};
+
+const std::vector<Kind> kinds{{"thesis/elegans-1024", "{cycles: 3}", ""},  // a lineage only
+                              {"thesis/unique-four", "{time: 0.03}", "{length: 0.01}"},
+                              {"organisms/spheres", "{time: 0.03}", "{length: 0.01}"},
+                              {"organisms/shape-matching", "{time: 0.03}", "{length: 0.01}"},
+                              {"organisms/coarsening", "{time: 0.03}", "{length: 0.01}"},
+                              {"hard/die-in-crowd", "{time: 0.03}", ""},  // several start cells
+                              {"hard/thesis-law", "{time: 0.03}", ""},
+                              {"hard/stiff-xpbd", "{time: 0.03}", ""},
+                              {"hard/single-precision", "{time: 0.03}", ""},
+                              {"hard/sliver-rod", "{time: 0.03}", ""}};  // a mesh from a file
+
+/// The shipped scenario, shorter, in this folder.
+std::string cutShort(const Kind& kind, const TemporaryFolder& folder) {
+  const fs::path original = fs::absolute("scenarios/" + kind.file + ".yaml");
+  std::string text = readWhole(original.string());
+  text = std::regex_replace(text, std::regex("\nstop:[^\n]*"), "\nstop: " + kind.stop);
+  if (!kind.cycle.empty())
+    text = std::regex_replace(text, std::regex("\ncycle:[^\n]*"), "\ncycle: " + kind.cycle);
+  text = std::regex_replace(text, std::regex("file: "), "file: " + original.parent_path().string() + "/");
+  text = std::regex_replace(text, std::regex("\ncheck:.*(\n +.*)*"), "");  // what holds at the end of all
+  const std::string file = folder / "kind.yaml";
+  writeWhole(file, text);
+  return file;
+}
+
+void checkFine(const std::vector<std::string>& arguments) {
+  const auto run = launch(arguments, {{"CI", ""}});
+  CAPTURE(arguments, run.err, run.out);
+  CHECK(run.code == 0);
+  CHECK_FALSE((run.out.empty() && run.err.empty()));
+}
+
+}  // namespace
+
+TEST_CASE("render, lineage, parts and explain do their work for every kind of scenario") {
+  for (const Kind& kind : kinds) {
+    CAPTURE(kind.file);
+    const TemporaryFolder folder;
+    const std::string file = cutShort(kind, folder), picture = folder / "kind.png";
+    const bool bodies = readWhole(file).find("\nphysics:") != std::string::npos;
+    checkFine({"lineage", file, "--json"});
+    checkFine({"parts", file});
+    for (const std::string style : {"lineage", "solid", "both"})
+      if (bodies || style == "lineage") {
+        checkFine({"render", file, "--style", style, "--size", "100", "-o", picture});
+        CHECK(readWhole(picture).starts_with("\x89PNG"));
+        fs::remove(picture);
+      }
+    checkFine({"review", file, "--accept", "--by", "tests", "--why", "the first one"});
+    checkFine({"explain", file});
+    checkFine({"run", file, "--out", folder / "out", "--no-pictures"});
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "out"))
+      if (entry.path().extension() == ".db") {
+        checkFine({"lineage", entry.path().string()});
+        checkFine({"render", entry.path().string(), "--style", "lineage", "--size", "100", "-o", picture});
+        checkFine({"explain", file, "--db", entry.path().string()});
+      }
+  }
+}
