@@ -45,10 +45,12 @@ class EffectCheck {
     for (const Word& word : lines_.start) checkSpelling(word);
     for (const GeneLine& gene : lines_.genes) checkSpelling(gene.product);
     if (!surroundings_) return;
+    // A line that could not be read may have been a gene that reads anything.
+    if (!lines_.unreadableWords.empty()) return;
     std::set<std::string> seen;  // what stands there twice has been complained about
     for (const Word& word : lines_.start)
       if (seen.insert(word.text).second) checkStart(word);
-    if (lines_.hasStartLine && lines_.isStartReadable) checkReach();
+    if (lines_.hasStartLine) checkReach();
   }
 
  private:
@@ -93,7 +95,7 @@ class EffectCheck {
         read_.contains(name) || isReadOutside(name) || !misspelt(name).empty())
       return;
     // Cells without any gene may be there for their bodies alone.
-    if (lines_.genes.empty() && lines_.unreadableWords.empty())
+    if (lines_.genes.empty())
       warnings_.add(word.place, "there is no gene that reads " + quoted(name) +
                                     ", so cells neither divide nor change; add a gene such as g1(divide|" +
                                     name + ")");
@@ -128,7 +130,6 @@ class EffectCheck {
     }
     for (const std::string& name : surroundings_->given) reach(name);
     for (const Word& word : lines_.start) reach(word.text);
-    for (const std::string& name : lines_.unreadableWords) reach(name);
     // Divisions give A and B, and inputs that nothing produces have been complained about.
     for (const std::string& name : read_)
       if (!produced.contains(name)) reach(name);

@@ -42,8 +42,8 @@ void checkStart(const Lines& lines, Complaints& complaints) {
     const auto [first, isNew] = seen.emplace(word.text, word.place);
     if (word.text == "START") complaints.add(word.place, "START cannot be a substance; take another name");
     else if (!isNew)
-      complaints.add(word.place, quoted(word.text) + " is in START already (" + atLine(first->second) +
-                                     "); remove one");
+      complaints.add(word.place,
+                     quoted(word.text) + " is in START already (" + atLine(first->second) + "); remove one");
     else if (isAsymmetry(word.text))
       complaints.add(word.place,
                      quoted(word.text) + " is given to daughters only, at a division; take another name");
@@ -93,8 +93,7 @@ void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Co
     } else if (!isNew) {
       complaints.add(input.place, name + " is an input of this gene already; remove one");
     } else if (isAsymmetry(input.text) && seen.contains(substance::a) && seen.contains(substance::b)) {
-      complaints.add(input.place,
-                     "no cell holds both 'A' and 'B', so this gene is never active; remove one");
+      complaints.add(input.place, "no cell holds both 'A' and 'B', so this gene is never active; remove one");
     } else if (input.text == substance::die) {
       complaints.add(input.place,
                      "a cell that holds 'die' runs no further cycle, so this gene is never active; "

@@ -126,7 +126,8 @@ void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
 BesideOptions besideOptions(const CheckOptions& options) {
   BesideOptions beside{parseEngines(options.beside), usualCpuSeconds, options.output.quiet};
   if (options.cpuLimit.empty()) return beside;
-  if (options.beside.empty()) throw UsageError("--cpu-limit: is for the engines of --beside; give --beside, too");
+  if (options.beside.empty())
+    throw UsageError("--cpu-limit: is for the engines of --beside; give --beside, too");
   beside.cpuSeconds = static_cast<int>(naturalOption("--cpu-limit", options.cpuLimit, 1, 1'000'000));
   return beside;
 }

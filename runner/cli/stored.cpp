@@ -41,7 +41,8 @@ Scenario storedScenario(const std::string& database, const std::string& run) {
 
 Scenario anyScenario(const std::string& file, const std::string& run) {
   if (isDatabase(file)) return storedScenario(file, run);
-  if (!run.empty()) throw UsageError("--run chooses a run of a database, and '" + file + "' is not a database");
+  if (!run.empty())
+    throw UsageError("--run chooses a run of a database, and '" + file + "' is not a database");
   return loadScenario(file);
 }
 

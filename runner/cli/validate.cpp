@@ -49,7 +49,8 @@ int act(const ValidateOptions& options) {
     } catch (const InputError& error) {
       code = input;
       tellInputError(error.what());
-      list.push_back({{"file", file}, {"valid", false}, {"errors", lines(error.what())}, {"warnings", Json::array()}});
+      list.push_back(
+          {{"file", file}, {"valid", false}, {"errors", lines(error.what())}, {"warnings", Json::array()}});
     }
   }
   if (options.output.json) printJson({{"scenarios", list}});

@@ -100,7 +100,8 @@ void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
                " were accepted; restore it from git");
   if (line.substr(space + 1) != digestOf(golden))
     lines.fail(
-        "the items above are not those that were accepted: they were edited afterwards; restore the file from "
+        "the items above are not those that were accepted: they were edited afterwards; restore the file "
+        "from "
         "git, "
         "or accept the present result with `morula review --accept --why \"…\"`");
 }

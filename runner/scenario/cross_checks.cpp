@@ -22,7 +22,8 @@ void checkSubstances(const Dna& dna, Reading& reading) {
     };
     if (std::any_of(dna.substances.begin(), dna.substances.end(), fits)) continue;
     if (pattern) {
-      reading.problems.add(use.place, use.path + "." + use.name, "no substance of the DNA begins with '" + std::string(beginning) + "'",
+      reading.problems.add(use.place, use.path + "." + use.name,
+                           "no substance of the DNA begins with '" + std::string(beginning) + "'",
                            "needs a name, or its beginning and '*'");
       continue;
     }
@@ -108,7 +109,8 @@ void checkStartCells(const Scenario& scenario, Reading& reading) {
 void checkEnergy(const Scenario& scenario, Reading& reading, const Node& root) {
   if (scenario.check.energy && scenario.scene.mechanics->physics.pressure.outside == 0)
     reading.problems.add(placeOf(root, "check.energy"), "check.energy",
-                         "has no zero to count from where physics.pressure.outside is 0", "give a pressure > 0, or remove this");
+                         "has no zero to count from where physics.pressure.outside is 0",
+                         "give a pressure > 0, or remove this");
 }
 
 void checkCoarsening(const Scenario& scenario, Reading& reading, const Node& root) {
@@ -150,12 +152,11 @@ void checkModel(const Scenario& scenario, Reading& reading, const Node& root) {
     refuse(path, "is for physics.cell.model shell, and here it is " + model,
            sphere ? "remove this" : "remove this; see physics.shape-matching");
   if (sphere)
-    refuse("physics.shape-matching", "is for physics.cell.model shape-matching, and here it is " + model, "remove this");
+    refuse("physics.shape-matching", "is for physics.cell.model shape-matching, and here it is " + model,
+           "remove this");
   if (physics.integrator == Integrator::xpbd)
-    refuse("physics.integrator", "xpbd solves membranes and contents" + lacking,
-           "needs another integrator");
-  if (scenario.check.energy)
-    refuse("check.energy", "is of membranes and contents" + lacking, "remove this");
+    refuse("physics.integrator", "xpbd solves membranes and contents" + lacking, "needs another integrator");
+  if (scenario.check.energy) refuse("check.energy", "is of membranes and contents" + lacking, "remove this");
 }
 
 /// What a sphere has not, and what it cannot do.

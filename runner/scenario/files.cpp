@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "base/error.h"
-#include "mesh/measures.h"
 #include "biology/substances.h"
+#include "mesh/measures.h"
 
 namespace morula {
 
