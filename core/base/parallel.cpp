@@ -12,6 +12,8 @@
 #include <mutex>
 #include <utility>
 
+#include "base/floating_point.h"
+
 namespace morula {
 
 namespace {
@@ -54,6 +56,7 @@ void parallelFor(int count, int threads, void (*body)(void*, int), void* context
     tbb::parallel_for(
         tbb::blocked_range<int>(0, count),
         [&](const tbb::blocked_range<int>& range) {
+          setFloatingPoint();
           const Numbered own(tbb::this_task_arena::current_thread_index());
           for (int i = range.begin(); i != range.end(); ++i) body(context, i);
         },

@@ -7,7 +7,9 @@ namespace morula {
 void prepare(GridSearch& grid, const SearchInput& input) {
   const Box box = boundingBox(input.bodies);
   const Vector extent = box.high - box.low;
-  double binSize = safeBinSize(input.largestReach());
+  // Not so small that doubling it has far to go, or for ever where reaches are too small for numbers.
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  double binSize = std::max({safeBinSize(input.largestReach()), longest * 0x1p-30, 0x1p-1000});
   // At most four bins per vertex: doubling the bins' size divides their number by up to eight.
   const double most = 4.0 * input.bodies.livingVertices + 64;
   const auto bins = [&](double size) {

@@ -1,6 +1,8 @@
 #include "contacts/neighbour_list.h"
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
 
 #include "base/parallel.h"
 #include "contacts/slices.h"
@@ -18,6 +20,13 @@ template <class Search>
 void prepareSearch(Search& search, const SearchInput& input, int threads) {
   if constexpr (requires { prepare(search, input, threads); }) prepare(search, input, threads);
   else prepare(search, input);
+}
+
+/// That all blocks may keep together.
+std::int64_t mostNumbers(const NeighbourList& list) {
+  // Four bytes in BlockLists, up to nine while they are moved to a larger place, and four in slices.
+  constexpr double each = 16;
+  return static_cast<std::int64_t>(std::clamp(list.mostBytes / each, 0.0, 1e15));
 }
 
 }  // namespace
@@ -55,9 +64,15 @@ void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const Aligned
   std::visit(
       [&](auto& search) {
         prepareSearch(search, input, threads);
+        std::atomic<std::int64_t> left = mostNumbers(list);
         parallelFor(blocks, threads, [&](int block) {
-          list.perBlock[block].clear(bodies.verticesPerLane(block) * blockLanes);
-          searchBlock(search, input, block, list.perBlock[block]);
+          BlockLists& lists = list.perBlock[block];
+          lists.clear(bodies.verticesPerLane(block) * blockLanes);
+          lists.most = std::min(left / threads, std::int64_t(std::numeric_limits<std::int32_t>::max()));
+          try {
+            searchBlock(search, input, block, lists);
+          } catch (const ListsTooLong&) { throw ListsTooLong{block}; }
+          left -= lists.used;
         });
         if constexpr (requires { search.preparation; }) list.counters += search.preparation;
       },

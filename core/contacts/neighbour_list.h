@@ -5,6 +5,7 @@
 // A list holds every pair closer than the pair's influence radius plus the skin, so as long as no vertex has
 // moved more than half the skin it misses no contact; pairs out of reach add exactly nothing. Forces
 // therefore never depend on when it was built, nor on how the pairs were found (search.h).
+#include <cmath>
 #include <cstdint>
 #include <variant>
 #include <vector>
@@ -23,6 +24,7 @@ struct NeighbourList {
   // Constant
   const SearchKernels* kernels = nullptr;
 
+  double mostBytes = INFINITY;           // [byte] that the lists may take
   double skin = 0;                       // [length] with 0, it is good for the positions it was built at
   Reals reference;                       // positions it was built at, as Bodies::position
   std::vector<NeighbourSlice> slices;    // by block; vertices without neighbours have none
@@ -40,7 +42,7 @@ struct NeighbourList {
 /// Empty, and how it will be built.
 NeighbourList makeNeighbourList(ContactSearch search, Isa isa);
 
-/// Builds the list from the positions now. `radius` [slot]: influence radii.
+/// Builds the list from the positions now. `radius` [slot]: influence radii. Throws ListsTooLong.
 void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
                         int threads);
 

@@ -5,6 +5,7 @@
 // The answer is fixed, so that it does not matter who gives it: the neighbours of vertex i are the vertices j
 // of other cells with |x_j − x_i|² < reach², in these roundings and in rising order of their numbers.
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "base/aligned.h"
@@ -45,12 +46,18 @@ struct SearchCounters {
   }
 };
 
+/// More neighbours than there is memory for: cells are in one another.
+struct ListsTooLong {
+  int block = 0;  // where it was found
+};
+
 /// The neighbours of one block's vertices; vertex v of lane l is row v·blockLanes + l. Memory is kept between
 /// searches, so that a steady run allocates nothing.
 struct BlockLists {
   std::vector<std::int32_t> begin, length;  // [row] into neighbours
   std::vector<VertexNumber> neighbours;     // longer than used
   std::int32_t used = 0;
+  std::int64_t most = std::numeric_limits<std::int32_t>::max();  // numbers that may be kept
   std::vector<std::int32_t> order, place;  // rows by length, longest first; scratch of the ordering
   SearchCounters counters;                 // of this search
 
@@ -60,8 +67,9 @@ struct BlockLists {
     used = 0;
     counters = {};
   }
-  /// Where the next list goes, with room for so many numbers.
+  /// Where the next list goes, with room for so many numbers. Throws ListsTooLong.
   VertexNumber* room(std::int64_t numbers) {
+    if (used + numbers > most) throw ListsTooLong{};
     const std::size_t needed = std::size_t(used) + numbers;
     if (neighbours.size() < needed) neighbours.resize(needed + needed / 4);
     return neighbours.data() + used;

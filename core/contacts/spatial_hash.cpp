@@ -53,7 +53,7 @@ void prepare(SpatialHash& h, const SearchInput& input) {
   const Vector extent = box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
   h.low = box.low;
-  h.inverseBin = 1 / std::max(safeBinSize(input.largestReach()), longest * 0x1p-30);
+  h.inverseBin = 1 / std::max({safeBinSize(input.largestReach()), longest * 0x1p-30, 0x1p-1000});
   // At least two buckets per vertex, so that most buckets hold one bin's vertices.
   const std::uint32_t vertices = static_cast<std::uint32_t>(input.bodies.livingVertices);
   h.mask = std::bit_ceil(2 * vertices) - 1;

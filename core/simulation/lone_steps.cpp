@@ -34,6 +34,13 @@ bool moveAlone(World& world, std::uint64_t steps) {
   return false;
 }
 
+/// Of the clock's own length: a shorter last one is made by itself.
+std::uint64_t wholeStepsUntilEnd(const World& world) {
+  const std::uint64_t steps = stepsUntil(world.clock, plannedStop(world));
+  if (world.bodies->parameters.timeStep || steps == 1) return steps;
+  return endsLate(world, steps) ? steps - 1 : steps;
+}
+
 }  // namespace
 
 std::uint64_t stepsUntil(const Clock& clock, double time) {
@@ -50,15 +57,16 @@ void takeSteps(World& world, std::uint64_t most) {
   Clock& clock = world.clock;
   std::uint64_t steps = 1;
   if (areAlone(world))
-    steps = std::min({most, stepsUntil(clock, clock.nextCycle), stepsUntil(clock, plannedStop(world))});
+    steps = std::min({most, stepsUntil(clock, clock.nextCycle), wholeStepsUntilEnd(world)});
   if (steps <= 1) return step(world);
+  const double before = clock.time;
   if (!moveAlone(world, steps)) {
     for (; steps > 0; --steps) step(world);  // one of which says what is wrong
     return;
   }
   clock.time = timeAfter(clock, steps);
   clock.step += steps;
-  if (clock.time >= clock.nextCycle) runCellCycles(world);
+  runCellCycles(world, dueUntil(world, before));
 }
 
 }  // namespace morula

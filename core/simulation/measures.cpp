@@ -62,16 +62,19 @@ WorldMeasures measureWorld(const World& world) {
   m.cells = world.cells.path.size();
   if (!world.bodies) return m;
   const Bodies& b = *world.bodies;
+  double volume = 0, pressure = 0, kineticEnergy = 0;
   for (int slot : b.slots) {
-    m.volume += b.volume[slot];
-    m.meanPressure += b.pressure[slot];
-    m.kineticEnergy += measureKineticEnergy(b, slot);
+    volume += b.volume[slot];
+    pressure += b.pressure[slot];
+    kineticEnergy += measureKineticEnergy(b, slot);
   }
-  if (b.count > 0) m.meanPressure /= b.count;
+  m.volume = volume;
+  m.kineticEnergy = kineticEnergy;
+  if (b.count > 0) m.meanPressure = pressure / b.count;
   if (b.parameters.shell) {
     const double* a = b.parameters.shell->semiAxes;
-    m.shellFill = m.volume / (12.566370614359172 / 3 * a[0] * a[1] * a[2]);
-    m.outermost = std::sqrt(outermostSquare(b, a));
+    m.shellFill = volume / (12.566370614359172 / 3 * a[0] * a[1] * a[2]);
+    if (b.count > 0) m.outermost = std::sqrt(outermostSquare(b, a));
   }
   return m;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What can be read off a World. Measured on demand only; nothing here is computed unless somebody asks.
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/cell_path.h"
@@ -31,15 +32,17 @@ struct ContactMeasures {
   double area = 0;  // [length²]
 };
 
+/// What the scene does not have, or no living cell has, is not measured and absent.
 struct WorldMeasures {
   double time = 0;
   std::uint64_t step = 0;
-  std::uint64_t cells = 0;   // alive
-  double volume = 0;         // [length³] all cells
-  double kineticEnergy = 0;  // [force·length]
-  double meanPressure = 0;   // [force/length²]
-  double shellFill = 0;      // volume / the shell's volume; 0 without a shell
-  double outermost = 0;  // largest distance of a vertex, in shell radii (1: on the shell); 0 without a shell
+  std::uint64_t cells = 0;              // alive
+  std::optional<double> volume;         // [length³] all cells; with bodies
+  std::optional<double> kineticEnergy;  // [force·length]; with bodies
+  std::optional<double> meanPressure;   // [force/length²]; with bodies, of the living cells
+  std::optional<double> shellFill;      // volume / the shell's volume; with a shell
+  std::optional<double> outermost;  // largest distance of a vertex, in shell radii (1: on the shell); with a
+                                    // shell, of the living cells
 };
 
 /// ½ Σ m v² over a cell's vertices. [force·length]

@@ -7,6 +7,7 @@
 #include "division/coarsen.h"
 #include "division/cut.h"
 #include "division/principal_axis.h"
+#include "simulation/memory.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -108,6 +109,20 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
       inheritConnections(*world.connections, world.cells.path[i], time, centreOf);
 }
 
+/// Daughters have no more vertices than their mother.
+void requireMemoryFor(const World& world, const std::vector<CellChange>& changes) {
+  double cells = double(world.lineage.entries.size());
+  double vertices = world.bodies ? double(world.bodies->lineCount()) * blockLanes : 0;
+  const CellPath* last = nullptr;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (changes[i] != CellChange::divides) continue;
+    last = &world.cells.path[i];
+    cells += 2;
+    if (world.bodies) vertices += world.bodies->vertexCount(world.bodies->slots[i]);
+  }
+  if (last) requireMemory(world, *last, cells, vertices);
+}
+
 }  // namespace
 
 void addFounder(World& world, const CellPath& path, StateId state) {
@@ -122,6 +137,8 @@ void addFounder(World& world, const CellPath& path, StateId state) {
 void changePopulation(World& world, const std::vector<CellChange>& changes) {
   const auto changesHere = [](CellChange c) { return c == CellChange::divides || c == CellChange::dies; };
   if (std::none_of(changes.begin(), changes.end(), changesHere)) return;
+
+  requireMemoryFor(world, changes);
 
   // All cuts first: an error leaves the world as it is.
   std::vector<Division> divisions;

@@ -9,6 +9,13 @@ namespace morula {
 /// [time] What the clock shows so many steps from now.
 double timeAfter(const Clock& clock, std::uint64_t steps);
 
+/// True if so many steps of the clock's length lead past the planned end.
+bool endsLate(const World& world, std::uint64_t steps);
+
+/// [time] The next step's length: the clock's time step, or where the scene leaves it to the program and the
+/// planned end comes sooner, what is left until then. The world has bodies.
+double nextStepLength(const World& world);
+
 /// [time] What the clock shows, or more, once the planned end has come; infinite without one. The world has
 /// bodies.
 double plannedStop(const World& world);
@@ -32,8 +39,18 @@ void checkReach(const World& world);
 /// Cells that grow or shrink. Returns at once where the scene has no growth.
 void growCells(World& world, double timeStep);
 
-/// Runs the cell cycles that are due, then the deaths, divisions and connections that follow from them.
-void runCellCycles(World& world);
+/// Runs the cell cycles that are due until then [time], and the deaths, divisions and connections that follow
+/// from them. Cycles run in the order in which they are due, and those that are due at the same time
+/// together; none runs after the one that gives the scene as many cells as it stops at.
+void runCellCycles(World& world, double until);
+
+/// True once as many cells live as the scene stops at.
+bool hasEnoughCells(const World& world);
+
+/// [time] Until when cell cycles run in a step that goes from `before` to the clock's time: the clock's time,
+/// or in the step that reaches the planned end, that end: what falls behind it does not run, as it would not
+/// without bodies.
+double dueUntil(const World& world, double before);
 
 /// Ends connections whose cells are too far apart. Returns at once where there are none.
 void releaseConnections(World& world);
@@ -42,9 +59,17 @@ void releaseConnections(World& world);
 /// the power of two below. Needs at least one cell.
 double timeStepLimit(const World& world);
 
-/// Sets the time step for the cells as they are now: the scene's own, or the largest dyadic one that is
-/// stable, and evaluates the forces for it if it has changed. Throws NumericalError if the scene's own lies
-/// above 0.8 of a stability limit, which the text names.
+/// [time] An automatic time step where steps up to `limit` are stable: the largest power of two that is no
+/// longer than this and than the shortest cell cycle, so that no cell has more than one cycle in a step.
+double automaticTimeStep(const CycleParameters& cycle, double limit);
+
+/// Throws InputError if more cell cycles would come one after the other than any run can make, or if one
+/// cycle is so much shorter than another that times cannot tell its beginning from its end.
+void refuseEndlessPace(const Scene& scene);
+
+/// Sets the time step for the cells as they are now: the scene's own, or the automatic one, and evaluates the
+/// forces for it if it has changed. Throws NumericalError if the scene's own lies above 0.8 of a stability
+/// limit, or is longer than the shortest cell cycle or than the whole run; the text names both numbers.
 void chooseTimeStep(World& world);
 
 }  // namespace morula

@@ -1,6 +1,10 @@
 // The step, as the thesis' figures 4.2 and 4.4 draw it.
+#include <algorithm>
+
+#include "base/error.h"
 #include "base/parallel.h"
 #include "physics/growth.h"
+#include "simulation/memory.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -9,20 +13,73 @@ double timeAfter(const Clock& clock, std::uint64_t steps) {
   return clock.epochTime + static_cast<double>(clock.step + steps - clock.epochStep) * clock.timeStep;
 }
 
+namespace {
+
+/// While the step before the planned end is made, it is the clock's time step. What comes after it, if the
+/// run goes on to a later end, has the usual one again.
+class LastStep {
+ public:
+  explicit LastStep(World& world) : clock_(world.clock), usual_(clock_.timeStep) {
+    const double length = nextStepLength(world);
+    if (length != usual_) begin(length);
+  }
+  ~LastStep() {
+    if (clock_.timeStep != usual_) begin(usual_);
+  }
+  LastStep(const LastStep&) = delete;
+  LastStep& operator=(const LastStep&) = delete;
+
+ private:
+  void begin(double timeStep) {
+    clock_.timeStep = timeStep;
+    clock_.epochTime = clock_.time;
+    clock_.epochStep = clock_.step;
+  }
+  Clock& clock_;
+  double usual_;
+};
+
+}  // namespace
+
 void step(World& world) {
   Clock& clock = world.clock;
-  ++clock.step;
+  const double before = clock.time;
   if (world.bodies) {
+    const LastStep last(world);
+    ++clock.step;
     clock.time = timeAfter(clock, 0);
     growCells(world, clock.timeStep);
     movePhysics(world, clock.timeStep);
     checkBodies(world);
     releaseConnections(world);
   } else {
+    ++clock.step;
     clock.time = clock.nextCycle;
   }
-  if (clock.time >= clock.nextCycle) runCellCycles(world);
+  runCellCycles(world, dueUntil(world, before));
 }
+
+namespace {
+
+void refreshLists(World& world) {
+  const Bodies& bodies = *world.bodies;
+  world.contacts->list.mostBytes = memoryForLists(world);
+  try {
+    refreshList(*world.contacts, bodies, world.execution.threads);
+  } catch (const ListsTooLong& lists) {
+    const auto cell = std::find(bodies.slots.begin(), bodies.slots.end(), lists.block * blockLanes);
+    throw NumericalError(
+        world.cells.path[cell - bodies.slots.begin()].text(), world.clock.step,
+        "lists of the vertices near each vertex would take more than " +
+            bytesText(world.contacts->list.mostBytes) + ", which the memory limit of " +
+            bytesText(world.execution.memoryLimit) + " leaves them: cells are in one another",
+        "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
+        "raise "
+        "--memory-limit");
+  }
+}
+
+}  // namespace
 
 void movePhysics(World& world, double timeStep) {
   if (world.bodies->count == 0) return;
@@ -52,7 +109,7 @@ void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
   if (world.connections) addConnectionForces(*world.connections, world.cells.path, bodies);
   if (world.contacts) {
     checkReach(world);
-    refreshList(*world.contacts, bodies, threads);
+    refreshLists(world);
   }
   parallelFor(blocks, threads, [&](int i) {
     if (world.contacts) addContactForces(*world.contacts, bodies, i, world.clock.timeStep);

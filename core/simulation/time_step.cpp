@@ -86,6 +86,43 @@ void refuseEndless(const World& world, int cell, double timeStep) {
       "stop earlier");
 }
 
+struct ShortestCycle {
+  double length;    // [time]
+  std::string key;  // that gives it
+};
+
+ShortestCycle shortestCycle(const CycleParameters& cycle) {
+  ShortestCycle shortest{cycle.length, "cycle.length"};
+  for (const auto& [substance, length] : cycle.perSubstance)
+    if (length < shortest.length) shortest = {length, "cycle.per-substance." + substance};
+  return shortest;
+}
+
+/// A longer step would hold two cycles of one cell.
+void refuseAboveCycle(const World& world, double timeStep) {
+  const ShortestCycle cycle = shortestCycle(world.model.cycle);
+  if (timeStep <= cycle.length) return;
+  throw NumericalError(world.cells.path[0].text(), world.clock.step,
+                       "physics.time_step " + exactText(timeStep) +
+                           " is longer than the shortest cell cycle, " + cycle.key + " " +
+                           exactText(cycle.length),
+                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(cycle.length)) +
+                           ", or give a longer " + cycle.key);
+}
+
+/// The run would end behind its stop.
+void refuseAboveRun(const World& world, double timeStep) {
+  const auto end = plannedEnd(world.model);
+  if (!end || timeStep <= *end) return;
+  throw NumericalError(world.cells.path[0].text(), world.clock.step,
+                       "physics.time_step " + exactText(timeStep) +
+                           " is longer than the whole run, which stops at " + exactText(*end),
+                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(*end)) +
+                           ", or give a later stop.time or more stop.cycles");
+}
+
+constexpr double mostCycles = 1e12;  // one after the other; more than a week of a cell without a body
+
 /// What an automatic step may be: drag is a mode of its own, that adds to none of the others' stiffness.
 double longest(double combined, const PhysicsParameters& p) {
   return margin * std::min(combined, dragLimit(p.integrator, p.drag));
@@ -99,6 +136,22 @@ double timeStepLimit(const World& world) {
   return longest(combined, world.bodies->parameters);
 }
 
+void refuseEndlessPace(const Scene& scene) {
+  const ShortestCycle shortest = shortestCycle(scene.cycle);
+  double longest = scene.cycle.length;
+  for (const auto& [substance, length] : scene.cycle.perSubstance) longest = std::max(longest, length);
+  const double until = std::max(longest, plannedEnd(scene).value_or(0));
+  if (until <= mostCycles * shortest.length) return;
+  throw InputError(shortest.key + " " + exactText(shortest.length) + " is too short for a time of " +
+                   exactText(until) + ", which is the run's end or another cycle: more than " +
+                   numberText(mostCycles) + " cell cycles; give a longer one, at least " +
+                   numberText(until / mostCycles) + ", or stop earlier");
+}
+
+double automaticTimeStep(const CycleParameters& cycle, double limit) {
+  return powerOfTwoBelow(std::min(limit, shortestCycle(cycle).length));
+}
+
 void chooseTimeStep(World& world) {
   if (world.bodies->count == 0) return;
   const PhysicsParameters& p = world.bodies->parameters;
@@ -108,6 +161,8 @@ void chooseTimeStep(World& world) {
   double timeStep;
   if (p.timeStep) {
     timeStep = *p.timeStep;
+    refuseAboveCycle(world, timeStep);
+    refuseAboveRun(world, timeStep);
     refuseAbove(limit.spring, p.cell.model == CellModel::shell ? "springs" : "shape-matching", world,
                 limit.cell, timeStep);
     refuseAbove(limit.pressure, "pressure", world, limit.cell, timeStep);
@@ -116,7 +171,7 @@ void chooseTimeStep(World& world) {
   } else {
     if (p.integrator == Integrator::xpbd ? std::isinf(limit.contact) : std::isinf(longest(combined, p)))
       refuseUnbounded(world);
-    timeStep = powerOfTwoBelow(p.autoShare * longest(combined, p));
+    timeStep = automaticTimeStep(world.model.cycle, p.autoShare * longest(combined, p));
   }
   refuseEndless(world, limit.cell, timeStep);
   Clock& clock = world.clock;

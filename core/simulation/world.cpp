@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "biology/logical_dna.h"
 #include "biology/substances.h"
+#include "simulation/memory.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
 
@@ -15,6 +16,12 @@ namespace {
 
 // Sums of cycle lengths may miss their product by rounding; a stop at cycle k must still see cycle k.
 constexpr double slack = 1e-9;
+
+/// [time] When the last cell cycles are due that the run still sees; infinite without a planned end.
+double lastDue(const Scene& scene) {
+  const std::optional<double> end = plannedEnd(scene);
+  return end ? *end + slack * scene.cycle.length : INFINITY;
+}
 
 }  // namespace
 
@@ -27,6 +34,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   world.model = scene;
   world.execution = execution;
   world.biology = std::move(biology);
+  refuseEndlessPace(scene);
   foundCells(world);
   if (!scene.mechanics) return world;
 
@@ -38,6 +46,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
         makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
   setStages(world, execution.isa);
+  requireMemoryForStart(world);
   setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
   try {
     beginWithBodies(world);
@@ -81,12 +90,32 @@ bool usesSeed(const Scene& scene) {
 }
 
 bool finished(const World& world) {
-  const Scene& scene = world.model;
-  if (world.cells.path.empty()) return true;  // everybody died
-  if (scene.stop.cells && world.cells.path.size() >= *scene.stop.cells) return true;
+  if (world.cells.path.empty() || hasEnoughCells(world)) return true;
   if (world.bodies) return world.clock.time >= plannedStop(world);
-  const std::optional<double> end = plannedEnd(scene);
-  return end && world.clock.nextCycle > *end + slack * scene.cycle.length;
+  return world.clock.nextCycle > lastDue(world.model);
+}
+
+bool hasEnoughCells(const World& world) {
+  const auto& most = world.model.stop.cells;
+  return most && world.cells.path.size() >= *most;
+}
+
+double dueUntil(const World& world, double before) {
+  if (!world.bodies) return world.clock.time;
+  const double stop = plannedStop(world);
+  return before < stop && world.clock.time >= stop ? lastDue(world.model) : world.clock.time;
+}
+
+double nextStepLength(const World& world) {
+  const Clock& clock = world.clock;
+  if (world.bodies->parameters.timeStep || !(clock.time < plannedStop(world)) || !endsLate(world, 1))
+    return clock.timeStep;
+  return *plannedEnd(world.model) - clock.time;
+}
+
+bool endsLate(const World& world, std::uint64_t steps) {
+  const std::optional<double> end = plannedEnd(world.model);
+  return end && timeAfter(world.clock, steps) > *end * (1 + slack);
 }
 
 double plannedStop(const World& world) {

@@ -1,6 +1,7 @@
 #pragma once
 // The state of a scene in motion, and how it goes on.
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,6 +24,7 @@ struct Execution {
   Isa isa = bestIsa();
   int threads = 1;
   SearchSettings search = {};
+  double memoryLimit = INFINITY;  // [byte] a run that would take more is refused, or ends as a failure
 };
 
 /// The living cells, by lineage path. Where the body of cell number i is stored: Bodies::slots[i].

@@ -121,8 +121,8 @@ double Subject::timeContact(Isa isa) {
 }
 
 double Subject::timeRebuild(Isa isa, ContactSearch method, ClockKind clock, int threads) {
-  Contacts other =
-      makeContacts(world_.contacts->parameters, isa, {.method = method}, world_.bodies->parameters.precision);
+  Contacts other = makeContacts(world_.contacts->parameters, isa, {.method = method},
+                                world_.bodies->parameters.precision, world_.bodies->parameters.cell.model);
   resetContacts(other, *world_.bodies);
   return secondsPerCall(clock,
                         [&] {
@@ -175,7 +175,7 @@ StepTimes Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
   std::optional<Contacts> other;
   if (world_.contacts) {
     other = makeContacts(world_.contacts->parameters, isa, world_.execution.search,
-                         world_.bodies->parameters.precision);
+                         world_.bodies->parameters.precision, world_.bodies->parameters.cell.model);
     resetContacts(*other, *world_.bodies);
     std::swap(other, world_.contacts);
   }

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "cli/exit_codes.h"
+#include "cli/usable_memory.h"
 #include "cli/verb.h"
 #include "scenario/numbers.h"
 
@@ -26,6 +27,12 @@ void add(Verb& verb, ExecutionOptions& options) {
   verb.takes("--isa", options.isa, "NAME", "Compute with scalar, narrow, avx2 or avx512; changes no result");
   verb.takes("--search", options.search, "NAME",
              "Find contacts by grid, aabb-tree, spatial-hash or brute-force; changes no result");
+  addMemoryLimit(verb, options);
+}
+
+void addMemoryLimit(Verb& verb, ExecutionOptions& options) {
+  verb.takes("--memory-limit", options.memoryLimit, "SIZE",
+             "Refuse or end a run that would take more, as 8G; otherwise nine tenths of what is free");
 }
 
 std::vector<Override> overrides(const SceneOptions& options) {
@@ -38,6 +45,8 @@ std::vector<Override> overrides(const SceneOptions& options) {
 Execution execution(const ExecutionOptions& options) {
   Execution how;
   how.threads = static_cast<int>(naturalOption("--threads", options.threads, 1, 1024));
+  how.memoryLimit =
+      options.memoryLimit.empty() ? usableMemory() : sizeOption("--memory-limit", options.memoryLimit);
   try {
     if (!options.isa.empty()) how.isa = parseIsa(options.isa);
   } catch (const InputError& error) { throw UsageError(std::string("--isa: ") + error.what()); }

@@ -24,12 +24,14 @@ struct SceneOptions {
 
 /// How to compute; changes no result.
 struct ExecutionOptions {
-  std::string threads = "1", isa, search;
+  std::string threads = "1", isa, search, memoryLimit;
 };
 
 void add(Verb& verb, OutputOptions& options);
 void add(Verb& verb, SceneOptions& options);
 void add(Verb& verb, ExecutionOptions& options);
+/// That one alone of them: for what makes a world and does not run it.
+void addMemoryLimit(Verb& verb, ExecutionOptions& options);
 
 std::vector<Override> overrides(const SceneOptions& options);
 /// Throws UsageError.

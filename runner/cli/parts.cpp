@@ -23,6 +23,8 @@ struct PartsOptions {
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
+  std::string rehearsal;
+  bool noPictures = false;
 };
 
 /// [s] of CPU time that drawing takes: of a small picture of the egg, and most of it goes with the pixels.
@@ -80,7 +82,9 @@ int act(const PartsOptions& options) {
   if (options.scene.empty() && std::filesystem::exists(goldenFile(scenario)))
     how.ask.golden = goldenFile(scenario).string();
   const World world = makeScenarioWorld(scenario, how.execution);  // its mistakes are told with their places
-  if (world.bodies) how.secondsPerPicture = secondsPerPicture(scenario, world);
+  how.ask.pictures = !options.noPictures;
+  if (!options.rehearsal.empty()) how.rehearsal = positiveOption("--rehearsal", options.rehearsal);
+  if (world.bodies && how.ask.pictures) how.secondsPerPicture = secondsPerPicture(scenario, world);
   const Forecast forecast = foretell(scenario, how);
   if (options.output.json) printJson(toJson(forecast, scenario, how.execution));
   else print(describe(forecast, scenario.scene.name + ", " + name(how.execution.isa)));
@@ -95,6 +99,10 @@ void addParts(CLI::App& app, Action& action) {
   verb.needs("scenario", options->scenario, "FILE", "A scenario file");
   add(verb, options->scene);
   add(verb, options->execution);
+  verb.takes("--rehearsal", options->rehearsal, "N",
+             "Run the beginning for so many steps times vertices, by default 8e6: fewer are quicker and "
+             "foretell less");
+  verb.takes("--no-pictures", options->noPictures, "As of a run with --no-pictures");
   add(verb, options->output);
   verb.does([options] { return act(*options); });
 }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/multiples.h"
 #include "cli/frame_file.h"
 #include "simulation/measures.h"
 
@@ -100,9 +101,7 @@ void FrameCollector::observe(const World& world) {
   expectNext(world.clock.time);
 }
 
-void FrameCollector::expectNext(double time) {
-  while (static_cast<double>(next_) * *every_ <= time) ++next_;
-}
+void FrameCollector::expectNext(double time) { next_ = firstMultipleAfter(time, *every_); }
 
 void FrameCollector::resume(const World& world, const std::vector<std::string>& kept) {
   if (!every_ || !world.bodies) return;

@@ -4,8 +4,10 @@
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
+#include "base/floating_point.h"
 #include "cli/console.h"
 #include "cli/exit_codes.h"
+#include "cli/usable_memory.h"
 #include "cli/verbs.h"
 #include "store/build_info.h"
 #include "store/store_error.h"
@@ -117,6 +119,7 @@ Action parse(int argc, char** argv) {
 std::string commandLine() { return typed; }
 
 int runProgram(int argc, char** argv) {
+  setFloatingPoint();
   for (int i = 0; i < argc; ++i) typed += (i ? " " : "") + std::string(i ? argv[i] : "morula");
   try {
     const int code = parse(argc, argv)();
@@ -138,6 +141,9 @@ int runProgram(int argc, char** argv) {
   } catch (const FileError& error) {
     tellError(error.what());
     return file;
+  } catch (const std::bad_alloc&) {
+    tellError(std::string("there is no more memory; ") + outOfMemoryRemedy);
+    return numerical;
   } catch (const std::exception& error) {
     tellError(std::string("a bug of Morula's, please report it: ") + error.what());
     return bug;

@@ -36,20 +36,22 @@ std::string whyNot(Store& store, const RunRecord& record) {
   return "there is no unfinished run of " + record.scenario + " in " + store.file().string();
 }
 
-std::string named(const char* option, const std::optional<double>& every) {
-  return every ? fmt::format("{} every {}", option, *every) : fmt::format("no {}", option);
+std::string samplesOf(const std::optional<double>& every) {
+  return every ? fmt::format("samples every {}", *every) : "samples at start and end";
+}
+
+std::string hashesOf(const std::optional<std::uint64_t>& every) {
+  return every ? fmt::format("state hashes every {}", *every) : "no state hashes";
 }
 
 /// What was recorded in another way cannot be made up for.
 void requireSameRecords(const Checkpoint& c, const RecordOptions& now) {
-  const std::optional<double> then(c.hashEvery), hashes(now.hashEvery);
   if (c.every == now.every && c.hashEvery == now.hashEvery) return;
   throw UsageError(fmt::format(
       "--resume: the checkpoint was made with {} and {}, and now it is {} and {}; record as then (--no-check "
       "and "
       "the scenario's record and check decide), or leave out --resume to start from the beginning",
-      named("samples", c.every), named("state hashes", then), named("samples", now.every),
-      named("state hashes", hashes)));
+      samplesOf(c.every), hashesOf(c.hashEvery), samplesOf(now.every), hashesOf(now.hashEvery)));
 }
 
 }  // namespace

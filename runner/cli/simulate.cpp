@@ -1,11 +1,16 @@
 #include "cli/simulate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <new>
 
 #include "base/error.h"
 #include "cli/signals.h"
 #include "diagnose/diagnose.h"
+#include "cli/usable_memory.h"
 #include "parts/parts.h"
+#include "simulation/memory.h"
 
 namespace morula::cli {
 
@@ -22,11 +27,24 @@ std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const
   return steps;
 }
 
+/// What is recorded stays in memory until the run ends.
+void requireMemoryForRecords(const World& world, const Recorder& recorder) {
+  const double most = world.execution.memoryLimit / 2;
+  if (recorder.bytes() <= most) return;
+  throw NumericalError("", world.clock.step,
+                       "samples and hashes take " + bytesText(recorder.bytes()) +
+                           ", more than half of the memory limit of " +
+                           bytesText(world.execution.memoryLimit),
+                       "record less often (record.every), stop earlier, or raise --memory-limit");
+}
+
 }  // namespace
 
 World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
   try {
-    return makeWorld(scenario.scene, execution);
+    Execution limited = execution;
+    if (std::isinf(limited.memoryLimit)) limited.memoryLimit = usableMemory();
+    return makeWorld(scenario.scene, limited);
   } catch (const InputError& error) {
     // The simulator knows parameters, but not where they were written: "physics.time_step 0.02 is above …".
     const std::string what = error.what();
@@ -54,6 +72,7 @@ Simulation simulate(World world, Recorder recorder, Progress& progress, const Ru
   Simulation run{std::move(world), {}, {}, 0};
   const auto observe = [&] {
     recorder.observe(run.world);
+    requireMemoryForRecords(run.world, recorder);
     if (hooks.watch) hooks.watch(run.world);
     progress.show(run.world);
   };
@@ -79,6 +98,9 @@ Simulation simulate(World world, Recorder recorder, Progress& progress, const Ru
   } catch (const NumericalError& error) {
     status = RunStatus::failed;
     failure = error.what();
+  } catch (const std::bad_alloc&) {
+    status = RunStatus::failed;
+    failure = fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy);
   }
   progress.clear();
   run.end = endOf(run.world, status, failure);

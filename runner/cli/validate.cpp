@@ -16,6 +16,7 @@ namespace {
 struct ValidateOptions {
   std::vector<std::string> scenarios;
   SceneOptions scene;
+  ExecutionOptions execution;
   OutputOptions output;
   bool resolved = false;
 };
@@ -28,12 +29,13 @@ std::vector<std::string> lines(const std::string& text) {
 }
 
 int act(const ValidateOptions& options) {
+  const Execution how = execution(options.execution);
   int code = fine;
   Json list = Json::array();
   for (const auto& file : options.scenarios) {
     try {
       const auto scenario = loadScenario(file, overrides(options.scene));
-      makeScenarioWorld(scenario, {});  // the time step may be above the stability limit
+      makeScenarioWorld(scenario, how);  // the time step may be above the stability limit
       list.push_back({{"file", file},
                       {"valid", true},
                       {"scenario", scenario.scene.name},
@@ -64,6 +66,7 @@ void addValidate(CLI::App& app, Action& action) {
   Verb verb(app, action, "validate", "Tell all mistakes in scenario files");
   verb.needs("scenario", options->scenarios, "FILE", "Scenario files");
   add(verb, options->scene);
+  addMemoryLimit(verb, options->execution);
   verb.takes("--resolved", options->resolved,
              "Print every parameter, defaults and changes included, as JSON");
   add(verb, options->output);

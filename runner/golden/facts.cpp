@@ -37,7 +37,10 @@ class Builder {
   }
 
   void organism(const std::string& when, const WorldMeasures& m) {
-    const auto add = [&](const char* what, double v) { value(when, "organism", what, m.step, v); };
+    // What was not measured is 0 in a golden file.
+    const auto add = [&](const char* what, std::optional<double> v) {
+      value(when, "organism", what, m.step, v.value_or(0));
+    };
     add("cells", static_cast<double>(m.cells));
     add("volume", m.volume);
     add("kinetic_energy", m.kineticEnergy);

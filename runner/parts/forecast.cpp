@@ -45,11 +45,11 @@ Sums addUp(const Life& life, const std::vector<Outlook>& eras, const Scenario& s
       s.cellSearches += eras[i].searches * cells;
     }
     if (i > 0) s.upheavals += cells;
-    if (scenario.record.every) {
-      const double n = samplesIn(life.eras[i], i + 1 == life.eras.size(), *scenario.record.every);
-      s.samples += n;
-      s.sampledCells += n * cells;
-    }
+    const bool last = i + 1 == life.eras.size();
+    const auto& every = scenario.record.every;
+    const double n = every ? samplesIn(life.eras[i], last, *every) : (i == 0) + last;  // start and end
+    s.samples += n;
+    s.sampledCells += n * cells;
   }
   return s;
 }
@@ -122,7 +122,8 @@ double slowness(const Forecast& f, const Rehearsal& rehearsal, const StepRates& 
     counted.push_back({double(s.steps), double(s.rebuilds), double(s.pairs)});
     pairs += double(s.pairs);
   }
-  for (const auto& [name, cost] : costsOfSteps(rates, addUp(past, counted, scenario, isa), pairs, f.vertices))
+  for (const auto& [name, cost] : costsOfSteps(rates, addUp(past, counted, scenario, isa), pairs,
+                                               verticesPerCell(*rehearsal.world.bodies)))
     explained += *cost.seconds;
   const double took = rehearsal.seconds - rehearsal.upheavalSeconds;
   return explained > 0 ? std::clamp(took / explained, 1.0, 3.0) : 1;
@@ -140,13 +141,14 @@ void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const F
   Rehearsal rehearsal = rehearse(makeWorld(scenario.scene, options.execution), f.life, options.rehearsal);
   World& world = rehearsal.world;
   const Isa isa = options.execution.isa;
-  f.vertices = world.bodies->vertexCount();
+  f.vertices = world.bodies->mesh.vertexCount();
+  const double vertices = verticesPerCell(*world.bodies);
   f.rehearsed = rehearsal.whole;
   f.rehearsedTime = world.clock.time;
   const auto eras = lookAhead(f.life, rehearsal);
   const Sums sums = addUp(f.life, eras, scenario, isa);
   for (const Outlook& o : eras) f.steps += o.steps, f.searches += o.searches, f.pairs += o.pairs;
-  f.vertexSteps = sums.cellSteps * f.vertices;
+  f.vertexSteps = sums.cellSteps * vertices;
 
   const MemoryUse memory = foretellMemory(f.life, rehearsal);
   // Where everybody has died an egg stands in.
@@ -154,14 +156,14 @@ void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const F
   const StepRates rates =
       measureRates(world.bodies->count > 0 ? world : egg, double(memory.bodies + memory.contact()));
   const double factor = slowness(f, rehearsal, rates, scenario, isa);
-  for (const auto& [name, cost] : costsOfSteps(rates, sums, f.pairs, f.vertices))
+  for (const auto& [name, cost] : costsOfSteps(rates, sums, f.pairs, vertices))
     costs[name].seconds = factor * *cost.seconds;
   const double perUpheaval =
       rehearsal.upheavalCells ? rehearsal.upheavalSeconds / double(rehearsal.upheavalCells) : 0;
   costs["division"].seconds = perUpheaval * sums.upheavals;
   const ObservationRates watching = measureObservation(world);
-  costs["hashes"].seconds = watching.hash * f.vertices * sums.cellSteps / double(stepsPerHash);
-  costs["samples"].seconds = watching.sample * f.vertices * sums.sampledCells;
+  costs["hashes"].seconds = watching.hash * vertices * sums.cellSteps / double(stepsPerHash);
+  costs["samples"].seconds = watching.sample * vertices * sums.sampledCells;
 
   addMemory(costs, memory);
   costs["samples"].bytes = recordBytes(sums, world);

@@ -24,7 +24,7 @@ struct PartCost {
 struct Forecast {
   Life life;
   std::uint64_t cells = 0;  // the most that live at a time
-  int vertices = 0;         // of a cell; 0 without bodies
+  int vertices = 0;         // of the egg; 0 without bodies
   // The whole run, as it is foreseen; exact where it was rehearsed.
   double steps = 0, vertexSteps = 0, pairs = 0, searches = 0;
   bool rehearsed = false;       // from beginning to end

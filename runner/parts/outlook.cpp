@@ -35,7 +35,8 @@ ContactTrend measureContactTrend(const Life& life, const Rehearsal& rehearsal) {
     const double cells = double(life.eras[i].cells);
     const bool over = i + 1 < count || rehearsal.whole;
     if (s.pairs == 0 || cells < 2 || (!over && found)) continue;
-    const double pairs = double(s.pairs) / (double(s.steps) * cells * rehearsal.world.bodies->vertexCount()) /
+    const double pairs = double(s.pairs) /
+                         (double(s.steps) * cells * verticesPerCell(*rehearsal.world.bodies)) /
                          touchingShare(cells);
     // Freshly cut faces are crowded; the least crowded era is what others come to.
     trend = {found ? std::min(trend.pairs, pairs) : pairs, double(s.rebuilds), cells};
@@ -65,6 +66,10 @@ double idealLimit(const Scene& scene, int generation) {
 
 }  // namespace
 
+double verticesPerCell(const Bodies& b) {
+  return b.count > 0 ? double(b.livingVertices) / b.count : b.mesh.vertexCount();
+}
+
 double foretellTimeStepLimit(const Rehearsal& rehearsal, int generation) {
   const Scene& scene = rehearsal.world.model;
   const double ideal = idealLimit(scene, generation);
@@ -75,7 +80,7 @@ double foretellTimeStepLimit(const Rehearsal& rehearsal, int generation) {
 
 std::vector<Outlook> lookAhead(const Life& life, const Rehearsal& rehearsal) {
   const World& world = rehearsal.world;
-  const double vertices = world.bodies->vertexCount();
+  const double vertices = verticesPerCell(*world.bodies);
   const ContactTrend contact = measureContactTrend(life, rehearsal);
   std::vector<Outlook> all;
   int generation = -1;
@@ -96,7 +101,8 @@ std::vector<Outlook> lookAhead(const Life& life, const Rehearsal& rehearsal) {
     } else if (era.generation != generation) {
       generation = era.generation;
       const auto& fixed = world.bodies->parameters.timeStep;
-      timeStep = fixed ? *fixed : powerOfTwoBelow(foretellTimeStepLimit(rehearsal, generation));
+      timeStep =
+          fixed ? *fixed : automaticTimeStep(world.model.cycle, foretellTimeStepLimit(rehearsal, generation));
     }
     const double steps = std::ceil(std::max(era.to - from, 0.0) / timeStep);
     o.steps += steps;
@@ -127,7 +133,7 @@ MemoryUse foretellMemory(const Life& life, const Rehearsal& rehearsal) {
     const double pairs = double(world.contacts->list.pairs);
     const double perPair = here > 1 && pairs > 0 ? double(m.listPairs) / pairs : 12;
     const double perVertex = measureContactTrend(life, rehearsal).pairs * touchingShare(cells);
-    m.listPairs = static_cast<std::size_t>(perPair * perVertex * cells * b.vertexCount());
+    m.listPairs = static_cast<std::size_t>(perPair * perVertex * cells * verticesPerCell(b));
   }
   return m;
 }

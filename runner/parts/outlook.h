@@ -2,8 +2,8 @@
 // From the eras that were rehearsed to those that were not.
 #include <vector>
 
-#include "parts/memory.h"
 #include "parts/rehearsal.h"
+#include "simulation/memory.h"
 
 namespace morula {
 
@@ -16,6 +16,10 @@ struct Outlook {
 /// times what the rehearsal has found real cells to lose against them with each division, being uneven and
 /// pressed.
 double foretellTimeStepLimit(const Rehearsal& rehearsal, int generation);
+
+/// [vertices] Of a cell, in the mean over those that live: cells may have different meshes. Of the egg if
+/// none lives.
+double verticesPerCell(const Bodies& bodies);
 
 /// One for each era of a life with bodies.
 std::vector<Outlook> lookAhead(const Life& life, const Rehearsal& rehearsal);

@@ -134,7 +134,7 @@ void addRecord(std::vector<Part>& parts, const Scenario& scenario, const RunAsk&
   const auto& record = scenario.record;
   parts.push_back(record.every ? Part{"samples", true, fmt::format("every {:.6g}", *record.every),
                                       why.of({"record.every"})}
-                               : absent("samples", "record.every"));
+                               : Part{"samples", true, "start and end", "default"});
   const std::string golden = ask.golden.empty() ? "" : "golden file " + ask.golden;
   if (wantsHashes(scenario, !golden.empty()))
     parts.push_back(

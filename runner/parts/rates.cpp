@@ -171,10 +171,10 @@ void measureOwnStep(World& world, OtherMemory& memory, StepRates& rates) {
   open.shell.reset();
   const PhysicsStages inTheOpen = chooseStages(open, world.execution.isa);
   const auto drift = [&](const BlockView& block, int) {
-    inTheOpen.drift(b.mesh.view(), block, b.kernelParameters, world.clock.timeStep);
+    inTheOpen.drift(b.meshAt(block.coarseness).view(), block, b.kernelParameters, world.clock.timeStep);
   };
   const auto end = [&](const BlockView& block, int) {
-    inTheOpen.kick(b.mesh.view(), block, b.kernelParameters, world.clock.timeStep);
+    inTheOpen.kick(b.meshAt(block.coarseness).view(), block, b.kernelParameters, world.clock.timeStep);
   };
   rates.integration = trial.timePass(memory, drift) + trial.timePass(memory, end);
   const double inOnePass = trial.time([&](const BlockView& block, int i) { drift(block, i), end(block, i); });
@@ -213,14 +213,15 @@ void measureContact(World& world, OtherMemory& memory, StepRates& rates) {
   if (c.parameters.law == ContactLaw::pair && c.parameters.friction > 0) {
     ContactParameters smooth = c.parameters;
     smooth.friction = 0;
-    const auto own = std::exchange(
-        c.addForces, makeContacts(smooth, world.execution.isa, {}, b.parameters.precision).addForces);
+    const auto own = std::exchange(c.addForces, makeContacts(smooth, world.execution.isa, {},
+                                                             b.parameters.precision, b.parameters.cell.model)
+                                                    .addForces);
     rates.frictionOfPair = std::max(forces - timeForces(world, memory, trial), 0.0) / perVertex;
     rates.pair -= rates.frictionOfPair;
     c.addForces = own;
   }
-  Contacts other =
-      makeContacts(c.parameters, world.execution.isa, world.execution.search, b.parameters.precision);
+  Contacts other = makeContacts(c.parameters, world.execution.isa, world.execution.search,
+                                b.parameters.precision, b.parameters.cell.model);
   resetContacts(other, b);
   rates.search = fromMemory(
                      memory, [&] { other.listIsValid = false; }, [&] { refreshList(other, b, 1); }) /

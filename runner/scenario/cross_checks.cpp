@@ -7,6 +7,7 @@
 #include "biology/substances.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/numbers.h"
+#include "simulation/world.h"
 
 namespace morula::scenario {
 
@@ -226,6 +227,21 @@ void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
 
 }  // namespace
 
+namespace {
+
+/// More would be neither stored nor looked at in any reasonable time.
+void checkInterval(const std::string& path, std::optional<double> every, double most, const char* of,
+                   const Scenario& scenario, Reading& reading, const Node& root) {
+  const auto end = plannedEnd(scenario.scene);
+  if (!every || !end || *end / *every <= most) return;
+  reading.problems.add(placeOf(root, path), path,
+                       formatReal(*every) + " makes more than " + formatReal(most) + " " + of +
+                           " until the run's end at " + formatReal(*end),
+                       "needs at least " + formatReal(*end / most) + " [time]");
+}
+
+}  // namespace
+
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkSubstances(scenario.scene.dna, reading);
   checkReason(scenario.check, reading, root);
@@ -241,6 +257,8 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkConnections(scenario, reading, root);
     checkBullet(scenario, reading, root);
   }
+  checkInterval("record.every", scenario.record.every, 1e7, "samples", scenario, reading, root);
+  checkInterval("record.pictures", scenario.record.pictures, 1e5, "pictures", scenario, reading, root);
   if (scenario.record.pictures && !scenario.scene.mechanics)
     reading.problems.add(placeOf(root, "record.pictures"), "record.pictures",
                          "cells without bodies cannot be drawn", "add a physics block or remove this");

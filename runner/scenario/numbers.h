@@ -25,14 +25,17 @@ struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool openLow = false;
+  bool ordinary = false;  // and nothing that is smaller or larger than ordinary numbers
 
   bool holds(double value) const { return (openLow ? value > low : value >= low) && value <= high; }
   /// "> 0", "≥ 0", "from 0 to 4"; empty if everything is allowed.
   std::string text() const;
 };
 
-inline constexpr Range positive{.low = 0, .openLow = true};
-inline constexpr Range notNegative{.low = 0};
+inline constexpr Range positive{.low = 0, .openLow = true, .ordinary = true};
+inline constexpr Range notNegative{.low = 0, .ordinary = true};
+/// What an ordinary number is, unless it is 0: its cube, and products of a few such numbers, are numbers still.
+inline constexpr Range ordinaryNumbers{.low = 1e-30, .high = 1e30};
 
 /// The shortest decimal text that reads back as the same number: "0.1", "40", "1e+30".
 std::string formatReal(double value);

@@ -11,6 +11,9 @@ namespace {
 constexpr const char* form = "maps, as [{at: [0, 0, 0]}, {at: [2.5, 0, 0], velocity: [-1, 0, 0]}]";
 const std::vector<std::string> keys{"at", "velocity", "scale", "stretch", "mass", "substances"};
 
+// One cell among others may be out of all proportion.
+constexpr Range anyPositive{.low = 0, .openLow = true};
+
 /// Reads one cell of the list; `path` is "cells[2]".
 class CellReader {
  public:
@@ -53,7 +56,7 @@ class CellReader {
   std::optional<double> number(const char* key, const char* unit) {
     const auto* member = node_.find(key);
     if (!member) return {};
-    return readReal(member->value, positive, path_ + "." + key, numberAllowed(positive, unit),
+    return readReal(member->value, anyPositive, path_ + "." + key, numberAllowed(positive, unit),
                     reading_.problems);
   }
 

@@ -61,6 +61,9 @@ std::optional<double> readReal(const Node& node, const Range& range, const std::
     problems.add(node.place, path, describe(node) + " " + number.wrong, "needs " + allowed);
   else if (!range.holds(number.value))
     problems.add(node.place, path, node.text + " is out of range", "needs " + allowed);
+  else if (range.ordinary && number.value != 0 && !ordinaryNumbers.holds(number.value))
+    problems.add(node.place, path, node.text + " is out of range",
+                 "needs " + allowed + (range.openLow ? ", " : ", 0 or ") + ordinaryNumbers.text());
   else return number.value;
   return {};
 }

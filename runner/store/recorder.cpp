@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/multiples.h"
 #include "simulation/hash.h"
 #include "simulation/world.h"
 
@@ -29,11 +30,11 @@ std::uint64_t Recorder::stepsUntilDue(const World& world) const {
 }
 
 bool Recorder::isDue(double time) const {
-  return options_.every && time >= static_cast<double>(next_) * *options_.every;
+  return options_.every ? time >= static_cast<double>(next_) * *options_.every : next_ == 0;
 }
 
 void Recorder::expectNext(double time) {
-  while (static_cast<double>(next_) * *options_.every <= time) ++next_;
+  next_ = options_.every ? firstMultipleAfter(time, *options_.every) : 1;
 }
 
 void Recorder::resume(const World& world, const RunResults& earlier) {
@@ -53,11 +54,15 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
 void Recorder::hash(const World& world) {
   auto& chain = results_.chain;
   chain.push_back(nextLink(chain.empty() ? std::nullopt : std::optional(chain.back().hash), world));
+  bytes_ += double(sizeof(ChainLink) + chain.back().state.cells.size() * sizeof(CellHash));
 }
 
 void Recorder::sample(const World& world) {
   results_.samples.push_back({measureWorld(world), measureCells(world), measureContacts(world)});
   for (const CellMeasures& c : results_.samples.back().cells) describe(world, c.state);
+  const Sample& taken = results_.samples.back();
+  bytes_ += double(sizeof(Sample) + taken.cells.size() * sizeof(CellMeasures) +
+                   taken.contacts.size() * sizeof(ContactMeasures));
   sampled_ = true;
 }
 
@@ -69,7 +74,7 @@ void Recorder::describe(const World& world, StateId state) {
 RunResults Recorder::take(const World& world, bool failed) {
   const bool measuredAlready =
       !results_.samples.empty() && results_.samples.back().world.step == world.clock.step;
-  if (options_.every && !failed && !measuredAlready) sample(world);
+  if (!failed && !measuredAlready) sample(world);
   if (options_.hashEvery && !failed && results_.chain.back().step != world.clock.step) hash(world);
 
   for (const LineageEntry& e : world.lineage.entries) describe(world, e.state);

@@ -9,7 +9,8 @@ namespace morula {
 struct World;
 
 struct RecordOptions {
-  std::optional<double> every;  // [time] sample at 0, every, 2·every, … and at the end; absent: no samples
+  std::optional<double> every;  // [time] sample at 0, every, 2·every, … and at the end; absent: at the start
+                                // and at the end only
   std::optional<std::uint64_t> hashEvery;  // [steps] a link of the chain of hashes at step 0, hashEvery, …
                                            // and at the end; absent: none
 };
@@ -34,6 +35,8 @@ class Recorder {
   /// The samples so far.
   const std::vector<Sample>& samples() const { return results_.samples; }
   const std::vector<ChainLink>& chain() const { return results_.chain; }
+  /// [byte] That samples and hashes so far take.
+  double bytes() const { return bytes_; }
   const RecordOptions& options() const { return options_; }
   /// Samples and hashes so far, with the texts of the states in them; nothing else yet.
   const RunResults& records() const { return results_; }
@@ -51,8 +54,10 @@ class Recorder {
   void expectNext(double time);
 
   RecordOptions options_;
-  std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every
+  std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every; without `every` only
+                            // number 0 is ever due
   bool sampled_ = false;
+  double bytes_ = 0;
   RunResults results_;
 };
 

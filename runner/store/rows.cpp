@@ -58,11 +58,8 @@ void insertSamples(Database& db, const std::string& id, const RunResults& result
   for (const Sample& s : results.samples) {
     const WorldMeasures& w = s.world;
     if (!isNew(w.step, after)) continue;
-    // What the scene does not have was not measured: no bodies, no volume; no shell, nothing outermost.
-    const auto measured = [](double value, bool has) { return has ? std::optional(value) : std::nullopt; };
-    const bool bodies = w.volume != 0, shell = w.outermost != 0;
-    whole.run(id, w.time, w.cells, w.step, measured(w.volume, bodies), measured(w.kineticEnergy, bodies),
-              measured(w.meanPressure, bodies), measured(w.shellFill, shell), measured(w.outermost, shell));
+    whole.run(id, w.time, w.cells, w.step, w.volume, w.kineticEnergy, w.meanPressure, w.shellFill,
+              w.outermost);
     for (const CellMeasures& c : s.cells)
       cell.run(id, w.time, c.path.text(), c.volume, c.area, c.pressure, c.centroid.x, c.centroid.y,
                c.centroid.z, c.sphericity, c.neighbours, stateText(results, c.state));

@@ -130,9 +130,11 @@ void readSamples(Database& db, const std::string& id, RunResults& results, State
     Sample& sample = results.samples.emplace_back();
     WorldMeasures& w = sample.world;
     w = {.time = whole.real(0), .step = whole.natural(1), .cells = whole.natural(2)};
-    if (!whole.isNull(3))
-      w.volume = whole.real(3), w.kineticEnergy = whole.real(4), w.meanPressure = whole.real(5);
-    if (!whole.isNull(7)) w.shellFill = whole.real(6), w.outermost = whole.real(7);
+    const auto measured = [&](int column) {
+      return whole.isNull(column) ? std::nullopt : std::optional(whole.real(column));
+    };
+    w.volume = measured(3), w.kineticEnergy = measured(4), w.meanPressure = measured(5);
+    w.shellFill = measured(6), w.outermost = measured(7);
     for (cell.start(id, w.time); cell.next();)
       sample.cells.push_back({.path = CellPath::parse(cell.text(0)),
                               .state = numberOf(cell.text(1)),

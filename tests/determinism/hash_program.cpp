@@ -7,6 +7,7 @@
 #include <iostream>
 #include <locale>
 
+#include "base/floating_point.h"
 #include "scenes.h"
 #include "simulation/hash.h"
 
@@ -72,6 +73,7 @@ void run(const Scene& scene, const Execution& execution) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  setFloatingPoint();
   std::setlocale(LC_ALL, "");  // as the environment says
   Execution execution;
   for (int i = 1; i < argc; ++i) {

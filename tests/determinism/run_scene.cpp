@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/floating_point.h"
 #include "scene_text.h"
 #include "simulation/hash.h"
 #include "simulation/world.h"
@@ -65,6 +66,7 @@ void run(const Scene& scene, const Chain& chain, const Execution& execution) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+  setFloatingPoint();
   Execution execution;
   if (argc == 5 && std::strcmp(argv[1], "--isa") == 0) execution.isa = parseIsa(argv[2]);
   else if (argc != 3) {

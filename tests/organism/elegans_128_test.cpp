@@ -16,11 +16,11 @@ TEST_CASE("elegans-128: 128 cells fill the shell; none escapes, inverts or overl
     step(world);
     for (int slot = 0; slot < world.bodies->count; ++slot)
       smallest = std::min(smallest, world.bodies->volume[slot] * world.bodies->count);
-    if (world.clock.step % 8 == 0) outermost = std::max(outermost, measureWorld(world).outermost);
+    if (world.clock.step % 8 == 0) outermost = std::max(outermost, measureWorld(world).outermost.value());
   }
   const WorldMeasures end = measureWorld(world);
   CHECK(end.cells == 128);
-  CHECK(std::max(outermost, end.outermost) <= 1 + 1e-6);  // every vertex inside, in shell radii
+  CHECK(std::max(outermost, end.outermost.value()) <= 1 + 1e-6);  // every vertex inside, in shell radii
   CHECK(smallest > 1.0);  // times the cells, so of the egg's 4.05: no cell came near to turning inside out
   CHECK(end.shellFill >= 0.85);
   CHECK(measureMeanOverlap(world) < 0.02);

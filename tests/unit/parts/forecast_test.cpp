@@ -6,12 +6,12 @@
 #include "bench/packed_world.h"
 #include "bench/work.h"
 #include "catch.h"
-#include "parts/memory.h"
 #include "parts/outlook.h"
 #include "parts/rates.h"
 #include "scenes.h"
 #include "simulation/hash.h"
 #include "simulation/measures.h"
+#include "simulation/memory.h"
 
 using namespace morula;
 

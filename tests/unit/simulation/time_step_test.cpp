@@ -61,7 +61,7 @@ TEST_CASE("Drag alone has a limit too: a cell in thick medium comes to rest, and
       World world = makeWorld(scene);
       CHECK(world.clock.timeStep * drag <= 0.8 * (integrator == Integrator::velocityVerlet ? 1 : 2));
       for (int i = 0; i < 2000; ++i) step(world);
-      CHECK(measureWorld(world).kineticEnergy < 0.01);
+      CHECK(measureWorld(world).kineticEnergy.value() < 0.01);
       CHECK(std::abs(centreOf(world, "").x) < 2 / drag);
       scene.mechanics->physics.timeStep = 2.5 / drag;
       if (drag >= 1e3) CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("of its drag"));
@@ -255,7 +255,7 @@ TEST_CASE("XPBD's automatic step goes by contacts alone, and without them there 
   p.integrator = Integrator::xpbd;
   CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("this scene has none") &&
                                           ContainsSubstring("give physics.time_step a number"));
-  p.timeStep = 10;  // any other integrator is refused
+  p.timeStep = 1;  // any other integrator is refused
   CHECK_NOTHROW(makeWorld(scene));
   p.timeStep.reset();
   scene.mechanics->contact = scenes::thesisContact;
@@ -292,7 +292,7 @@ TEST_CASE(
       } catch (const NumericalError&) {
         return INFINITY;  // thrown so fast that it is noticed
       }
-      largest.see(measureWorld(world).kineticEnergy);
+      largest.see(measureWorld(world).kineticEnergy.value());
     }
     return largest;
   };

@@ -43,7 +43,7 @@ inline RunResults exampleResults() {
   start.world = {.time = 0, .step = 0, .cells = 1, .volume = 4.1887902047863905};
   start.cells.resize(1);
   start.cells[0].state = 3;
-  start.cells[0].volume = start.world.volume;
+  start.cells[0].volume = *start.world.volume;
   later.world = {.time = 0.1 + 0.2,
                  .step = 700,
                  .cells = 1,

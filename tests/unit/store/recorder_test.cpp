@@ -45,10 +45,12 @@ struct Run {
 
 }  // namespace
 
-TEST_CASE("nothing is measured that was not asked for") {
+TEST_CASE("a run that was asked for nothing is measured at its start and at its end") {
   Run run(fourCells(true), {});
   const RunResults results = run.recorder.take(run.world);
-  CHECK(results.samples.empty());
+  REQUIRE(results.samples.size() == 2);
+  CHECK(results.samples[0].world.step == 0);
+  CHECK(results.samples[1].world.step == run.world.clock.step);
   CHECK(results.chain.empty());
   CHECK(results.lineage.size() == 7);
   CHECK(results.timeSteps.size() == run.world.timeSteps.size());

@@ -15,6 +15,11 @@ bool sameBits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
+/// What was not measured comes back as not measured.
+bool sameBits(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? sameBits(*a, *b) : a == b;
+}
+
 struct Stored {
   TemporaryFolder folder;
   std::string id;

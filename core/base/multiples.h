@@ -1,0 +1,21 @@
+#pragma once
+// Times that come back at equal intervals: 0, every, 2·every, …
+#include <cstdint>
+
+namespace morula {
+
+/// The smallest n for which n·every, rounded to a double, is larger than `time` ≥ 0; every > 0. In a fixed
+/// number of operations, however small the interval is. Where n would not be exact as a double, 2^53: an
+/// interval that is so short has no next multiple that can be told from the time itself.
+inline std::uint64_t firstMultipleAfter(double time, double every) {
+  constexpr double exact = 0x1p53;
+  const double quotient = time / every;
+  if (!(quotient < exact)) return std::uint64_t(1) << 53;
+  // The quotient is off by less than its rounding, and the product may be rounded to the time itself.
+  auto n = static_cast<std::uint64_t>(quotient);
+  n = n < 2 ? 0 : n - 2;
+  for (int i = 0; i < 5 && static_cast<double>(n) * every <= time; ++i) ++n;
+  return n;
+}
+
+}  // namespace morula

@@ -1,0 +1,133 @@
+#include "simulation/memory.h"
+
+#include "base/error.h"
+#include "base/number_text.h"
+
+namespace morula {
+
+namespace {
+
+template <class Array>
+std::size_t bytesOf(const Array& array) {
+  return array.size() * sizeof(array[0]);
+}
+std::size_t bytesOf(const Reals& array) { return array.bytes(); }
+
+template <class... Arrays>
+std::size_t bytes(const Arrays&... arrays) {
+  return (bytesOf(arrays) + ... + 0);
+}
+
+std::size_t bytes(const PointTable& t) { return bytes(t.x, t.y, t.z, t.slot, t.halfReach, t.vertex); }
+
+std::size_t searchBytes(const GridSearch& s) { return bytes(s.start, s.binOf) + bytes(s.points); }
+std::size_t searchBytes(const SpatialHash& s) { return bytes(s.start, s.binOf) + bytes(s.points); }
+std::size_t searchBytes(const BruteForce&) { return 0; }
+std::size_t searchBytes(const TreeSearch& s) {
+  std::size_t sum = bytes(s.boxes) + bytes(s.points);
+  for (const TreeShape& shape : s.shapes) sum += bytes(shape.nodes, shape.order);
+  for (const TreeSearch::Scratch& scratch : s.scratch) {
+    sum += bytes(scratch.open);
+    for (const auto& row : scratch.rows) sum += bytes(row);
+  }
+  return sum;
+}
+
+// [byte] A lineage entry, its copy in the results, its row in the database, its place in the picture of the
+// tree.
+constexpr double perCellEver = 400;
+
+/// [byte] Of a vertex in storage.
+double perVertex(const MechanicsScene& m) {
+  const double vector = 3 * (m.physics.precision == Precision::binary64 ? 8 : 4);
+  double bytes = 3 * vector;                                                 // place, velocity, acceleration
+  bytes += 2 * sizeof(Vector);                                               // Body, while cells divide
+  if (m.physics.integrator == Integrator::rungeKutta4) bytes += 4 * vector;  // Bodies::substeps
+  if (!m.contact && !m.connections) bytes += 3 * vector;                     // BodyCopy
+  // Snapshot, NeighbourList::reference, PointTable, BlockLists.
+  if (m.contact) bytes += sizeof(RowMemory) + vector + 6 * sizeof(double) + 4 * sizeof(std::int32_t);
+  return bytes;
+}
+
+double storedVertices(const World& world) {
+  return world.bodies ? double(world.bodies->lineCount()) * blockLanes : 0;
+}
+
+/// Half a sentence, or "" if there is memory enough.
+std::string problemOf(const World& world, double cellsEver, double vertices) {
+  const double bytes = predictMemory(world.model, cellsEver, vertices);
+  if (bytes <= world.execution.memoryLimit) return "";
+  return "would take " + bytesText(bytes) + " of memory, more than the limit of " +
+         bytesText(world.execution.memoryLimit);
+}
+
+}  // namespace
+
+std::string bytesText(double bytes) {
+  if (bytes >= 1e9) return numberText(bytes / 1e9, 3) + " GB";
+  return numberText(bytes / 1e6, 3) + " MB";
+}
+
+double predictMemory(const Scene& scene, double cellsEver, double vertices) {
+  return cellsEver * perCellEver + (scene.mechanics ? vertices * perVertex(*scene.mechanics) : 0);
+}
+
+double memoryForLists(const World& world) {
+  return world.execution.memoryLimit -
+         predictMemory(world.model, double(world.lineage.entries.size()), storedVertices(world));
+}
+
+void requireMemory(const World& world, const CellPath& cell, double cellsEver, double vertices) {
+  const std::string problem = problemOf(world, cellsEver, vertices);
+  if (problem.empty()) return;
+  throw NumericalError(
+      cell.text(), world.clock.step,
+      "its division " + problem + ": " + numberText(cellsEver, 15) + " cells have ever lived" +
+          (world.bodies ? ", and the living have " + numberText(vertices, 15) + " vertices" : ""),
+      std::string("stop earlier (stop.cells, stop.cycles, stop.time), let fewer cells divide (dna), ") +
+          (world.bodies ? "take a coarser physics.mesh, " : "") + "or raise --memory-limit");
+}
+
+void requireMemoryForStart(const World& world) {
+  if (!world.model.mechanics) return;
+  const MechanicsScene& m = *world.model.mechanics;
+  const std::size_t cells = world.cells.path.size();
+  const double each = m.physics.cell.model == CellModel::sphere ? 1 : double(m.mesh.vertices.size());
+  const double lanes = double((cells + blockLanes - 1) / blockLanes * blockLanes);
+  const std::string problem = problemOf(world, double(world.lineage.entries.size()), lanes * each);
+  if (problem.empty()) return;
+  throw InputError((world.model.cells.empty() ? "physics.mesh " : "cells ") + std::to_string(cells) +
+                   (cells == 1 ? " cell of " : " cells of ") + numberText(each, 15) +
+                   (each == 1 ? " vertex " : " vertices ") + problem +
+                   "; take a coarser physics.mesh, begin with fewer cells, or raise --memory-limit");
+}
+
+MemoryUse measureMemory(const World& world) {
+  MemoryUse m;
+  const Cells& c = world.cells;
+  m.cells = bytes(c.path, c.state, c.lastCycle, c.growth, c.entry) + bytes(world.lineage.entries);
+  if (world.bodies) {
+    const Bodies& b = *world.bodies;
+    m.mesh = bytes(b.mesh.mesh.vertices, b.mesh.mesh.faces, b.mesh.edges, b.mesh.restLengths,
+                   b.mesh.ringStart, b.mesh.ring);
+    m.bodies = bytes(b.position, b.velocity, b.acceleration, b.substeps, b.vertexMass, b.restScale,
+                     b.pressureConstant, b.volume, b.pressure, b.slots, b.blocks);
+    for (const Bodies::Scratch& s : b.scratch) m.scratch += bytes(s.predicted, s.gradient, s.coefficient);
+  }
+  if (world.contacts) {
+    const Contacts& k = *world.contacts;
+    m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.list.reference);
+    m.listRows = bytes(k.list.firstSlice);
+    m.listPairs = bytes(k.list.slices, k.list.indices);
+    for (const BlockLists& lists : k.list.perBlock) {
+      m.listRows += bytes(lists.begin, lists.length, lists.order, lists.place);
+      m.listPairs += bytes(lists.neighbours);
+    }
+    m.search = bytes(k.list.halfReach) +
+               std::visit([](const auto& search) { return searchBytes(search); }, k.list.search);
+  }
+  if (world.connections) m.connections = bytes(world.connections->history, world.connections->active);
+  return m;
+}
+
+}  // namespace morula

@@ -1,0 +1,60 @@
+#include "cli/usable_memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "cli/exit_codes.h"
+#include "scenario/numbers.h"
+
+namespace morula::cli {
+
+namespace {
+
+constexpr double share = 0.9;
+
+/// [byte] What stands behind the line's name in /proc/meminfo; infinite if it does not say.
+double freeOfMachine() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string name;
+    double kilobytes = 0;
+    if (words >> name >> kilobytes && name == "MemAvailable:") return 1024 * kilobytes;
+  }
+  return INFINITY;
+}
+
+/// [byte] The only number in a file of the control groups; infinite if it is "max", or not there.
+double numberIn(const std::string& file) {
+  double number = 0;
+  return std::ifstream(file) >> number ? number : INFINITY;
+}
+
+/// Control groups of version 2, as containers see their own.
+double freeOfGroup() {
+  const double most = numberIn("/sys/fs/cgroup/memory.max");
+  const double used = numberIn("/sys/fs/cgroup/memory.current");
+  return std::isinf(most) || std::isinf(used) ? INFINITY : std::max(most - used, 0.0);
+}
+
+}  // namespace
+
+double usableMemory() { return share * std::min(freeOfMachine(), freeOfGroup()); }
+
+double sizeOption(const std::string& option, const std::string& text) {
+  const std::string needs = "; needs a size > 0, as 500M or 8G (10⁶ or 10⁹ bytes)";
+  const char last = text.empty() ? ' ' : text.back();
+  const double unit = last == 'k' || last == 'K' ? 1e3
+                      : last == 'M'              ? 1e6
+                      : last == 'G'              ? 1e9
+                      : last == 'T'              ? 1e12
+                                                 : 1;
+  const auto number = scenario::parseReal(unit == 1 ? text : text.substr(0, text.size() - 1));
+  if (!number.wrong.empty()) throw UsageError(option + ": '" + text + "' " + number.wrong + needs);
+  if (!(number.value > 0)) throw UsageError(option + ": " + text + " is out of range" + needs);
+  return number.value * unit;
+}
+
+}  // namespace morula::cli

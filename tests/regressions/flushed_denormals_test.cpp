@@ -1,0 +1,51 @@
+// A library loaded before the program that had the processor flush denormal numbers to zero, or round upward,
+// changed results; the same run in an ordinary environment was then told as one whose input had changed. The
+// program sets rounding and denormals itself.
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+#include "store/database.h"
+
+using namespace morula;
+using namespace morula::test;
+
+namespace {
+
+struct Seen {
+  std::string stateHash, fpEnvironment;
+};
+
+Seen runWith(const std::string& rounding, const std::string& threads) {
+  const TemporaryFolder folder;
+  Environment environment;
+  if (!rounding.empty())
+    environment = {{"LD_PRELOAD", MORULA_OTHER_ROUNDING},
+                   {"OTHER_ROUNDING", rounding},
+                   {"ASAN_OPTIONS", "verify_asan_link_order=0:detect_leaks=0"}};
+  const auto file = folder / "runs.db";
+  const auto run = launch(
+      {"run", "scenarios/hard/denormal-velocity.yaml", "--json", "--quiet", "--no-pictures", "--no-check",
+       "--threads", threads, "--set", "stop.time=0.25", "--db", file, "--out", folder / "out"},
+      environment);
+  CAPTURE(run.err);
+  REQUIRE(run.code == 0);
+  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+  Statement environmentOfRun(db, "SELECT fp_environment FROM run");
+  REQUIRE(environmentOfRun.next());
+  return {nlohmann::json::parse(run.out).at("state_hash"), environmentOfRun.text(0)};
+}
+
+}  // namespace
+
+TEST_CASE("the environment's rounding and denormals change no result") {
+  const Seen usual = runWith("", "1");
+  CHECK(usual.fpEnvironment.find("nearest, denormals kept") == 0);
+  for (const char* rounding : {"flush", "up"})
+    for (const char* threads : {"1", "2"}) {
+      CAPTURE(rounding, threads);
+      const Seen other = runWith(rounding, threads);
+      CHECK(other.stateHash == usual.stateHash);
+      CHECK(other.fpEnvironment == usual.fpEnvironment);
+    }
+}

@@ -1,0 +1,63 @@
+// Without `record` nothing was sampled, although "only start and end" was documented; and an organism whose
+// cells had all died was stored as one without bodies. Every run has a sample of its start and of its end;
+// what was not measured is NULL, and what was measured is not.
+#include "catch.h"
+#include "launch.h"
+#include "store/database.h"
+
+using namespace morula;
+using namespace morula::test;
+
+namespace {
+
+const char* const dies =
+    "morula: 1\nname: dies\ndna: |\n  START: a0\n  g1(die|a0)\nstop: {cycles: 1}\n"
+    "physics:\n  mesh: {icosphere: 1}\n  shell: {sphere: 1}\n  cell: {radius: 0.9}\n";
+
+/// A scenario without record.
+const char* const lives = "morula: 1\nname: lives\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 2}\n";
+
+struct Stored {
+  TemporaryFolder folder;
+  Database db;
+  explicit Stored(const std::string& scenario) : db(runAndOpen(folder, scenario)) {}
+  static Database runAndOpen(const TemporaryFolder& folder, const std::string& scenario) {
+    writeWhole(folder / "scene.yaml", scenario);
+    const auto run = launch({"run", folder / "scene.yaml", "--quiet", "--no-pictures", "--db",
+                             folder / "runs.db", "--out", folder / "out"});
+    CAPTURE(run.err);
+    REQUIRE(run.code == 0);
+    return {folder / "runs.db", Database::Mode::existing, std::chrono::seconds(1)};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a run without record has a sample of its start and of its end") {
+  for (const std::string physics : {"", "physics: {mesh: {icosphere: 1}}\n"}) {
+    Stored stored(lives + physics);
+    Statement samples(stored.db, "SELECT time, volume IS NULL FROM sample ORDER BY time");
+    REQUIRE(samples.next());
+    CHECK(samples.real(0) == 0);
+    CHECK(samples.integer(1) == physics.empty());
+    REQUIRE(samples.next());
+    CHECK(samples.real(0) == Approx(2));
+    CHECK(!samples.next());
+  }
+}
+
+TEST_CASE("where all cells have died there are bodies, but none alive") {
+  Stored stored(dies);
+  Statement last(
+      stored.db,
+      "SELECT cells, volume, kinetic_energy, shell_fill, mean_pressure IS NULL, outermost IS NULL FROM "
+      "sample ORDER BY time DESC LIMIT 1");
+  REQUIRE(last.next());
+  CHECK(last.integer(0) == 0);
+  for (int column : {1, 2, 3}) {
+    CHECK(!last.isNull(column));
+    CHECK(last.real(column) == 0);
+  }
+  CHECK(last.integer(4) == 1);
+  CHECK(last.integer(5) == 1);
+}
