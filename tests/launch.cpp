@@ -55,6 +55,8 @@ int waitFor(int process) {
 
 }  // namespace
 
+std::string programFile() { return MORULA_PROGRAM; }
+
 Launched launch(const std::vector<std::string>& arguments, const Environment& environment,
                 const std::function<void(int)>& meanwhile) {
   const TemporaryFolder folder;

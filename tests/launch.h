@@ -15,6 +15,9 @@ struct Launched {
 
 using Environment = std::map<std::string, std::string>;
 
+/// The built program, for tests that start it through a shell.
+std::string programFile();
+
 /// Runs `morula arguments…` in the source folder and waits for its end.
 Launched launch(const std::vector<std::string>& arguments, const Environment& environment = {});
 

@@ -1,8 +1,11 @@
 #include "bench/body_file.h"
 
-#include <fstream>
+#include <sstream>
 
 #include "base/error.h"
+#include "files/folders.h"
+#include "files/read_file.h"
+#include "files/write_file.h"
 
 namespace morula {
 
@@ -14,6 +17,8 @@ struct Header {
   Hash key;
   std::uint64_t count = 0, vertices = 0;
 };
+
+constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30;
 
 template <class T>
 bool readRaw(std::istream& in, T* to, std::size_t n) {
@@ -33,13 +38,14 @@ Hash digest(const std::vector<double>& numbers) {
 }  // namespace
 
 std::optional<std::vector<Body>> readBodies(const std::filesystem::path& file, const Hash& key) {
-  std::ifstream in(file, std::ios::binary);
+  if (!fileExists(file)) return {};
+  const std::string bytes = readFile(file, maxBytes);
+  const std::uint64_t size = bytes.size();
+  std::istringstream in(bytes);
   Header header;
   if (!readRaw(in, &header, 1) || header.key != key) return {};
   const std::size_t perBody = 3 + 6 * header.vertices;
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (error || header.vertices > size || size != sizeof header + header.count * perBody * 8 + sizeof(Hash))
+  if (header.vertices > size || header.count > size || size != sizeof header + header.count * perBody * 8 + sizeof(Hash))
     return {};
   std::vector<double> numbers(header.count * perBody);
   Hash stored;
@@ -66,20 +72,12 @@ void writeBodies(const std::filesystem::path& file, const Hash& key, const std::
   }
   const Header header{key, bodies.size(), bodies.empty() ? 0 : bodies[0].position.size()};
   const Hash sum = digest(numbers);
-  std::error_code error;
-  if (!file.parent_path().empty()) std::filesystem::create_directories(file.parent_path(), error);
-  std::filesystem::path unfinished = file;
-  unfinished += ".part";
-  std::ofstream out(unfinished, std::ios::binary);
+  std::ostringstream out;
   writeRaw(out, &header, 1);
   writeRaw(out, numbers.data(), numbers.size());
   writeRaw(out, &sum, 1);
-  out.close();
-  if (out) std::filesystem::rename(unfinished, file, error);
-  if (!out || error) {
-    std::filesystem::remove(unfinished, error);
-    throw FileError("'" + file.string() + "' cannot be written");
-  }
+  makeFolder(file.parent_path());
+  overwriteFile(file, out.str());
 }
 
 }  // namespace morula

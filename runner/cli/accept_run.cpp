@@ -10,6 +10,7 @@
 #include "cli/signals.h"
 #include "explain/explain.h"
 #include "explain/growth.h"
+#include "files/folders.h"
 #include "golden/change.h"
 #include "golden/succession.h"
 
@@ -91,7 +92,7 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
 
   Golden golden{observe(scenario, run), {}, {}, usualRules(scenario), {}, again.growth};
   AcceptedRun accepted{true, 0, {}};
-  if (std::filesystem::exists(file)) {
+  if (fileExists(file)) {
     try {
       const Golden old = readAccepted(scenario, file);
       golden.rules = old.rules;

@@ -19,6 +19,7 @@
 #include "cli/pictures.h"
 #include "cli/simulate.h"
 #include "cli/verb.h"
+#include "files/folders.h"
 #include "process/child_process.h"
 #include "simulation/world.h"
 
@@ -30,6 +31,7 @@ struct AccuracyWords {
   std::string until, target, halvings = "4", rounds = "3", budget = "120", out = "results";
   std::vector<std::string> scenarios, integrators, levels;
   bool only = false, intoGolden = false, bullet = false;
+  InputOptions input;
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
@@ -90,7 +92,7 @@ ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
       all.push_back(parseOverride(change));
     }
     if (!changes.empty()) all.push_back(parseOverride("check={}"));  // it is of the scenario as it is
-    return loadScenario(file, all);
+    return loadScenario(file, all, words.input.allowOutside);
   };
 }
 
@@ -188,6 +190,7 @@ void addAccuracy(CLI::App& app, Action& action) {
   verb.takes("--halvings", words->halvings, "N", "Of the longest time step, twice the scenario's smallest");
   verb.takes("--rounds", words->rounds, "N", "Runs of each, for the CPU time");
   verb.takes("--out", words->out, "FOLDER", "Folder for results");
+  add(verb, words->input);
   add(verb, words->scene);
   add(verb, words->execution);
   add(verb, words->output);

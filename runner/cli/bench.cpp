@@ -16,6 +16,7 @@
 #include "cli/options.h"
 #include "cli/pictures.h"
 #include "cli/verb.h"
+#include "files/folders.h"
 #include "store/machine_info.h"
 
 namespace morula::cli {

@@ -30,7 +30,7 @@ Verdict askThesis(const Scenario& scenario, const OtherQuestion& question) {
   if (!contact) return notAsked("as ours: nothing touches");
   if (contact->law == ContactLaw::thesis) return notAsked("is ours");
   const Scenario changed =
-      loadScenario(scenario.file, {{"physics.contact.law", "thesis", "--beside thesis"}});
+      loadScenario(scenario.file, {{"physics.contact.law", "thesis", "--beside thesis"}}, scenario.allowOutside);
   return judge(scenario.check, runElsewhere(changed, question, ownProgram()));
 }
 

@@ -1,7 +1,6 @@
 // morula bullet-worker: Bullet in a process of its own, for the program itself. Not for people.
-#include <iostream>
-
 #include "baseline/worker.h"
+#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/verb.h"
 
@@ -11,7 +10,7 @@ void addBulletWorker(CLI::App& app, Action& action) {
   Verb verb(app, action, "bullet-worker", "Runs one scene in Bullet: request on stdin, result on stdout");
   verb.hide();  // not listed
   verb.does([] {
-    serveBullet(std::cin, std::cout);
+    serveBullet(questionStream(), answerStream());
     return fine;
   });
 }

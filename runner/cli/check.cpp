@@ -1,7 +1,6 @@
 // morula check: run scenarios again and hold them against their golden files.
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <memory>
 
@@ -16,6 +15,9 @@
 #include "cli/sanity.h"
 #include "cli/shipped.h"
 #include "cli/verb.h"
+#include "files/folders.h"
+#include "files/printable.h"
+#include "files/write_file.h"
 #include "golden/accept.h"
 #include "golden/ci_reports.h"
 
@@ -25,6 +27,7 @@ namespace {
 
 struct CheckOptions {
   std::vector<std::string> scenarios;
+  InputOptions input;
   ExecutionOptions execution;
   OutputOptions output;
   std::string reports, beside, cpuLimit;
@@ -95,24 +98,16 @@ bool hasUnusableGolden(const CheckReport& report) {
   });
 }
 
-/// Throws FileError.
-void writeFile(const std::filesystem::path& file, const std::string& text,
-               std::ios::openmode mode = std::ios::out) {
-  std::ofstream out(file, std::ios::binary | mode);
-  if (!(out << text).flush()) throw FileError(file.string() + ": cannot be written");
-}
-
 /// `table`: what stands beside, or "".
 void writeReports(const std::filesystem::path& folder, const std::vector<CheckReport>& reports,
                   const Json& found, const std::string& table) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) throw FileError(folder.string() + ": " + problem.message());
-  writeFile(folder / "junit.xml", junitXml(reports));
+  makeFolder(folder);
+  writeFile(folder / "junit.xml", junitXml(reports), Content::report);
   Json report{{"morula", 1}};
   report.update(found);
-  writeFile(folder / "report.json", report.dump(2) + '\n');
-  writeFile(folder / "summary.md", summaryPage(reports) + (table.empty() ? "" : "\n" + table));
+  writeFile(folder / "report.json", jsonText(report, 2) + '\n', Content::report);
+  writeFile(folder / "summary.md", summaryPage(reports) + (table.empty() ? "" : "\n" + printable(table)),
+            Content::report);
 }
 
 /// What a workflow's own page shows, where this runs in one.
@@ -120,7 +115,7 @@ void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
   const char *inWorkflow = std::getenv("GITHUB_ACTIONS"), *page = std::getenv("GITHUB_STEP_SUMMARY");
   if (!inWorkflow || std::string(inWorkflow) != "true") return;
   if (!json) print(annotations(reports));
-  if (page) writeFile(page, summaryPage(reports), std::ios::app);
+  if (page) appendToFile(page, summaryPage(reports));
 }
 
 BesideOptions besideOptions(const CheckOptions& options) {
@@ -137,7 +132,7 @@ int act(const CheckOptions& options) {
   const BesideOptions beside = besideOptions(options);
   std::vector<Scenario> scenarios;
   for (const auto& file : options.scenarios.empty() ? shippedScenarios() : options.scenarios)
-    scenarios.push_back(loadScenario(file));
+    scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
 
   Json results = Json::array();
   std::vector<CheckReport> reports;
@@ -192,6 +187,7 @@ void addCheck(CLI::App& app, Action& action) {
              "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
              "(its contact law), bullet, b1, b2, b3");
   verb.takes("--cpu-limit", options->cpuLimit, "SECONDS", "CPU time of each of their runs; default: 120");
+  add(verb, options->input);
   add(verb, options->execution);
   add(verb, options->output);
   verb.does([options] { return act(*options); });

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "cli/git_text.h"
 #include "cli/pictures.h"
+#include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/observe.h"
 #include "render/renderer_name.h"
@@ -86,7 +87,7 @@ CheckReport check(const Scenario& scenario, const Simulation& run, const Invaria
   if (!scenario.check.fails.empty()) return checkStop(scenario, "");
   CheckReport report{goldenName(scenario.file), {}};
   const auto file = goldenFile(scenario);
-  if (std::filesystem::exists(file)) {
+  if (fileExists(file)) {
     try {
       report = compareGolden(readAccepted(scenario, file), observe(scenario, run));
     } catch (const InputError& unusable) { report = unusableGolden(report.scenario, unusable.what()); }

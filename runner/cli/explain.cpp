@@ -29,6 +29,7 @@ namespace {
 struct ExplainOptions {
   std::string scenario;
   std::string with, database, run, every = "64";
+  InputOptions input;
   ExecutionOptions execution;
   OutputOptions output;
 };
@@ -139,7 +140,9 @@ void compareWithStored(const Scenario& scenario, const ExplainOptions& options, 
 
 void compareWithProgram(const Scenario& scenario, const ExplainOptions& options, const Execution& how,
                         Findings& f) {
-  ProgramRun expected(options.with, scenario.file, [&] { return makeScenarioWorld(scenario, how); });
+  std::vector<std::string> more;
+  if (scenario.allowOutside) more.push_back("--allow-outside");  // older programs do not know it
+  ProgramRun expected(options.with, scenario.file, [&] { return makeScenarioWorld(scenario, how); }, more);
   OwnRun actual = scenarioRun(scenario, how);
   f.where = explain(expected, actual, strideOf(options));
   f.failureClass = f.where.failureClass;
@@ -224,7 +227,7 @@ int act(const ExplainOptions& options) {
   if (!options.run.empty() && options.database.empty())
     throw UsageError("morula explain: --run chooses a run of --db FILE");
   const auto how = execution(options.execution);
-  const Scenario scenario = loadScenario(options.scenario);
+  const Scenario scenario = loadScenario(options.scenario, {}, options.input.allowOutside);
   Findings f;
   const SignalWatch signals;
   try {
@@ -251,6 +254,7 @@ void addExplain(CLI::App& app, Action& action) {
   verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
   verb.takes("--every", options->every, "STEPS",
              "Look at every so many steps first; 1 finds also what heals");
+  add(verb, options->input);
   add(verb, options->execution);
   add(verb, options->output);
   verb.does([options] { return act(*options); });

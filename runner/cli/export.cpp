@@ -14,6 +14,9 @@
 #include "cli/ro_crate.h"
 #include "cli/stored.h"
 #include "cli/verb.h"
+#include "files/content.h"
+#include "files/folders.h"
+#include "files/safe_name.h"
 #include "golden/accept.h"
 
 namespace morula::cli {
@@ -69,7 +72,6 @@ int listTables(Store& store, const ExportOptions& options) {
 
 CrateFile crateFile(const Document& d) {
   using Role = CrateFile::Role;
-  const std::string file = fs::path(d.path).filename().string();
   if (d.role == "resolved")
     return {"scenario/resolved.json",
             Role::object,
@@ -83,16 +85,19 @@ CrateFile crateFile(const Document& d) {
   const char* what = d.role == "dna"    ? "The genes that the scenario names"
                      : d.role == "mesh" ? "The egg's mesh that the scenario names"
                                         : "The scenario as it was read";
-  return {d.role + "/" + (file.empty() ? d.role : file), Role::object, what, d.path, d.content, {}};
+  // Role and path come from the database, which may be a stranger's.
+  const std::string role = safeName(d.role, "document");
+  return {role + "/" + safeName(d.path, role), Role::object, what, d.path, d.content, {}};
 }
 
-/// The golden file that the run is held against, if it is here.
+/// The golden file that the run is held against, if it is here: below the current folder, for the database says where the
+/// scenario was, and must not reach other files.
 void addGolden(std::vector<CrateFile>& files) {
   for (const CrateFile& file : files) {
     if (!file.path.starts_with("scenario/") || file.alternateName.empty()) continue;
     const fs::path golden = goldenPath(file.alternateName);
-    if (!fs::exists(golden)) return;
-    files.push_back({"golden/" + golden.filename().string(), CrateFile::Role::object,
+    if (!liesWithin(golden, currentFolder()) || contentOfFile(golden) != Content::golden) return;
+    files.push_back({"golden/" + safeName(golden.string(), "golden"), CrateFile::Role::object,
                      "The accepted result that the run is held against", golden.string(), "", golden});
     return;
   }
@@ -101,25 +106,17 @@ void addGolden(std::vector<CrateFile>& files) {
 /// What `morula run` draws. The database does not know where: beside it, unless it holds other runs too.
 void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
   const auto add = [&](const fs::path& picture, const std::string& description) {
-    if (fs::exists(folder / picture))
-      files.push_back({"pictures/" + picture.string(), CrateFile::Role::result, description,
+    const auto inCrate = (picture.parent_path() / safeName(picture.string(), "picture")).generic_string();
+    if (isPlainFile(folder / picture) && contentOfFile(folder / picture) == Content::picture)
+      files.push_back({"pictures/" + inCrate, CrateFile::Role::result, description,
                        (folder / picture).string(), "", folder / picture});
   };
   add("organism.png", "The organism at the end");
   add("wireframe.png", "The organism at the end, as meshes");
   add("lineage.png", "The tree of its cells");
-  if (!fs::is_directory(folder / "sequence")) return;
-  std::vector<fs::path> frames;
-  for (const auto& entry : fs::directory_iterator(folder / "sequence"))
-    if (entry.path().extension() == ".png") frames.push_back(entry.path().filename());
-  std::sort(frames.begin(), frames.end());
-  for (const fs::path& frame : frames) add("sequence" / frame, "The organism on the way");
-}
-
-void makeEmptyFolder(const fs::path& folder) {
-  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder)))
-    throw FileError("'" + folder.string() + "' is there already; give a folder that is not, or an empty one");
-  makeFolder(folder);
+  if (!isFolder(folder / "sequence")) return;
+  for (const fs::path& frame : namesIn(folder / "sequence"))
+    if (frame.extension() == ".png") add("sequence" / frame, "The organism on the way");
 }
 
 int act(const ExportOptions& options) {
@@ -137,13 +134,13 @@ int act(const ExportOptions& options) {
   requireWholeRecord(store, crate.run);
   for (const Document& document : store.documents(crate.run.id)) crate.files.push_back(crateFile(document));
   addGolden(crate.files);
-  if (!options.pictures.empty() && !fs::is_directory(options.pictures))
+  if (!options.pictures.empty() && !isFolder(options.pictures))
     throw FileError("'" + options.pictures + "': no such folder");
   const fs::path folder = options.crate;
   makeEmptyFolder(folder);
   store.copyRun(crate.run.id, folder / "run.db");
   crate.files.push_back(
-      {"run.db", CrateFile::Role::result, "All results of the run, in SQLite", options.database, "", {}});
+      {"run.db", CrateFile::Role::result, "All results of the run, in SQLite", options.database, "", {}, true});
   if (!options.pictures.empty()) addPictures(crate.files, options.pictures);
   else if (store.runs().size() == 1) addPictures(crate.files, fs::path(options.database).parent_path());
   writeCrate(crate, folder);

@@ -1,5 +1,8 @@
 #include "cli/frame_file.h"
 
+#include <cmath>
+#include <limits>
+
 #include "base/error.h"
 #include "base/fields.h"
 
@@ -16,13 +19,14 @@ Colour colour(std::uint64_t n) {
           static_cast<std::uint8_t>(n)};
 }
 
-/// Takes `count` of the values, from `at` on.
+[[noreturn]] void refuse() { throw InputError("frame: its counts, positions and corners do not fit together"); }
+
+/// Takes the next `count` triples of values, from `at` on.
 template <class Value>
-std::vector<Value> next(const std::vector<Value>& values, std::size_t& at, std::uint64_t count) {
-  if (count > values.size() - at)
-    throw InputError("frame: its columns have different lengths, so it is damaged");
-  at += count;
-  return {values.begin() + static_cast<std::ptrdiff_t>(at - count),
+std::vector<Value> nextTriples(const std::vector<Value>& values, std::size_t& at, std::uint64_t count) {
+  if (count > (values.size() - at) / 3) refuse();
+  at += 3 * count;
+  return {values.begin() + static_cast<std::ptrdiff_t>(at - 3 * count),
           values.begin() + static_cast<std::ptrdiff_t>(at)};
 }
 
@@ -73,22 +77,30 @@ OrganismPicture pictureFrom(const std::string& bytes, OrganismPicture blank) {
   const std::size_t n = paths.size();
   if (caption.size() != 1 || labelColours.size() != labels.size() || colours.size() != n ||
       vertices.size() != n || faces.size() != n)
-    throw InputError("frame: its columns have different lengths, so it is damaged");
+    refuse();
   blank.caption = caption[0];
   for (std::size_t i = 0; i < labels.size(); ++i)
     blank.legend.push_back({colour(labelColours[i]), labels[i]});
   std::size_t atPosition = 0, atCorner = 0;
   for (std::size_t i = 0; i < n; ++i) {
     CellShape cell{paths[i], {}, colour(colours[i])};
-    const auto x = next(positions, atPosition, 3 * vertices[i]);
+    const auto x = nextTriples(positions, atPosition, vertices[i]);
     for (std::size_t v = 0; v < vertices[i]; ++v)
       cell.vertices.push_back({x[3 * v], x[3 * v + 1], x[3 * v + 2]});
-    const auto c = next(corners, atCorner, 3 * faces[i]);
+    const auto c = nextTriples(corners, atCorner, faces[i]);
     for (std::size_t f = 0; f < faces[i]; ++f) {
       Face face;
-      for (std::size_t k = 0; k < 3; ++k) face[k] = static_cast<std::int32_t>(c[3 * f + k]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (c[3 * f + k] > std::numeric_limits<std::int32_t>::max()) refuse();
+        face[k] = static_cast<std::int32_t>(c[3 * f + k]);
+      }
       cell.faces.push_back(face);
     }
+    for (const Face& face : cell.faces.empty() ? blank.faces : cell.faces)
+      for (const auto corner : face)
+        if (static_cast<std::uint64_t>(corner) >= vertices[i]) refuse();
+    for (const double a : x)
+      if (!std::isfinite(a)) refuse();
     blank.cells.push_back(std::move(cell));
   }
   return blank;

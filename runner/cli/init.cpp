@@ -1,6 +1,5 @@
 // morula init: something to begin with.
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "base/error.h"
@@ -9,6 +8,8 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/verb.h"
+#include "files/folders.h"
+#include "files/write_file.h"
 #include "scenario/schema.h"
 
 namespace morula::cli {
@@ -26,11 +27,9 @@ int write(const std::string& text, const std::string& file, bool force) {
     print(text);
     return fine;
   }
-  if (!force && std::filesystem::exists(file))
-    throw FileError("'" + file + "' is there already; --force writes over it");
-  std::ofstream stream(file, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) throw FileError("'" + file + "' cannot be written");
+  if (!force && fileExists(file)) throw FileError("'" + file + "' is there already; --force writes over it");
+  if (force) overwriteFile(file, text);
+  else writeNewFile(file, text);
   tell("wrote " + file, false);
   return fine;
 }

@@ -18,6 +18,7 @@ namespace {
 
 struct LineageOptions {
   std::string file, run;
+  InputOptions input;
   OutputOptions output;
 };
 
@@ -35,7 +36,7 @@ Tree stored(const LineageOptions& options) {
 
 /// What the genes alone prescribe: without bodies a thousand cells take a moment.
 Tree prescribed(const LineageOptions& options) {
-  auto scenario = anyScenario(options.file, options.run);
+  auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   scenario.scene.mechanics.reset();
   Progress progress(scenario.scene.name, options.output.quiet);
   auto run = simulate(makeScenarioWorld(scenario, {}), {}, progress);
@@ -82,6 +83,7 @@ void addLineage(CLI::App& app, Action& action) {
             "run's end");
   verb.needs("file", options->file, "FILE", "A scenario or a database");
   verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
+  add(verb, options->input);
   add(verb, options->output);
   verb.does([options] { return act(*options); });
 }

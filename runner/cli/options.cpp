@@ -13,6 +13,11 @@ void add(Verb& verb, OutputOptions& options) {
   verb.takes("--quiet", options.quiet, "No remarks and no progress");
 }
 
+void add(Verb& verb, InputOptions& options) {
+  verb.takes("--allow-outside", options.allowOutside,
+             "Let the scenario name DNA and meshes outside of its folder; only for scenarios that you trust");
+}
+
 void add(Verb& verb, SceneOptions& options) {
   verb.takes(
       "--set", options.set, "PATH=VALUE",

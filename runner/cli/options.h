@@ -15,6 +15,11 @@ struct OutputOptions {
   bool json = false, quiet = false;
 };
 
+/// What a scenario may reach.
+struct InputOptions {
+  bool allowOutside = false;
+};
+
 /// Changes of the scene.
 struct SceneOptions {
   std::vector<std::string> set;
@@ -28,6 +33,7 @@ struct ExecutionOptions {
 };
 
 void add(Verb& verb, OutputOptions& options);
+void add(Verb& verb, InputOptions& options);
 void add(Verb& verb, SceneOptions& options);
 void add(Verb& verb, ExecutionOptions& options);
 /// That one alone of them: for what makes a world and does not run it.

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "cli/bullet_run.h"
+#include "cli/console.h"
 #include "cli/invariants.h"
 #include "cli/other_run_json.h"
 #include "process/child_process.h"
@@ -111,7 +112,7 @@ void serveOtherRun(std::istream& in, std::ostream& out) {
   const Json question = Json::parse(in, nullptr, false);
   if (question.is_discarded()) throw InputError("the question to another engine is no JSON");
   const OtherRun answer = runHere(question, out);
-  out << "answer " << toJson(answer).dump() << '\n' << std::flush;
+  out << "answer " << jsonText(toJson(answer)) << '\n' << std::flush;
 }
 
 OtherRun runElsewhere(const Scenario& scenario, const OtherQuestion& question, const std::string& program) {
@@ -125,7 +126,7 @@ OtherRun runElsewhere(const Scenario& scenario, const OtherQuestion& question, c
                   {"margin", question.margin},
                   {"integrator", static_cast<int>(question.integrator)}};
   const ChildEnd end =
-      runChild({program, "other-worker"}, {.input = text.dump(), .cpuSeconds = question.cpuSeconds});
+      runChild({program, "other-worker"}, {.input = jsonText(text), .cpuSeconds = question.cpuSeconds});
   OtherRun silent;
   silent.step = lastStep(end.said);
   if (end.outOfTime())

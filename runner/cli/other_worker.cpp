@@ -1,6 +1,5 @@
 // morula other-worker: a scenario's run by another engine, for the program itself. Not for people.
-#include <iostream>
-
+#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/other_run.h"
 #include "cli/verb.h"
@@ -12,7 +11,7 @@ void addOtherWorker(CLI::App& app, Action& action) {
             "Runs one scenario in another engine: question on stdin, answer on stdout");
   verb.hide();  // not listed
   verb.does([] {
-    serveOtherRun(std::cin, std::cout);
+    serveOtherRun(questionStream(), answerStream());
     return fine;
   });
 }

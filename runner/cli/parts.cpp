@@ -12,6 +12,7 @@
 #include "cli/pictures.h"
 #include "cli/simulate.h"
 #include "cli/verb.h"
+#include "files/folders.h"
 #include "parts/forecast.h"
 
 namespace morula::cli {
@@ -20,6 +21,7 @@ namespace {
 
 struct PartsOptions {
   std::string scenario;
+  InputOptions input;
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
@@ -75,11 +77,11 @@ Json toJson(const Forecast& f, const Scenario& scenario, const Execution& how) {
 }
 
 int act(const PartsOptions& options) {
-  const auto scenario = loadScenario(options.scenario, overrides(options.scene));
+  const auto scenario = loadScenario(options.scenario, overrides(options.scene), options.input.allowOutside);
   ForecastOptions how;
   how.execution = execution(options.execution);
   how.ask.search = how.execution.search.method;
-  if (options.scene.empty() && std::filesystem::exists(goldenFile(scenario)))
+  if (options.scene.empty() && fileExists(goldenFile(scenario)))
     how.ask.golden = goldenFile(scenario).string();
   const World world = makeScenarioWorld(scenario, how.execution);  // its mistakes are told with their places
   how.ask.pictures = !options.noPictures;
@@ -97,6 +99,7 @@ void addParts(CLI::App& app, Action& action) {
   auto options = std::make_shared<PartsOptions>();
   Verb verb(app, action, "parts", "Tell what a scenario engages, why, and what each part will cost");
   verb.needs("scenario", options->scenario, "FILE", "A scenario file");
+  add(verb, options->input);
   add(verb, options->scene);
   add(verb, options->execution);
   verb.takes("--rehearsal", options->rehearsal, "N",

@@ -1,13 +1,16 @@
 #include "cli/pending.h"
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/hash.h"
 #include "baseline/worker.h"
 #include "cli/console.h"
 #include "cli/pictures.h"
+#include "files/folders.h"
+#include "files/read_file.h"
+#include "files/write_file.h"
 #include "golden/accept.h"
 #include "simulation/world.h"
 #include "store/build_info.h"
@@ -32,8 +35,7 @@ fs::path fileOf(const Scenario& scenario, const char* extension) {
 }
 
 void removeAll(fs::path file) {
-  std::error_code ignored;
-  for (const char* extension : extensions) fs::remove(file.replace_extension(extension), ignored);
+  for (const char* extension : extensions) removeFile(file.replace_extension(extension));
 }
 
 /// What made a result: the lines of its .from.
@@ -43,20 +45,16 @@ struct Origin {
 };
 
 Origin originOf(const Scenario& scenario) {
-  return {fs::absolute(scenario.file).lexically_normal().string(), buildId(buildInfo())};
+  return {absolutePath(scenario.file).string(), buildId(buildInfo())};
 }
 
 Origin readOrigin(const fs::path& file) {
   Origin origin;
-  std::ifstream lines(file);
+  if (!fileExists(file)) return origin;
+  std::istringstream lines(readFile(file));
   std::getline(lines, origin.scenario);
   std::getline(lines, origin.build);
   return origin;
-}
-
-bool write(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  return static_cast<bool>((out << text).flush());
 }
 
 }  // namespace
@@ -65,12 +63,13 @@ fs::path pendingPicture(const Scenario& scenario) { return fileOf(scenario, ".pn
 
 void putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, bool quiet) {
   const fs::path file = fileOf(scenario, ".golden");
-  std::error_code problem;
-  fs::create_directories(file.parent_path(), problem);
   const Origin origin = originOf(scenario);
-  if (!write(file, writeGolden({observed, "nobody", "pending", {}})) ||
-      !write(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n')) {
-    tell(file.string() + ": cannot be written: the result is not kept for a review", quiet);
+  try {
+    makeFolder(file.parent_path());
+    overwriteFile(file, writeGolden({observed, "nobody", "pending", {}}));
+    overwriteFile(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n');
+  } catch (const FileError& error) {
+    tell(std::string(error.what()) + "; the result is not kept for a review", quiet);
     return;
   }
   if (run.world.bodies)
@@ -80,7 +79,7 @@ void putPending(const Scenario& scenario, const Simulation& run, const GoldenDat
 
 std::optional<GoldenData> findPending(const Scenario& scenario) {
   const fs::path file = fileOf(scenario, ".golden");
-  if (!fs::exists(file) || readOrigin(fileOf(scenario, ".from")) != originOf(scenario)) return std::nullopt;
+  if (!fileExists(file) || readOrigin(fileOf(scenario, ".from")) != originOf(scenario)) return std::nullopt;
   GoldenData data = readGoldenFile(file).data;
   if (data.scenarioHash != scenario.meaning.text()) return std::nullopt;
   return data;
@@ -89,14 +88,12 @@ std::optional<GoldenData> findPending(const Scenario& scenario) {
 void removePending(const Scenario& scenario) { removeAll(fileOf(scenario, ".golden")); }
 
 std::vector<fs::path> pendingScenarios() {
-  std::vector<fs::path> waiting, scenarios;
-  if (!fs::exists(pendingFolder())) return scenarios;
-  for (const auto& entry : fs::recursive_directory_iterator(pendingFolder()))
-    if (entry.path().extension() == ".golden") waiting.push_back(entry.path());
-  for (const fs::path& result : waiting) {
+  std::vector<fs::path> scenarios;
+  if (!fileExists(pendingFolder())) return scenarios;
+  for (const fs::path& result : filesBelow(pendingFolder(), ".golden")) {
     const fs::path scenario = readOrigin(fs::path(result).replace_extension(".from")).scenario;
-    if (scenario.empty() || !fs::exists(scenario)) removeAll(result);
-    else scenarios.push_back(scenario.lexically_proximate(fs::current_path()));
+    if (scenario.empty() || !fileExists(scenario)) removeAll(result);
+    else scenarios.push_back(scenario.lexically_proximate(currentFolder()));
   }
   std::sort(scenarios.begin(), scenarios.end());
   return scenarios;

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/multiples.h"
 #include "cli/frame_file.h"
+#include "files/folders.h"
 #include "simulation/measures.h"
 
 namespace morula::cli {
@@ -109,12 +110,25 @@ void FrameCollector::resume(const World& world, const std::vector<std::string>& 
   expectNext(world.clock.time);
 }
 
-void makeFolder(const fs::path& folder) {
-  if (folder.empty()) return;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw FileError("'" + folder.string() + "' cannot be made: " + error.message());
+namespace {
+
+/// "0007.png": the number, or nothing for other names.
+std::optional<std::size_t> frameNumber(const fs::path& name) {
+  const std::string digits = name.stem().string();
+  const bool isFrame = name.extension() == ".png" && digits.size() >= 4 && digits.size() <= 9 &&
+                       digits.find_first_not_of("0123456789") == digits.npos;
+  return isFrame ? std::optional<std::size_t>(std::stoul(digits)) : std::nullopt;
 }
+
+/// An earlier run of the same name may have been longer. The folder may hold files of the user's, too.
+void removeFramesFrom(const fs::path& folder, std::size_t first) {
+  for (const fs::path& name : namesIn(folder)) {
+    const auto number = frameNumber(name);
+    if (number && *number >= first && isOwnPng(folder / name)) removeFile(folder / name);
+  }
+}
+
+}  // namespace
 
 std::vector<std::string> writePictures(const World& world, const Scenario& scenario,
                                        FrameCollector& collector, const fs::path& folder) {
@@ -132,9 +146,9 @@ std::vector<std::string> writePictures(const World& world, const Scenario& scena
 
   auto& frames = collector.frames();
   if (frames.empty()) return files;
-  fs::remove_all(folder / "sequence");  // of an earlier run, perhaps a longer one
   makeFolder(folder / "sequence");
   shareLegend(frames);
+  removeFramesFrom(folder / "sequence", frames.size());
   const auto framing = fitFraming(frames);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     frames[i].camera.framing = framing;

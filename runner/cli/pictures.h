@@ -53,11 +53,8 @@ class FrameCollector {
 };
 
 /// Writes organism.png, wireframe.png (with bodies), lineage.png and sequence/0000.png … into the folder.
-/// Returns the files.
+/// Returns the files. Pictures that an earlier, longer run left in the sequence are removed; other files stay.
 std::vector<std::string> writePictures(const World& world, const Scenario& scenario,
                                        FrameCollector& collector, const std::filesystem::path& folder);
-
-/// Throws FileError.
-void makeFolder(const std::filesystem::path& folder);
 
 }  // namespace morula::cli

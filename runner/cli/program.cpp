@@ -1,6 +1,6 @@
 // The command line as a whole: verbs, help, mistakes, exit codes.
 #include <CLI/CLI.hpp>
-#include <iostream>
+#include <csignal>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
@@ -99,10 +99,10 @@ Action parse(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
-    std::cout << (chosen.empty() ? &app : chosen.front())->help();
+    print((chosen.empty() ? &app : chosen.front())->help());
     return [] { return fine; };
   } catch (const CLI::CallForVersion&) {
-    std::cout << versionText() << "\n";
+    print(versionText() + "\n");
     return [] { return fine; };
   } catch (const CLI::ParseError& error) {
     const auto chosen = app.get_subcommands();
@@ -121,10 +121,11 @@ std::string commandLine() { return typed; }
 int runProgram(int argc, char** argv) {
   setFloatingPoint();
   for (int i = 0; i < argc; ++i) typed += (i ? " " : "") + std::string(i ? argv[i] : "morula");
+  std::signal(SIGXFSZ, SIG_IGN);  // then a write beyond the limit of file sizes fails, as one to a full disk does
   try {
+    reserveStandardStreams();
     const int code = parse(argc, argv)();
-    // What was promised on stdout must have arrived there: a full disk is no success.
-    if (std::cout.flush().fail()) throw FileError("standard output cannot be written");
+    flushOutput();
     return code;
   } catch (const UsageError& error) {
     tellError(error.what());

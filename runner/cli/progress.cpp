@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 
 #include "cli/console.h"
 #include "simulation/world.h"
@@ -34,8 +33,7 @@ void Progress::show(const World& world) {
   const double seconds = std::chrono::duration<double>(now - lastShown_).count();
   const auto step = static_cast<double>(world.clock.step);
   const auto text = line(world, (step - lastStep_) / seconds, (world.clock.time - lastTime_) / seconds);
-  if (terminal_) std::cerr << "\r\x1b[K" << text << std::flush;
-  else std::cerr << text << "\n";
+  showProgress(text);
   shown_ = true;
   lastShown_ = now;
   lastTime_ = world.clock.time;
@@ -44,7 +42,7 @@ void Progress::show(const World& world) {
 }
 
 void Progress::clear() {
-  if (shown_ && terminal_) std::cerr << "\r\x1b[K" << std::flush;
+  if (shown_) clearProgress();
   shown_ = false;
 }
 

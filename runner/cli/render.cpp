@@ -19,6 +19,7 @@ namespace {
 
 struct RenderOptions {
   std::string file, run, time, style = "solid", size = "900", output;
+  InputOptions input;
   ExecutionOptions execution;
   OutputOptions messages;
 };
@@ -58,7 +59,7 @@ int act(const RenderOptions& options) {
                      "' is not known; needs solid, wireframe, both or lineage");
   checkEnding(options.output);
   // Positions are not stored: the same bits come out of running again.
-  auto scenario = anyScenario(options.file, options.run);
+  auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   if (!scenario.scene.mechanics && options.style != "lineage")
     throw UsageError("--style: " + scenario.scene.name + " has no bodies; needs lineage");
   std::optional<double> time;
@@ -95,6 +96,7 @@ void addRender(CLI::App& app, Action& action) {
   verb.takes("--style", options->style, "NAME", "solid, wireframe, both or lineage");
   verb.takes("--size", options->size, "N", "Width in pixels");
   verb.takes("-o,--output", options->output, "FILE", "The PNG; default: the scenario's name");
+  add(verb, options->input);
   add(verb, options->execution);
   add(verb, options->messages);
   verb.does([options] { return act(*options); });

@@ -15,6 +15,7 @@
 #include "cli/simulate.h"
 #include "cli/stored.h"
 #include "cli/verb.h"
+#include "files/folders.h"
 #include "store/store.h"
 
 namespace morula::cli {
@@ -33,7 +34,7 @@ struct Target {
 };
 
 Target targetOf(const ReplayOptions& o) {
-  if (o.database.empty() && std::filesystem::exists(o.what)) return {o.what, o.run};
+  if (o.database.empty() && fileExists(o.what)) return {o.what, o.run};
   if (o.database.empty())
     throw UsageError("replay: there is no file '" + o.what +
                      "'; give a database, or a run's id and --db FILE");

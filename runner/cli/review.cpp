@@ -11,6 +11,7 @@
 #include "cli/options.h"
 #include "cli/pending.h"
 #include "cli/verb.h"
+#include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/succession.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 struct ReviewOptions {
   std::vector<std::string> scenarios;
+  InputOptions input;
   ExecutionOptions execution;
   OutputOptions output;
   bool accept = false, reject = false;
@@ -46,7 +48,7 @@ std::optional<GoldenData> resultToReview(const Scenario& scenario, const ReviewO
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
   auto observed = observe(scenario, run);
   const auto file = goldenFile(scenario);
-  if (!std::filesystem::exists(file) || !compareGolden(readGoldenFile(file), observed).passed())
+  if (!fileExists(file) || !compareGolden(readGoldenFile(file), observed).passed())
     putPending(scenario, run, observed, options.output.quiet);
   return observed;
 }
@@ -72,7 +74,7 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
   Json json{{"scenario", goldenName(scenario.file)}, {"golden", file.string()}};
   std::string text;
   int code = fine;
-  if (!std::filesystem::exists(file)) {
+  if (!fileExists(file)) {
     code = differs;
     text = goldenName(scenario.file) + ": there is no golden yet; " + std::to_string(observed.items.size()) +
            " items\n";
@@ -84,7 +86,7 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
     text = describe(report) + changes + looser;
     json["changes"] = changes, json["loosened"] = looser;
   }
-  if (code == differs && std::filesystem::exists(pendingPicture(scenario)))
+  if (code == differs && fileExists(pendingPicture(scenario)))
     text += "  picture  " + pendingPicture(scenario).string() + '\n';
   json["passed"] = code == fine;
   results.push_back(json);
@@ -100,7 +102,7 @@ int act(const ReviewOptions& options) {
   if (options.accept && options.by.empty())
     throw UsageError("morula review --accept needs a name: --by NAME");
   std::vector<Scenario> scenarios;
-  for (const auto& file : scenarioFiles(options)) scenarios.push_back(loadScenario(file));
+  for (const auto& file : scenarioFiles(options)) scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
   if (scenarios.empty()) tell("no result waits for a review", options.output.quiet);
 
   int code = fine, signal = 0;
@@ -144,6 +146,7 @@ void addReview(CLI::App& app, Action& action) {
   verb.takes("--reject", options->reject, "Throw the waiting results away");
   verb.takes("--why", options->why, "TEXT", "What changed and why the new result is right, or is not");
   verb.takes("--by", options->by, "NAME", "Who accepts; default: the user's name");
+  add(verb, options->input);
   add(verb, options->execution);
   add(verb, options->output);
   verb.does([options] { return act(*options); });

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <set>
 
-#include "base/error.h"
 #include "cli/console.h"
 #include "cli/pictures.h"
+#include "files/folders.h"
+#include "files/printable.h"
+#include "files/read_file.h"
+#include "files/write_file.h"
 
 namespace morula::cli {
 
@@ -15,6 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string profile = "https://w3id.org/ro/wfrun/process/0.5";
+constexpr std::uint64_t maxCopied = std::uint64_t{1} << 30;
 const std::string action = "#run", instrument = "#morula", agentName = "#agent";
 
 Json reference(const std::string& id) { return {{"@id", id}}; }
@@ -44,14 +48,21 @@ std::string encodingFormat(const fs::path& file) {
 }
 
 void put(const CrateFile& file, const fs::path& folder) {
+  if (file.isThere) return;
   const fs::path target = folder / file.path;
   makeFolder(target.parent_path());
-  std::error_code error;
-  if (!file.source.empty()) fs::copy_file(file.source, target, error);
-  if (error) throw FileError("'" + file.source.string() + "' cannot be copied: " + error.message());
-  if (file.source.empty() && !fs::exists(target))
-    if (!(std::ofstream(target, std::ios::binary) << file.content).flush())
-      throw FileError("'" + target.string() + "' cannot be written");
+  writeNewFile(target, file.source.empty() ? file.content : readFile(file.source, maxCopied));
+}
+
+/// "dna/a-2.dna" for the second "dna/a.dna".
+void giveEachItsPath(std::vector<CrateFile>& files) {
+  std::set<std::string> taken;
+  for (CrateFile& file : files) {
+    const fs::path path = file.path;
+    for (int i = 2; !taken.insert(file.path).second; ++i)
+      file.path = (path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string()))
+                      .generic_string();
+  }
 }
 
 /// Entities, and the references to them.
@@ -141,7 +152,7 @@ Json describeFile(const CrateFile& file, const fs::path& folder) {
             {"name", fs::path(file.path).filename().string()},
             {"description", file.description},
             {"encodingFormat", encodingFormat(file.path)},
-            {"contentSize", std::to_string(fs::file_size(folder / file.path))}};
+            {"contentSize", std::to_string(fileSize(folder / file.path))}};
   if (!file.alternateName.empty()) json["alternateName"] = file.alternateName;
   return json;
 }
@@ -165,7 +176,8 @@ Json describeRoot(const CrateRun& crate, const Json& parts) {
 
 }  // namespace
 
-void writeCrate(const CrateRun& crate, const fs::path& folder) {
+void writeCrate(CrateRun crate, const fs::path& folder) {
+  giveEachItsPath(crate.files);
   Graph graph;
   graph.add({{"@id", "ro-crate-metadata.json"},
              {"@type", "CreativeWork"},
@@ -203,11 +215,7 @@ void writeCrate(const CrateRun& crate, const fs::path& folder) {
        {"https://w3id.org/ro/crate/1.1/context", "https://w3id.org/ro/terms/workflow-run/context"}},
       {"@graph", graph.entities()}};
   const fs::path file = folder / "ro-crate-metadata.json";
-  // A text of the user's may hold bytes that are no UTF-8, which JSON cannot.
-  if (!(std::ofstream(file, std::ios::binary)
-        << document.dump(2, ' ', false, Json::error_handler_t::replace) << "\n")
-           .flush())
-    throw FileError("'" + file.string() + "' cannot be written");
+  writeNewFile(file, printable(jsonText(document, 2)) + "\n");
 }
 
 }  // namespace morula::cli

@@ -13,12 +13,13 @@ namespace morula::cli {
 struct CrateFile {
   enum class Role { object, result, about };  // the run's input, its output, or about the program
 
-  std::string path;  // in the crate, with '/'
+  std::string path;  // in the crate, with '/'; its parts are safe names (files/safe_name.h)
   Role role = Role::object;
   std::string description;
   std::string alternateName;     // where it was when the run was made; "" if it was nowhere
   std::string content;           // what to write, or
-  std::filesystem::path source;  // which file to copy; "" and no content: it is there already
+  std::filesystem::path source;  // which file to copy; or
+  bool isThere = false;          // nothing: it has been written already
 };
 
 struct CrateRun {
@@ -28,7 +29,7 @@ struct CrateRun {
   std::vector<CrateFile> files;
 };
 
-/// Writes files and metadata into the folder, which is there. Throws FileError.
-void writeCrate(const CrateRun& crate, const std::filesystem::path& folder);
+/// Writes files and metadata into the folder, which is there. Files of one path get different ones. Throws FileError.
+void writeCrate(CrateRun crate, const std::filesystem::path& folder);
 
 }  // namespace morula::cli

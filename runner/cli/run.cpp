@@ -4,6 +4,7 @@
 #include <set>
 
 #include "cli/check_run.h"
+#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/run_scenario.h"
@@ -15,6 +16,7 @@ namespace {
 
 struct RunOptions {
   std::vector<std::string> scenarios;
+  InputOptions input;
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
@@ -59,7 +61,7 @@ std::vector<Planned> plan(const RunOptions& options) {
     for (const auto& seed : seeds) {
       auto scene = options.scene;
       scene.seed = seed;
-      Planned run{loadScenario(file, overrides(scene)), {}};
+      Planned run{loadScenario(file, overrides(scene), options.input.allowOutside), {}};
       run.settings = {.execution = execution(options.execution),
                       .folder = {},
                       .database = options.database,
@@ -98,7 +100,7 @@ Json describePlan(const Planned& run) {
 std::string describePlanForPeople(const Planned& run) {
   const auto plan = describePlan(run);
   return run.scenario.scene.name + "  seed " + std::to_string(run.scenario.scene.seed) + ": would run" +
-         (plan["until"].is_null() ? "" : " until time " + plan["until"].dump()) + "\n  results  " +
+         (plan["until"].is_null() ? "" : " until time " + jsonText(plan["until"])) + "\n  results  " +
          run.settings.database.string() + "\n";
 }
 
@@ -154,6 +156,7 @@ void addRun(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
   Verb verb(app, action, "run", "Simulate a scenario, store, check and draw it");
   verb.needs("scenario", options->scenarios, "FILE", "Scenario files");
+  add(verb, options->input);
   add(verb, options->scene);
   verb.takes("--seeds", options->seeds, "FIRST..LAST", "One run for each seed of a range: 1..50");
   verb.takes("--db", options->database, "FILE", "Store in this file; default: run.db beside the pictures");

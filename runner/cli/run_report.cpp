@@ -4,6 +4,7 @@
 #include "cli/bullet_check.h"
 #include "cli/check_run.h"
 #include "cli/run_scenario.h"
+#include "files/folders.h"
 
 namespace morula::cli {
 
@@ -11,7 +12,7 @@ namespace {
 
 std::string against(const Scenario& scenario) {
   const auto golden = goldenFile(scenario);
-  return std::filesystem::exists(golden) ? " (" + golden.string() + ")" : "";
+  return fileExists(golden) ? " (" + golden.string() + ")" : "";
 }
 
 /// Not a failure: the same program cuts the same way every time. What differs a little may cut another way.

@@ -14,6 +14,7 @@
 #include "cli/resume.h"
 #include "cli/sanity.h"
 #include "cli/verbs.h"
+#include "files/folders.h"
 #include "golden/accept.h"
 #include "parts/parts.h"
 #include "simulation/checkpoint.h"
@@ -40,8 +41,7 @@ RunRecord recordOf(const Scenario& scenario, const RunSettings& settings) {
 /// Hashes of the states on the way are stored only of a run that is checked: `explain --db` looks for the
 /// first difference in them.
 bool keepsHashes(const Scenario& scenario, const RunSettings& settings) {
-  return settings.check && !settings.changed &&
-         wantsHashes(scenario, std::filesystem::exists(goldenFile(scenario)));
+  return settings.check && !settings.changed && wantsHashes(scenario, fileExists(goldenFile(scenario)));
 }
 
 void checkOutcome(const Scenario& scenario, const RunSettings& settings, const Simulation& run,
@@ -50,7 +50,7 @@ void checkOutcome(const Scenario& scenario, const RunSettings& settings, const S
   else if (settings.changed) outcome.whyNotChecked = "the scene was changed by --set or --seed";
   else if (run.end.status == RunStatus::failed) {
     if (!scenario.check.fails.empty()) outcome.checks = checkStop(scenario, run.end.failure);
-  } else if (!std::filesystem::exists(goldenFile(scenario)) && !Invariants::areGiven(scenario.check))
+  } else if (!fileExists(goldenFile(scenario)) && !Invariants::areGiven(scenario.check))
     outcome.whyNotChecked = "there is no golden file";
   else outcome.checks = check(scenario, run, invariants, false);
 }

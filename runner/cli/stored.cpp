@@ -1,17 +1,13 @@
 #include "cli/stored.h"
 
-#include <fstream>
-
 #include "base/error.h"
 #include "cli/exit_codes.h"
+#include "files/content.h"
 
 namespace morula::cli {
 
 bool isDatabase(const std::string& file) {
-  const std::string magic = "SQLite format 3";
-  std::string head(magic.size(), '\0');
-  std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head == magic;
+  return contentOfFile(file) == Content::database;
 }
 
 void requireWholeRecord(Store& store, const StoredRun& run) {
@@ -39,11 +35,11 @@ Scenario storedScenario(const std::string& database, const std::string& run) {
   return readScenario(resolved, database, "", {}, files);
 }
 
-Scenario anyScenario(const std::string& file, const std::string& run) {
+Scenario anyScenario(const std::string& file, const std::string& run, bool allowOutside) {
   if (isDatabase(file)) return storedScenario(file, run);
   if (!run.empty())
     throw UsageError("--run chooses a run of a database, and '" + file + "' is not a database");
-  return loadScenario(file);
+  return loadScenario(file, {}, allowOutside);
 }
 
 }  // namespace morula::cli

@@ -18,7 +18,7 @@ Scenario storedScenario(const std::string& database, const std::string& run);
 /// is made of it would be of another run.
 void requireWholeRecord(Store& store, const StoredRun& run);
 
-/// A scenario file, or the scenario of a stored run.
-Scenario anyScenario(const std::string& file, const std::string& run);
+/// A scenario file, which may name files outside of its folder if `allowOutside`; or the scenario of a stored run.
+Scenario anyScenario(const std::string& file, const std::string& run, bool allowOutside);
 
 }  // namespace morula::cli

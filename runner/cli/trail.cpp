@@ -20,18 +20,19 @@ constexpr std::uint64_t toTheEnd = std::numeric_limits<std::uint64_t>::max() / 2
 struct TrailOptions {
   std::string scenario;
   std::string from = "0", to = std::to_string(toTheEnd), every = "64", state;
+  InputOptions input;
   ExecutionOptions execution;
 };
 
 int act(const TrailOptions& options) {
-  const Scenario scenario = loadScenario(options.scenario);
+  const Scenario scenario = loadScenario(options.scenario, {}, options.input.allowOutside);
   const auto how = execution(options.execution);
   OwnRun run = scenarioRun(scenario, how);
   if (!options.state.empty()) {
     const auto step = naturalOption("--state", options.state, 0, toTheEnd);
     const Trail there = run.trail(step, step, 1);
     if (!there.failure.empty()) throw InputError("no state at step " + options.state + ": " + there.failure);
-    print(saveState(*run.stateAt(step)));
+    printBytes(saveState(*run.stateAt(step)));
     return fine;
   }
   const auto from = naturalOption("--from", options.from, 0, toTheEnd);
@@ -51,6 +52,7 @@ void addTrail(CLI::App& app, Action& action) {
   verb.takes("--to", options->to, "STEP", "The last step");
   verb.takes("--every", options->every, "N", "Every so many steps");
   verb.takes("--state", options->state, "STEP", "Instead, the whole state after this step, as bytes");
+  add(verb, options->input);
   add(verb, options->execution);
   verb.hide();  // not for people
   verb.does([options] { return act(*options); });

@@ -15,6 +15,7 @@ namespace {
 
 struct ValidateOptions {
   std::vector<std::string> scenarios;
+  InputOptions input;
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
@@ -34,7 +35,7 @@ int act(const ValidateOptions& options) {
   Json list = Json::array();
   for (const auto& file : options.scenarios) {
     try {
-      const auto scenario = loadScenario(file, overrides(options.scene));
+      const auto scenario = loadScenario(file, overrides(options.scene), options.input.allowOutside);
       makeScenarioWorld(scenario, how);  // the time step may be above the stability limit
       list.push_back({{"file", file},
                       {"valid", true},
@@ -65,6 +66,7 @@ void addValidate(CLI::App& app, Action& action) {
   auto options = std::make_shared<ValidateOptions>();
   Verb verb(app, action, "validate", "Tell all mistakes in scenario files");
   verb.needs("scenario", options->scenarios, "FILE", "Scenario files");
+  add(verb, options->input);
   add(verb, options->scene);
   addMemoryLimit(verb, options->execution);
   verb.takes("--resolved", options->resolved,

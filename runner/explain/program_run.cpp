@@ -8,12 +8,17 @@
 
 namespace morula {
 
-ProgramRun::ProgramRun(std::string program, std::string scenario, std::function<World()> make)
-    : program_(std::move(program)), scenario_(std::move(scenario)), make_(std::move(make)) {}
+ProgramRun::ProgramRun(std::string program, std::string scenario, std::function<World()> make,
+                       std::vector<std::string> more)
+    : program_(std::move(program)),
+      scenario_(std::move(scenario)),
+      make_(std::move(make)),
+      more_(std::move(more)) {}
 
 std::string ProgramRun::answer(const std::vector<std::string>& arguments) const {
   std::vector<std::string> command{program_, "trail", scenario_};
   command.insert(command.end(), arguments.begin(), arguments.end());
+  command.insert(command.end(), more_.begin(), more_.end());
   ChildEnd end = runChild(command);
   if (end.notStarted()) throw InputError(program_ + ": cannot be started; give a Morula program");
   if (!end.well())

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "explain/witness.h"
 
@@ -12,7 +13,8 @@ class ProgramRun : public Witness {
  public:
   /// `program` is started as `PROGRAM trail SCENARIO …`; `make` gives the scenario's world here, into which
   /// its states are restored. Both must know the same scenario file.
-  ProgramRun(std::string program, std::string scenario, std::function<World()> make);
+  ProgramRun(std::string program, std::string scenario, std::function<World()> make,
+             std::vector<std::string> more = {});
   std::string name() const override { return program_; }
   /// Throws InputError if the program cannot be started or does not answer.
   Trail trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
@@ -24,6 +26,7 @@ class ProgramRun : public Witness {
 
   std::string program_, scenario_;
   std::function<World()> make_;
+  std::vector<std::string> more_;  // further options of `trail`
 };
 
 }  // namespace morula

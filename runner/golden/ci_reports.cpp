@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "files/content.h"
+#include "files/printable.h"
+
 namespace morula {
 
 namespace {
@@ -11,17 +14,15 @@ std::size_t failures(const CheckReport& report) {
                                                 [](const CheckResult& r) { return !r.passed; }));
 }
 
-/// Characters that XML cannot hold, not even escaped, become question marks.
+/// What XML cannot hold, not even escaped, becomes visible.
 std::string xml(const std::string& text) {
   std::string escaped;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
+  for (const char c : printable(text)) {
     if (c == '&') escaped += "&amp;";
     else if (c == '<') escaped += "&lt;";
     else if (c == '>') escaped += "&gt;";
     else if (c == '"') escaped += "&quot;";
     else if (c == '\n') escaped += "&#10;";
-    else if (byte < 0x20 && c != '\t') escaped += '?';
     else escaped += c;
   }
   return escaped;
@@ -71,7 +72,7 @@ std::string annotation(const CheckReport& report, const CheckResult& r) {
 /// Text in a Markdown table's cell.
 std::string cell(const std::string& text) {
   std::string escaped;
-  for (const char c : firstLine(text)) {
+  for (const char c : printableLine(firstLine(text))) {
     if (c == '|') escaped += "\\|";
     else escaped += c;
   }
@@ -97,7 +98,7 @@ std::string junitXml(const std::vector<CheckReport>& reports) {
     }
     suites += "  </testsuite>\n";
   }
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"morula check\" tests=\"" +
+  return std::string(junitBeginning) + " tests=\"" +
          std::to_string(all) + "\" failures=\"" + std::to_string(failed) + "\">\n" + suites +
          "</testsuites>\n";
 }
@@ -127,7 +128,7 @@ std::string summaryPage(const std::vector<CheckReport>& reports) {
   }
   if (!details.empty())
     details = "\n| scenario | check | class | what differs first |\n|---|---|---|---|\n" + details;
-  return "### morula check\n\n" + table + details;
+  return std::string(summaryBeginning) + "\n" + table + details;
 }
 
 }  // namespace morula

@@ -2,12 +2,12 @@
 #include "golden/golden.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "files/folders.h"
+#include "files/read_file.h"
 #include "golden/number_text.h"
 
 namespace morula {
@@ -282,13 +282,11 @@ Golden readGolden(const std::string& text, const std::string& file) {
 }
 
 std::string readGoldenText(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file))
+  if (!fileExists(file))
     throw InputError(file.string() +
                      ": there is no golden file; look at the result and, if it is right, accept it with "
                      "`morula review --accept --why \"…\"`");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw FileError(file.string() + ": cannot be read; are its permissions right?");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  return readFile(file);
 }
 
 Golden readGoldenFile(const std::filesystem::path& file) {

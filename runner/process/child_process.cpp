@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "files/folders.h"
 
 namespace morula {
 
@@ -124,6 +125,6 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& o
   return end;
 }
 
-std::string ownProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+std::string ownProgram() { return readLink("/proc/self/exe").string(); }
 
 }  // namespace morula

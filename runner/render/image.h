@@ -32,9 +32,12 @@ void paste(Image& target, const Image& source, int x, int y);
 /// as large as the largest image; smaller ones stand centred. Throws InputError for no image.
 Image contactSheet(const std::vector<Image>& images, int columns = 0, int gap = 8);
 
-/// Writes an 8-bit RGB PNG. Equal images give equal files on one libpng. Throws FileError; no half-written
-/// file stays.
+/// Writes an 8-bit RGB PNG, which says that Morula made it. Equal images give equal files on one libpng. Replaces a picture,
+/// but no file of another kind. Throws FileError; no half-written file stays.
 void writePng(const Image& image, const std::string& file);
+
+/// True for a PNG that writePng wrote, by what it says of itself.
+bool isOwnPng(const std::string& file);
 
 /// Reads any PNG as opaque 8-bit RGB (transparent parts over white). Throws FileError.
 Image readPng(const std::string& file);

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <vector>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
+
+#include "files/folders.h"
 
 namespace morula {
 namespace {
@@ -119,8 +122,7 @@ std::string findFont(bool bold) {
   for (const char* folder : {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/",
                              "/usr/share/fonts/dejavu/", "/usr/share/fonts/TTF/",
                              "/usr/share/fonts/ttf-dejavu/", "/usr/local/share/fonts/dejavu/"}) {
-    std::error_code error;
-    if (std::filesystem::exists(folder + name, error)) return folder + name;
+    if (fileExists(folder + name)) return folder + name;
   }
   return "";
 }

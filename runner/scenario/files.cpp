@@ -1,27 +1,12 @@
 #include "scenario/files.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
 #include "base/error.h"
 #include "biology/substances.h"
+#include "files/folders.h"
+#include "files/read_file.h"
 #include "mesh/measures.h"
 
-namespace morula {
-
-std::string readFile(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored))
-    throw FileError("'" + file.string() + "' is a folder; needs a file");
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  if (!stream.is_open() || stream.bad())
-    throw FileError("'" + file.string() + "' cannot be read: " + std::strerror(errno));
-  return bytes;
-}
-
-namespace scenario {
+namespace morula::scenario {
 
 namespace {
 
@@ -35,16 +20,35 @@ void guarded(Problems& problems, const Place& place, Read read) {
   } catch (const InputError& error) { problems.addForeign(place, error.what()); }
 }
 
-/// A file that the scenario names, added to its files; null and a problem if it cannot be read.
+/// The folder whose files a scenario may name: its own, or the folder `scenarios` that it lies in, whose scenarios share
+/// DNA and meshes.
+std::filesystem::path sharedFolder(const std::filesystem::path& folder) {
+  for (auto at = absolutePath(folder); at.has_relative_path(); at = at.parent_path())
+    if (at.filename() == "scenarios") return at;
+  return folder;
+}
+
+/// A file that the scenario names, added to its files; null and a problem if it cannot be read. What it holds may come to
+/// stand in messages and in the database, so a stranger's scenario must not reach files of others.
 const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, const std::string& name,
                                const Place& place, const Places& places, Problems& problems) {
   for (const auto& stored : places.stored)
     if (stored.role == role) return &scenario.files.emplace_back(stored);
+  const auto path = role == "dna" ? "dna.file" : "physics.mesh.file";
+  if (places.folder.empty()) {
+    problems.add(place, path, "'" + name + "' is not stored with the scenario",
+                 "a stored scenario reads no other files");
+    return nullptr;
+  }
   try {
     const auto file = (places.folder / name).lexically_normal();
+    if (!places.allowOutside && !liesWithin(file, sharedFolder(places.folder))) {
+      problems.add(place, path, "'" + name + "' lies outside of the scenario's folder",
+                   "move it there, or give --allow-outside if you trust this scenario with your files");
+      return nullptr;
+    }
     return &scenario.files.emplace_back(NamedFile{role, file.string(), readFile(file)});
   } catch (const FileError& error) {
-    const auto path = role == "dna" ? "dna.file" : "physics.mesh.file";
     problems.add(place, path, error.what(), "names count from the scenario's folder");
     return nullptr;
   }
@@ -121,5 +125,4 @@ void readReferences(Scenario& scenario, Reading& reading, const Node& root, cons
   if (scenario.scene.mechanics) readMesh(scenario, root, reading.problems, places);
 }
 
-}  // namespace scenario
-}  // namespace morula
+}  // namespace morula::scenario

@@ -4,22 +4,17 @@
 
 #include "scenario/parameter.h"
 
-namespace morula {
-
-/// All bytes of a file. Throws FileError.
-std::string readFile(const std::filesystem::path& file);
-
-namespace scenario {
+namespace morula::scenario {
 
 /// Where named files are looked for.
 struct Places {
-  std::filesystem::path folder;
+  std::filesystem::path folder;          // "": nowhere, only what is stored
   const std::vector<NamedFile>& stored;  // first, by role
+  bool allowOutside;                     // of the folder
 };
 
 /// Parses the DNA and builds the mesh, from the scenario itself or from files. What is wrong in them is
 /// reported with their own lines.
 void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places);
 
-}  // namespace scenario
-}  // namespace morula
+}  // namespace morula::scenario

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "files/printable.h"
 
 namespace morula::scenario {
 
@@ -33,13 +34,15 @@ std::string placeText(const std::string& file, const Place& place) {
   return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
+Problems::Problems(const std::string& file) : file_(printableLine(file)) {}
+
 void Problems::add(const Place& place, std::string_view path, std::string what, std::string right) {
   std::string text = placeText(file_, place);
   text += ": ";
   if (!path.empty() && !saysPath(place.option, path)) text += std::string(path) + ": ";
   text += what;
   if (!right.empty()) text += "; " + right;
-  lines_.push_back({!place.option.empty(), place.line, place.column, std::move(text)});
+  lines_.push_back({!place.option.empty(), place.line, place.column, printableLine(text)});
 }
 
 void Problems::addForeign(const Place& fallback, std::string_view text) {
@@ -48,7 +51,7 @@ void Problems::addForeign(const Place& fallback, std::string_view text) {
     const auto line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.empty()) continue;
-    Line entry{!fallback.option.empty(), fallback.line, fallback.column, std::string(line)};
+    Line entry{!fallback.option.empty(), fallback.line, fallback.column, printableLine(line)};
     if (line.starts_with(file_)) {
       auto rest = line.substr(file_.size());
       if (const int number = takeNumber(rest)) {

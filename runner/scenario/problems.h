@@ -15,10 +15,11 @@ struct Place {
 /// "file:line:column", or the option.
 std::string placeText(const std::string& file, const Place& place);
 
-/// Collects mistakes: "<place>: <path>: <what>; <right>". Path and right may be empty.
+/// Collects mistakes, each one line: "<place>: <path>: <what>; <right>". Path and right may be empty. What the parts hold of
+/// control characters becomes visible, so that no text of a file can pass for a line of ours.
 class Problems {
  public:
-  explicit Problems(std::string file) : file_(std::move(file)) {}
+  explicit Problems(const std::string& file);
 
   void add(const Place& place, std::string_view path, std::string what, std::string right = "");
   /// Takes over the lines of another reader's InputError, each "file:line:column: …"; `fallback` is the place

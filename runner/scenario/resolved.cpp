@@ -56,13 +56,16 @@ void hash(const Json& value, Hasher& hasher) {
   }
 }
 
+/// A scenario is UTF-8; what a name on the command line holds of other bytes must not end the program.
+std::string text(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 void write(const Json& value, const std::string& indent, std::string& out) {
   const auto inner = indent + "  ";
   if (value.is_object() && !value.empty()) {
     out += "{";
     bool first = true;
     for (const auto& [key, member] : value.items()) {
-      out += (first ? "\n" : ",\n") + inner + Json(key).dump() + ": ";
+      out += (first ? "\n" : ",\n") + inner + text(Json(key)) + ": ";
       write(member, inner, out);
       first = false;
     }
@@ -77,7 +80,7 @@ void write(const Json& value, const std::string& indent, std::string& out) {
   } else if (value.is_number_float()) {
     out += formatReal(value.get<double>());
   } else {
-    out += value.dump();
+    out += text(value);
   }
 }
 

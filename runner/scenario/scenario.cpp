@@ -1,6 +1,7 @@
 #include "scenario/scenario.h"
 
 #include "base/error.h"
+#include "files/read_file.h"
 #include "scenario/cross_checks.h"
 #include "scenario/files.h"
 #include "scenario/read_table.h"
@@ -47,10 +48,12 @@ Override parseOverride(const std::string& text) {
 }
 
 Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
-                      const std::vector<Override>& overrides, const std::vector<NamedFile>& files) {
+                      const std::vector<Override>& overrides, const std::vector<NamedFile>& files,
+                      bool allowOutside) {
   Scenario result;
   result.file = name;
   result.bytes = bytes;
+  result.allowOutside = allowOutside;
 
   Problems problems(name);
   const SourceText source(bytes, problems);
@@ -61,7 +64,7 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
 
   Reading reading{problems, {}, {}, {}};
   readTable(root, result, reading);
-  readReferences(result, reading, root, {folder, files});
+  readReferences(result, reading, root, {folder, files, allowOutside});
   crossCheck(result, reading, root);
   problems.throwIfAny();
 
@@ -72,8 +75,13 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
   return result;
 }
 
-Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  return readScenario(readFile(file), file.string(), file.parent_path(), overrides);
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides,
+                      bool allowOutside) {
+  return readScenario(readFile(file), file.string(), folderOf(file), overrides, {}, allowOutside);
 }
 
 const std::pair<const std::string, std::string>* colourEntryOf(const Scenario& scenario,

@@ -88,6 +88,7 @@ struct Scenario {
   std::map<std::string, std::string> places;
 
   std::string file;   // as given by the user
+  bool allowOutside = false;  // files that it names may lie anywhere
   std::string bytes;  // the file, byte by byte
   std::string
       resolved;  // canonical JSON of every parameter, defaults included; itself a scenario that can be read
@@ -107,13 +108,19 @@ Override parseOverride(const std::string& text);
 
 /// Reads, overrides and checks a scenario file. Throws InputError with one line per mistake, all of them at
 /// once, sorted by line: `file:line:column: path: what is wrong; what would be right`. Throws FileError if
-/// the file cannot be read.
-Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+/// the file cannot be read. Files that it names must lie in its folder, or with it below a folder `scenarios`,
+/// unless `allowOutside`.
+Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
+                      bool allowOutside = false);
+
+/// The folder that a scenario's files are looked for in; "." for a bare name.
+std::filesystem::path folderOf(const std::filesystem::path& file);
 
 /// The same for a text in memory. Messages call it `name`; the files that it mentions are those among
-/// `files`, by role, or else looked for in `folder`.
+/// `files`, by role, or else looked for in `folder`; with "" nowhere.
 Scenario readScenario(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
-                      const std::vector<Override>& overrides = {}, const std::vector<NamedFile>& files = {});
+                      const std::vector<Override>& overrides = {}, const std::vector<NamedFile>& files = {},
+                      bool allowOutside = false);
 
 /// The entry of the scenario's `colours` that a substance goes by: its own, or else the longest fitting
 /// pattern; null if there is none.

@@ -28,7 +28,4 @@ class SourceText {
   std::vector<std::size_t> lineStarts_{0};
 };
 
-/// The length in bytes of the UTF-8 character at the start of `text`; 0 if there is none [RFC 3629].
-int utf8Length(std::string_view text);
-
 }  // namespace morula::scenario

@@ -6,6 +6,7 @@
 #include <deque>
 #include <sstream>
 
+#include "files/printable.h"
 #include "scenario/yaml_node.h"
 
 namespace morula::scenario {
@@ -17,6 +18,12 @@ constexpr std::size_t longestKey =
     100;  // [byte] so that messages can show it; a substance has no more either
 
 struct TooDeep {};
+
+/// Free of what terminals and programs that read our output would obey. Line ends and tabs are text: DNA has them.
+bool isPlainText(const std::string& text) { return printable(text) == text; }
+const char* const notPlainText =
+    "holds a control character, one that changes the direction of text, or bytes that are not UTF-8";
+const char* const plainTextNeeded = "write it without";
 
 /// The last parameter of OnMapStart, which is EmitterStyle::value up to yaml-cpp 0.8 and EmitterStyle after
 /// it.
@@ -70,6 +77,11 @@ class TreeBuilder : public YAML::EventHandler {
                       "close it; for a text of several lines write '|'");
         garbled = true;
       }
+    }
+    // Written as "\x00" or "\e": the bytes of the file itself are looked at by SourceText.
+    if (!isPlainText(value)) {
+      problems_.add(scalar.place, path(), "'" + printableLine(value) + "' " + notPlainText, plainTextNeeded);
+      scalar.kind = Node::Kind::broken;
     }
     put(std::move(scalar));
   }
@@ -232,6 +244,9 @@ Node readYamlValue(const std::string& value, const std::string& option, Problems
   if (std::string_view("[{\"'").find(value[0]) == std::string_view::npos) {
     node.kind = Node::Kind::scalar;
     node.text = value;
+    if (isPlainText(value)) return node;
+    problems.add({1, 1, option}, "", "'" + printableLine(value) + "' " + notPlainText, plainTextNeeded);
+    node.kind = Node::Kind::broken;
     return node;
   }
   Problems own("");

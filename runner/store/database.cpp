@@ -2,7 +2,12 @@
 
 #include <sqlite3.h>
 
+#include <cstring>
+
 #include "base/error.h"
+#include "files/folders.h"
+#include "files/printable.h"
+#include "files/read_file.h"
 #include "store/store_error.h"
 
 namespace morula {
@@ -12,8 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What would help, for the failures that people meet.
-std::string remedy(int code, const fs::path& file) {
-  std::error_code ignored;
+std::string remedy(int code, int systemError, const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   switch (code & 0xff) {
     case SQLITE_NOTADB:
@@ -28,13 +32,18 @@ std::string remedy(int code, const fs::path& file) {
     case SQLITE_FULL:
       return "the disk is full; free some space or give a file on another disk";
     case SQLITE_CANTOPEN:
-      if (!fs::exists(folder, ignored))
+      if (!fileExists(folder))
         return "the directory " + folder.string() + " does not exist; make it or give another file";
-      if (fs::is_directory(file, ignored)) return "it is a directory; give a file";
-      if (!fs::exists(file, ignored))
+      if (isFolder(file)) return "it is a directory; give a file";
+      if (!fileExists(file))
         return "the file is not there and cannot be made in " + folder.string() +
                "; is the directory writable?";
       return "it cannot be opened; are the file and its directory readable and writable?";
+    case SQLITE_IOERR:
+      // Also where files may not grow further (ulimit -f): SQLite has rolled back, so nothing that was stored is lost.
+      return systemError ? std::strerror(systemError) : "";
+    case SQLITE_TOOBIG:
+      return "a single value must stay below 1 GB";
     default:
       return "";
   }
@@ -46,8 +55,10 @@ void Database::Close::operator()(sqlite3* db) const { sqlite3_close(db); }
 void Statement::Finalize::operator()(sqlite3_stmt* s) const { sqlite3_finalize(s); }
 
 Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience) : file_(std::move(file)) {
-  std::error_code ignored;
-  if (mode == Mode::existing && !fs::exists(file_, ignored))
+  // SQLite takes an empty name for a file of its own that it removes afterwards.
+  if (file_.empty()) throw StoreError("'' is no file name; give the database a name");
+  if (!isFolder(file_)) requireRegularFile(file_);  // SQLite itself says what is wrong with a folder
+  if (mode == Mode::existing && !fileExists(file_))
     throw StoreError(file_.string() + ": no such file; a database of results is expected");
   // Also for reading: whoever opens a file after a crash has to roll back
   // what was left half done. SQLite opens a write-protected file for reading
@@ -60,13 +71,18 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   if (code != SQLITE_OK) fail(code, "open the database");
   sqlite3_extended_result_codes(db, 1);
   sqlite3_busy_timeout(db, static_cast<int>(patience.count()));
+  // What a stranger's file brings along is data: neither its triggers nor its views run, and its schema calls no function that
+  // could reach beyond the file.
+  sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_db_config(db, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   integer("SELECT count(*) FROM sqlite_schema");  // reads the file's first page: is it a database?
 }
 
 void Database::fail(int code, const std::string& doing) const {
   std::string text = file_.string() + ": cannot " + doing + ": ";
   text += db_ ? sqlite3_errmsg(db_.get()) : sqlite3_errstr(code);
-  if (const std::string help = remedy(code, file_); !help.empty()) text += "; " + help;
+  if (const std::string help = remedy(code, db_ ? sqlite3_system_errno(db_.get()) : 0, file_); !help.empty()) text += "; " + help;
   throw StoreError(text);
 }
 
@@ -111,32 +127,64 @@ bool Statement::isNull(int column) const {
   return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
 
-std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
+void Statement::refuse(int column, const std::string& right) const {
+  const char* value = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+  constexpr std::size_t most = 60;
+  const std::string there = value ? printableLine(std::string_view(value).substr(0, most)) : "NULL";
+  throw StoreError(db_->file().string() + ": " +
+                   sqlite3_column_name(statement_.get(), column) + ": '" + there + "' is not what Morula writes there; " +
+                   right + ". The file is damaged or not Morula's; give another one");
+}
+
+std::int64_t Statement::integer(int column) const {
+  if (sqlite3_column_type(statement_.get(), column) != SQLITE_INTEGER) refuse(column, "needs a whole number");
+  return sqlite3_column_int64(statement_.get(), column);
+}
+
+std::uint64_t Statement::natural(int column) const {
+  const auto value = integer(column);
+  if (value < 0) refuse(column, "needs a whole number from 0");
+  return static_cast<std::uint64_t>(value);
+}
 
 double Statement::real(int column) const {
   if (isNull(column)) return std::numeric_limits<double>::quiet_NaN();
+  const int type = sqlite3_column_type(statement_.get(), column);
+  if (type != SQLITE_FLOAT && type != SQLITE_INTEGER) refuse(column, "needs a number");
   return sqlite3_column_double(statement_.get(), column);
 }
 
 std::string Statement::text(int column) const {
+  const int type = sqlite3_column_type(statement_.get(), column);
+  if (type == SQLITE_NULL) return {};
+  if (type != SQLITE_TEXT && type != SQLITE_BLOB) refuse(column, "needs a text");
   const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
   const int size = sqlite3_column_bytes(statement_.get(), column);
+  if (!bytes && size > 0) db_->fail(SQLITE_NOMEM, "read the database");
   return bytes ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
 }
 
-// Binding can fail only for a wrong place (CHECKed by expectParameters) or for want of memory.
-void Statement::bind(int place, double value) { sqlite3_bind_double(statement_.get(), place, value); }
-void Statement::bind(int place, std::int64_t value) { sqlite3_bind_int64(statement_.get(), place, value); }
+std::string Statement::line(int column) const {
+  auto value = text(column);
+  if (printableLine(value) != value) refuse(column, "needs one line of plain text");
+  return value;
+}
+
+void Statement::bound(int code) const {
+  if (code != SQLITE_OK) db_->fail(code, "write to the database");
+}
+void Statement::bind(int place, double value) { bound(sqlite3_bind_double(statement_.get(), place, value)); }
+void Statement::bind(int place, std::int64_t value) { bound(sqlite3_bind_int64(statement_.get(), place, value)); }
 void Statement::bind(int place, std::uint64_t value) { bind(place, static_cast<std::int64_t>(value)); }
-void Statement::bindNull(int place) { sqlite3_bind_null(statement_.get(), place); }
+void Statement::bindNull(int place) { bound(sqlite3_bind_null(statement_.get(), place)); }
 void Statement::bind(int place, std::string_view value) {
   // A null pointer would bind NULL, not the empty text.
-  sqlite3_bind_text64(statement_.get(), place, value.data() ? value.data() : "", value.size(),
-                      copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC, SQLITE_UTF8);
+  bound(sqlite3_bind_text64(statement_.get(), place, value.data() ? value.data() : "", value.size(),
+                            copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC, SQLITE_UTF8));
 }
 void Statement::bind(int place, Blob value) {
-  sqlite3_bind_blob64(statement_.get(), place, value.bytes.data() ? value.bytes.data() : "",
-                      value.bytes.size(), copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC);
+  bound(sqlite3_bind_blob64(statement_.get(), place, value.bytes.data() ? value.bytes.data() : "",
+                            value.bytes.size(), copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC));
 }
 
 Transaction::Transaction(Database& db) : db_(db) { db_.execute("BEGIN IMMEDIATE"); }

@@ -71,12 +71,21 @@ class Statement {
   /// Goes to the next row; false after the last one, and then ready to start again.
   bool next();
 
+  // A file of a stranger may hold anything anywhere, whatever its tables promise: a value of another type or out of range is a
+  // StoreError that names the column.
   bool isNull(int column) const;
   std::int64_t integer(int column) const;
-  std::uint64_t natural(int column) const { return static_cast<std::uint64_t>(integer(column)); }
+  std::uint64_t natural(int column) const;  // from 0
+  /// As `bind` writes numbers from 2^63 on.
+  std::uint64_t bits(int column) const { return static_cast<std::uint64_t>(integer(column)); }
   /// NULL reads as NaN: see bind(double).
   double real(int column) const;
-  std::string text(int column) const;  // NULL reads as ""
+  std::string text(int column) const;  // or a BLOB; NULL reads as ""
+  /// A text of one line, without control characters.
+  std::string line(int column) const;
+
+  /// Throws the StoreError for a value that cannot be right. `right`: "needs …".
+  [[noreturn]] void refuse(int column, const std::string& right) const;
 
  private:
   struct Finalize {
@@ -110,6 +119,7 @@ class Statement {
     else bindNull(place);
   }
   void reset();
+  void bound(int code) const;
   void expectParameters(int count) const;
 
   Database* db_;

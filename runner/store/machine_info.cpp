@@ -5,8 +5,6 @@
 #include <cfenv>
 #include <cstdint>
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -14,7 +12,9 @@
 #include <xmmintrin.h>
 #endif
 
+#include "base/error.h"
 #include "base/hash.h"
+#include "files/read_file.h"
 
 namespace morula {
 
@@ -23,7 +23,7 @@ namespace {
 /// What stands behind the first line of /proc/cpuinfo that begins with `name`. x86 names its processor in
 /// "model name"; others give no name there, so only the architecture (in `kernel`) is known.
 std::string cpuInfo(const std::string& name) {
-  std::ifstream file("/proc/cpuinfo");
+  std::istringstream file(readHead("/proc/cpuinfo", 1 << 20));
   for (std::string line; std::getline(file, line);)
     if (line.starts_with(name))
       if (const auto colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
@@ -85,8 +85,7 @@ MachineInfo machineInfo() {
 
 std::string binaryHash() {
   static const std::string hash = [] {
-    std::ifstream file("/proc/self/exe", std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::string bytes = readHead("/proc/self/exe", std::size_t{1} << 30);
     return bytes.empty() ? "unknown" : Hasher().add(bytes).digest().text();
   }();
   return hash;

@@ -41,7 +41,7 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
   std::map<StateId, StateId> here;
   for (const auto& [state, text] : earlier.stateTexts) here[state] = world.biology->stateOf(text);
   for (Sample s : earlier.samples) {
-    if (s.world.step > world.clock.step || !isDue(s.world.time)) continue;
+    if (s.world.step > world.clock.step || s.world.time > world.clock.time || !isDue(s.world.time)) continue;
     for (CellMeasures& c : s.cells) describe(world, c.state = here.at(c.state));
     expectNext(s.world.time);
     results_.samples.push_back(std::move(s));

@@ -266,11 +266,14 @@ constexpr std::array migrations{&version1, &version2, &version3, &version4};
 int checkedVersion(Database& db) {
   const std::string file = db.file().string();
   const auto id = db.integer("PRAGMA application_id");
-  const auto version = static_cast<int>(db.integer("PRAGMA user_version"));
+  const auto version = static_cast<int>(db.integer("PRAGMA user_version"));  // 32 bits in the file
   if (id == 0 && version == 0 && db.integer("SELECT count(*) FROM sqlite_schema") == 0) return 0;
   if (id != applicationId)
     throw StoreError(file + ": a database, but not one of Morula's (application_id " + std::to_string(id) +
                      "); give another file");
+  if (version < 0)
+    throw StoreError(file + ": the file is damaged: there is no database version " + std::to_string(version) +
+                     "; give another file, or restore it from a copy");
   if (version > schemaVersion())
     throw StoreError(file + ": written by a newer Morula (database version " + std::to_string(version) +
                      ", this program knows up to " + std::to_string(schemaVersion()) +

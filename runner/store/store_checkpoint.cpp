@@ -76,7 +76,7 @@ std::optional<ResumedRun> Store::resume(const RunRecord& record) {
   if (!row.isNull(1)) c.every = row.real(1);
   if (!row.isNull(2)) c.hashEvery = row.natural(2);
   c.state = row.text(3);
-  attempts_[id] = {record, row.text(4)};
+  attempts_[id] = {record, row.line(4)};
   Statement frame(db_, "SELECT content FROM checkpoint_frame WHERE run_id = ? ORDER BY number");
   for (frame.start(id); frame.next();) run.frames.push_back(frame.text(0));
   restartRun(db_, id, attempts_[id].started);

@@ -1,4 +1,5 @@
 // What a file holds, back as plain data.
+#include <limits>
 #include <mutex>
 #include <set>
 
@@ -34,21 +35,48 @@ const char* lasting(std::string text) {
   return texts.insert(std::move(text)).first->c_str();
 }
 
-Fate fateNamed(const std::string& text) {
+// What a column of the present row holds. Each refuses what cannot be.
+
+Fate fateFrom(const Statement& s, int column) {
+  const std::string text = s.line(column);
   for (const Fate fate : {Fate::alive, Fate::divided, Fate::died})
     if (text == name(fate)) return fate;
-  throw BugError("fate '" + text + "' in a table that does not allow it");
+  s.refuse(column, "needs alive, divided or died");
 }
 
-RunStatus statusNamed(const std::string& text) {
-  for (const RunStatus s : {RunStatus::running, RunStatus::done, RunStatus::failed, RunStatus::killed})
-    if (text == name(s)) return s;
-  throw BugError("status '" + text + "' in a table that does not allow it");
+RunStatus statusFrom(const Statement& s, int column) {
+  const std::string text = s.line(column);
+  for (const RunStatus status : {RunStatus::running, RunStatus::done, RunStatus::failed, RunStatus::killed})
+    if (text == name(status)) return status;
+  s.refuse(column, "needs running, done, failed or killed");
 }
 
-Hash hashFrom(const std::string& text) {
-  CHECK(text.size() == 32, "a hash has 32 digits");
+/// Digits of a hash, as we write them.
+bool areDigits(const std::string& text) { return text.find_first_not_of("0123456789abcdef") == text.npos; }
+
+Hash hashFrom(const Statement& s, int column) {
+  const std::string text = s.line(column);
+  if (text.size() != 32 || !areDigits(text)) s.refuse(column, "needs 32 hexadecimal digits");
   return {std::stoull(text.substr(0, 16), nullptr, 16), std::stoull(text.substr(16), nullptr, 16)};
+}
+
+CellPath pathFrom(const Statement& s, int column) {
+  try {
+    return CellPath::parse(s.line(column));
+  } catch (const InputError& error) { s.refuse(column, std::string("needs a cell's path (") + error.what() + ")"); }
+}
+
+std::string idFrom(const Statement& s, int column) {
+  auto text = s.line(column);
+  if (text.empty() || text.size() > 64 || !areDigits(text)) s.refuse(column, "needs hexadecimal digits");
+  return text;
+}
+
+int smallFrom(const Statement& s, int column, int low) {
+  const auto value = s.integer(column);
+  constexpr int high = 1'000'000;
+  if (value < low || value > high) s.refuse(column, "needs a whole number from " + std::to_string(low) + " to 1000000");
+  return static_cast<int>(value);
 }
 
 std::vector<std::pair<std::string, std::string>> librariesFrom(const std::string& text) {
@@ -71,25 +99,25 @@ const std::string runColumns =
 
 StoredRun runFrom(const Statement& s) {
   StoredRun run;
-  run.id = s.text(0);
-  run.record.scenario = s.text(1);
-  run.record.seed = s.natural(2);
-  run.status = statusNamed(s.text(3));
-  run.stateHash = s.text(4);
-  run.started = s.text(5);
-  run.ended = s.text(6);
-  run.steps = s.natural(7);
-  run.cells = s.natural(8);
+  run.id = idFrom(s, 0);
+  run.record.scenario = s.line(1);
+  run.record.seed = s.bits(2);
+  run.status = statusFrom(s, 3);
+  if (!s.isNull(4)) run.stateHash = hashFrom(s, 4).text();
+  run.started = s.line(5);
+  run.ended = s.line(6);
+  if (!s.isNull(7)) run.steps = s.natural(7);
+  if (!s.isNull(8)) run.cells = s.natural(8);
   run.time = s.isNull(9) ? 0 : s.real(9);
-  run.failure = s.text(10);
-  run.record.scenarioHash = s.text(11);
-  run.record.build = {s.text(12), s.text(13), s.text(14), s.text(15),
-                      s.text(16), s.text(17), s.text(18), librariesFrom(s.text(19))};
-  run.record.machine = {s.text(20), s.text(21), s.text(27), s.text(26)};
-  run.record.isa = s.text(22);
-  run.record.threads = static_cast<int>(s.integer(23));
+  run.failure = s.line(10);
+  run.record.scenarioHash = s.line(11);
+  run.record.build = {s.line(12), s.line(13), s.line(14), s.line(15),
+                      s.line(16), s.line(17), s.line(18), librariesFrom(s.line(19))};
+  run.record.machine = {s.line(20), s.line(21), s.line(27), s.line(26)};
+  run.record.isa = s.line(22);
+  run.record.threads = smallFrom(s, 23, 1);
   run.record.command = s.text(24);
-  run.record.binaryHash = s.text(25);
+  run.record.binaryHash = s.line(25);
   return run;
 }
 
@@ -105,12 +133,12 @@ void readLineage(Database& db, const std::string& id, RunResults& results, State
               "ORDER BY born, path");
   for (s.start(id); s.next();) {
     LineageEntry e;
-    e.path = CellPath::parse(s.text(0));
+    e.path = pathFrom(s, 0);
     e.born = s.real(1);
-    e.fate = fateNamed(s.text(3));
+    e.fate = fateFrom(s, 3);
     if (e.fate != Fate::alive) e.ended = s.real(2), e.endedStep = s.natural(7);
-    e.state = numberOf(s.text(4));
-    if (!s.isNull(5)) results.names.emplace(e.path, s.text(5));
+    e.state = numberOf(s.line(4));
+    if (!s.isNull(5)) results.names.emplace(e.path, s.line(5));
     e.bornStep = s.natural(6);
     results.lineage.push_back(e);
   }
@@ -129,6 +157,8 @@ void readSamples(Database& db, const std::string& id, RunResults& results, State
   for (whole.start(id); whole.next();) {
     Sample& sample = results.samples.emplace_back();
     WorldMeasures& w = sample.world;
+    if (const double time = whole.real(0); !(time >= 0 && time <= std::numeric_limits<double>::max()))
+      whole.refuse(0, "needs a time from 0");
     w = {.time = whole.real(0), .step = whole.natural(1), .cells = whole.natural(2)};
     const auto measured = [&](int column) {
       return whole.isNull(column) ? std::nullopt : std::optional(whole.real(column));
@@ -136,17 +166,17 @@ void readSamples(Database& db, const std::string& id, RunResults& results, State
     w.volume = measured(3), w.kineticEnergy = measured(4), w.meanPressure = measured(5);
     w.shellFill = measured(6), w.outermost = measured(7);
     for (cell.start(id, w.time); cell.next();)
-      sample.cells.push_back({.path = CellPath::parse(cell.text(0)),
-                              .state = numberOf(cell.text(1)),
+      sample.cells.push_back({.path = pathFrom(cell, 0),
+                              .state = numberOf(cell.line(1)),
                               .volume = cell.real(2),
                               .area = cell.real(3),
                               .pressure = cell.real(4),
                               .centroid = {cell.real(5), cell.real(6), cell.real(7)},
                               .sphericity = cell.real(8),
-                              .neighbours = static_cast<int>(cell.integer(9))});
+                              .neighbours = smallFrom(cell, 9, 0)});
     for (contact.start(id, w.time); contact.next();)
       sample.contacts.push_back(
-          {CellPath::parse(contact.text(0)), CellPath::parse(contact.text(1)), contact.real(2)});
+          {pathFrom(contact, 0), pathFrom(contact, 1), contact.real(2)});
   }
 }
 
@@ -187,9 +217,9 @@ RunResults Store::results(const std::string& id) {
   Statement connection(db_,
                        "SELECT a, b, made, released, cause FROM connection WHERE run_id = ? ORDER BY number");
   for (connection.start(id); connection.next();)
-    results.connections.push_back({CellPath::parse(connection.text(0)), CellPath::parse(connection.text(1)),
+    results.connections.push_back({pathFrom(connection, 0), pathFrom(connection, 1),
                                    connection.real(2), connection.isNull(3) ? -1 : connection.real(3),
-                                   lasting(connection.text(4))});
+                                   lasting(connection.line(4))});
 
   Statement timeStep(db_, "SELECT time, step, time_step FROM time_step WHERE run_id = ? ORDER BY step");
   for (timeStep.start(id); timeStep.next();)
@@ -219,10 +249,12 @@ std::vector<ChainLink> Store::chain(const std::string& id) {
   Statement cell(db_, "SELECT path, hash FROM cell_hash WHERE run_id = ? AND step = ? ORDER BY path");
   std::vector<ChainLink> chain;
   for (link.start(id); link.next();) {
-    const auto hash = [&](int column) { return hashFrom(link.text(column)); };
+    // Their distances divide: equal steps, which the key of a whole table excludes, must not get that far.
+    if (!chain.empty() && link.natural(0) <= chain.back().step) link.refuse(0, "needs steps that ascend");
+    const auto hash = [&](int column) { return hashFrom(link, column); };
     chain.push_back({link.natural(0), hash(1), {hash(2), hash(3), {}, hash(4), hash(5)}});
     for (cell.start(id, link.natural(0)); cell.next();)
-      chain.back().state.cells.push_back({CellPath::parse(cell.text(0)), hashFrom(cell.text(1))});
+      chain.back().state.cells.push_back({pathFrom(cell, 0), hashFrom(cell, 1)});
   }
   return chain;
 }
@@ -252,7 +284,7 @@ std::vector<Document> Store::documents(const std::string& id) {
               "SELECT role, path, content FROM run_document JOIN document USING (hash) WHERE run_id = ? "
               "ORDER BY number");
   std::vector<Document> documents;
-  for (s.start(id); s.next();) documents.push_back({s.text(0), s.text(1), s.text(2)});
+  for (s.start(id); s.next();) documents.push_back({s.line(0), s.text(1), s.text(2)});
   return documents;
 }
 

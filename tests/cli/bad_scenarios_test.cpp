@@ -32,7 +32,7 @@ TEST_CASE("bad DNA in a file of its own gives exit 3 and names its line") {
     INFO(entry.path().string());
     writeWhole(scenario, "morula: 1\nname: s\ndna: {file: '" + fs::absolute(entry.path()).string() +
                              "'}\nstop: {cycles: 1}\n");
-    const auto run = launch({"run", scenario});
+    const auto run = launch({"run", "--allow-outside", scenario});
     CHECK(run.code == 3);
     CHECK(run.out.empty());
     CHECK(run.err.find(entry.path().filename().string() + ":") != std::string::npos);

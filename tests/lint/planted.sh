@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Each lint finds what is planted for it, and lets pass what only looks like it.
 #
-#   planted.sh words|flags|layers
+#   planted.sh words|files|flags|layers
 #   planted.sh symbols NM COMPILER
 #   planted.sh instructions OBJDUMP COMPILER
 set -euo pipefail
@@ -54,6 +54,40 @@ case $lint in
       'const char* text = "time(0) // exp(1)"; double a = x.time * logNumber(2);' >"$file"
     passes "words in comments, texts and other words" "$here/words.sh" "$work/core"
     finds "there is no source" "$here/words.sh" "$here/allowed_symbols.txt"
+    ;;
+
+  files)
+    mkdir -p "$work"/runner/{files,cli,store}
+    while IFS= read -r line; do
+      printf 'int harmless;\n%s\n' "$line" >"$work/runner/cli/a.cpp"
+      plant=$line
+      finds "cli/a.cpp:2:" "$here/files.sh" "$work/runner"
+    done <<'PLANTS'
+std::ifstream in(file);
+std::ofstream(file) << text;
+std::fstream both(file);
+FILE* f = fopen(name, "rb");
+const int f = ::open(name, O_RDONLY);
+if (std::filesystem::exists(file)) return;
+for (const auto& entry : fs::directory_iterator(folder)) use(entry);
+fs::rename(a, b, error);
+auto here = std::filesystem::current_path();
+::unlink(name);
+std::cout << text;
+std::cerr << text;
+std::clog << text;
+fprintf(stderr, text);
+printf("%s", text);
+fputs(text, stdout);
+fmt::print("{}", text);
+PLANTS
+    printf '%s\n' '// std::ifstream, fopen(x), std::cerr' 'namespace fs = std::filesystem;' '#include <filesystem>' \
+      'const std::filesystem::path file = fs::path("std::cout") / name; Stored::open(x);' 'fmt::format("x"); database.open();' >"$work/runner/cli/a.cpp"
+    echo 'std::ifstream in(::open(x));' >"$work/runner/files/b.cpp"
+    echo 'std::cout << text;' >"$work/runner/cli/console.cpp"
+    plant=
+    passes "comments, texts, paths and the rooms that may" "$here/files.sh" "$work/runner"
+    finds "there is no source" "$here/files.sh" "$work/runner/store"
     ;;
 
   flags)

@@ -1,0 +1,56 @@
+#include "files/content.h"
+
+#include "files/read_file.h"
+
+namespace morula {
+
+namespace {
+
+/// True if a line of the text begins so.
+bool hasLine(std::string_view text, std::string_view beginning) {
+  if (text.starts_with(beginning)) return true;
+  for (auto at = text.find(beginning); at != text.npos; at = text.find(beginning, at + 1))
+    if (at > 0 && text[at - 1] == '\n') return true;
+  return false;
+}
+
+}  // namespace
+
+Content contentOf(std::string_view head) {
+  if (head.empty()) return Content::empty;
+  if (head.starts_with("\x89PNG\r\n\x1a\n")) return Content::picture;
+  if (head.starts_with(std::string_view("SQLite format 3\0", 16))) return Content::database;
+  for (const auto report : {junitBeginning, summaryBeginning, jsonBeginning})
+    if (head.starts_with(report)) return Content::report;
+  if (hasLine(head, "morula golden ")) return Content::golden;  // also below the marker of a merge
+  if (hasLine(head, "morula:") || hasLine(head, "morula-study:") || head.find("\"morula\":") != head.npos)
+    return Content::scenario;
+  if (hasLine(head, "START:")) return Content::dna;
+  return Content::other;
+}
+
+Content contentOfFile(const std::filesystem::path& file) { return contentOf(readHead(file, 4096)); }
+
+const char* name(Content content) {
+  switch (content) {
+    case Content::empty:
+      return "empty";
+    case Content::picture:
+      return "a picture (PNG)";
+    case Content::database:
+      return "a database";
+    case Content::golden:
+      return "a golden file";
+    case Content::scenario:
+      return "a scenario";
+    case Content::dna:
+      return "DNA";
+    case Content::report:
+      return "a report";
+    case Content::other:
+      break;
+  }
+  return "a file of another kind";
+}
+
+}  // namespace morula

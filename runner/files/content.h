@@ -1,0 +1,23 @@
+#pragma once
+// What a file holds, told from its first bytes: names do not say it.
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace morula {
+
+enum class Content { empty, picture, database, golden, scenario, dna, report, other };
+
+/// From the first bytes of a file; 4096 are enough.
+Content contentOf(std::string_view head);
+Content contentOfFile(const std::filesystem::path& file);
+/// For messages: "a picture (PNG)", "a scenario", …
+const char* name(Content content);
+
+/// How the files begin that `morula check --reports` writes. The same texts in writer and reader.
+inline constexpr std::string_view junitBeginning =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"morula check\"";
+inline constexpr std::string_view summaryBeginning = "### morula check\n";
+inline constexpr std::string_view jsonBeginning = "{\n  \"morula\": 1";
+
+}  // namespace morula

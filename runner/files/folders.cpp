@@ -1,0 +1,115 @@
+#include "files/folders.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace morula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& what, const std::error_code& error) {
+  throw FileError("'" + path.string() + "' " + what + ": " + error.message());
+}
+
+fs::file_status statusOf(const fs::path& path) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  // A file where a folder should be on the way: there is nothing behind it.
+  if (status.type() == fs::file_type::not_found) return status;
+  if (error) refuse(path, "cannot be looked at", error);
+  return status;
+}
+
+fs::path realPath(const fs::path& path) {
+  std::error_code error;
+  auto real = fs::weakly_canonical(path.empty() ? fs::path(".") : path, error);
+  if (error) refuse(path, "cannot be looked at", error);
+  return real.is_absolute() ? real : absolutePath(real);
+}
+
+}  // namespace
+
+bool fileExists(const fs::path& file) { return fs::exists(statusOf(file)); }
+
+bool isFolder(const fs::path& path) { return fs::is_directory(statusOf(path)); }
+
+bool isPlainFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(fs::symlink_status(path, ignored));
+}
+
+std::uintmax_t fileSize(const fs::path& file) {
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  if (error) refuse(file, "cannot be looked at", error);
+  return size;
+}
+
+void makeFolder(const fs::path& folder) {
+  if (folder.empty()) return;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error && !isFolder(folder)) error = std::make_error_code(std::errc::not_a_directory);
+  if (error) refuse(folder, "cannot be made", error);
+}
+
+void makeEmptyFolder(const fs::path& folder) {
+  if (fileExists(folder) && !(isFolder(folder) && namesIn(folder).empty()))
+    throw FileError("'" + folder.string() + "' is there already; give a folder that is not, or an empty one");
+  makeFolder(folder);
+}
+
+bool removeFile(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_directory(fs::symlink_status(file, ignored))) return false;
+  return fs::remove(file, ignored);
+}
+
+std::vector<fs::path> namesIn(const fs::path& folder) {
+  std::vector<fs::path> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    names.push_back(entry->path().filename());
+  if (error) refuse(folder, "cannot be listed", error);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<fs::path> filesBelow(const fs::path& folder, const std::string& extension) {
+  std::vector<fs::path> files;
+  std::error_code error, ignored;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().extension() == extension && entry->is_regular_file(ignored)) files.push_back(entry->path());
+  if (error) refuse(folder, "cannot be listed", error);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+fs::path currentFolder() {
+  std::error_code error;
+  auto folder = fs::current_path(error);
+  if (error) refuse(".", "cannot be looked at", error);
+  return folder;
+}
+
+fs::path absolutePath(const fs::path& path) {
+  return (path.is_absolute() ? path : currentFolder() / path).lexically_normal();
+}
+
+bool liesWithin(const fs::path& path, const fs::path& folder) {
+  const fs::path inner = realPath(path), outer = realPath(folder);
+  const auto [rest, at] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  return rest == outer.end() || (rest->empty() && std::next(rest) == outer.end());
+}
+
+fs::path readLink(const fs::path& link) {
+  std::error_code error;
+  auto target = fs::read_symlink(link, error);
+  if (error) refuse(link, "cannot be read", error);
+  return target;
+}
+
+}  // namespace morula

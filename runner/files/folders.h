@@ -1,0 +1,41 @@
+#pragma once
+// Folders and names. The standard library's own functions throw what is no FileError, and some answer "no" where they could
+// not look; these answer, or throw a FileError with the path and the reason.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace morula {
+
+/// Whether the name leads anywhere, through links. Throws if that cannot be told: a folder on the way may not be searched,
+/// a name is too long, links lead in circles.
+bool fileExists(const std::filesystem::path& file);
+bool isFolder(const std::filesystem::path& path);
+/// A file itself, not a link to one.
+bool isPlainFile(const std::filesystem::path& path);
+
+/// [bytes]
+std::uintmax_t fileSize(const std::filesystem::path& file);
+
+/// Makes the folder and those above it; does nothing for "".
+void makeFolder(const std::filesystem::path& folder);
+/// Makes the folder; throws if there is anything in it already.
+void makeEmptyFolder(const std::filesystem::path& folder);
+/// Removes a file or a link. What is not there, or cannot be removed, is no error: false.
+bool removeFile(const std::filesystem::path& file);
+
+/// The names of the folder's files and folders, sorted.
+std::vector<std::filesystem::path> namesIn(const std::filesystem::path& folder);
+/// All files below the folder with this extension, as `folder`/…, sorted. Links to folders are not followed.
+std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder, const std::string& extension);
+
+std::filesystem::path currentFolder();
+/// From the root, without "." and "..", links as they are.
+std::filesystem::path absolutePath(const std::filesystem::path& path);
+/// Whether `path` leads to something in the folder or below it, with all links followed. What is not there yet counts by
+/// its folder.
+bool liesWithin(const std::filesystem::path& path, const std::filesystem::path& folder);
+/// Where a link leads.
+std::filesystem::path readLink(const std::filesystem::path& link);
+
+}  // namespace morula

@@ -1,0 +1,45 @@
+#include "files/printable.h"
+
+#include "files/utf8.h"
+
+namespace morula {
+
+namespace {
+
+bool isHarmful(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c <= 0x9F) || c == 0x061C || c == 0x200E || c == 0x200F ||
+         (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
+}
+
+/// `prefix` and the last `digits` hexadecimal digits of the number.
+std::string escape(const char* prefix, char32_t number, int digits) {
+  std::string text = prefix;
+  for (int i = digits - 1; i >= 0; --i) text += "0123456789abcdef"[number >> (4 * i) & 15];
+  return text;
+}
+
+std::string escapeIn(std::string_view text, bool oneLine) {
+  std::string out;
+  while (!text.empty()) {
+    const int length = utf8Length(text);
+    const char32_t c = length ? utf8Value(text, length) : static_cast<unsigned char>(text[0]);
+    const std::size_t taken = length ? static_cast<std::size_t>(length) : 1;
+    if (!length) out += escape("\\x", c, 2);
+    else if (c == '\n') out += oneLine ? "\\n" : "\n";
+    else if (c == '\t') out += oneLine ? "\\t" : "\t";
+    else if (c == '\r' && oneLine) out += "\\r";
+    else if (!isHarmful(c)) out += text.substr(0, taken);
+    // From DEL on as JSON writes them, so that JSON that has passed through here is still JSON.
+    else out += c < 0x7F ? escape("\\x", c, 2) : escape("\\u", c, 4);
+    text.remove_prefix(taken);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) { return escapeIn(text, false); }
+
+std::string printableLine(std::string_view text) { return escapeIn(text, true); }
+
+}  // namespace morula

@@ -1,0 +1,98 @@
+#include "files/write_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+
+#include "base/error.h"
+#include "files/descriptor.h"
+
+namespace morula {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw FileError("'" + file.string() + "' cannot be written: " + why);
+}
+
+bool writeAll(int to, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(to, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+/// The type of what stands there, without following a link; nothing if there is nothing.
+std::optional<mode_t> typeOf(const fs::path& file) {
+  struct stat status {};
+  if (::lstat(file.c_str(), &status) == 0) return status.st_mode;
+  if (errno == ENOENT) return std::nullopt;
+  refuse(file, std::strerror(errno));
+}
+
+/// Throws unless what stands there is a regular file that may be written.
+void requireWritable(const fs::path& file, mode_t mode) {
+  if (!S_ISREG(mode)) refuse(file, std::string("it is ") + typeName(mode) + "; give the name of a file");
+  if (::access(file.c_str(), W_OK) != 0) refuse(file, std::strerror(errno));
+}
+
+/// A name in the same folder that nothing else uses.
+fs::path draftFor(const fs::path& file) {
+  static std::atomic<unsigned> number{0};
+  return file.parent_path() /
+         (".morula-" + std::to_string(::getpid()) + "-" + std::to_string(++number) + ".part");
+}
+
+/// Moves the bytes to their place in one step.
+void replace(const fs::path& file, std::string_view bytes) {
+  const fs::path draft = draftFor(file);
+  Descriptor out(::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
+  if (!out.isOpen()) refuse(file, std::strerror(errno));
+  const bool written = writeAll(out.number(), bytes) && ::fsync(out.number()) == 0 && out.close() &&
+                       std::rename(draft.c_str(), file.c_str()) == 0;
+  if (written) return;
+  const int reason = errno;
+  ::unlink(draft.c_str());
+  refuse(file, std::strerror(reason));
+}
+
+}  // namespace
+
+void writeFile(const fs::path& file, std::string_view bytes, Content kind) {
+  if (const auto mode = typeOf(file)) {
+    requireWritable(file, *mode);
+    const Content there = contentOfFile(file);
+    if (there != kind && there != Content::empty)
+      refuse(file, std::string("it is there already and is ") + name(there) + ", which " + name(kind) +
+                       " would replace; give another name, or remove it first");
+  }
+  replace(file, bytes);
+}
+
+void writeNewFile(const fs::path& file, std::string_view bytes) {
+  if (typeOf(file)) refuse(file, std::string("it is there already and is ") + name(contentOfFile(file)));
+  replace(file, bytes);
+}
+
+void overwriteFile(const fs::path& file, std::string_view bytes) {
+  if (const auto mode = typeOf(file)) requireWritable(file, *mode);
+  replace(file, bytes);
+}
+
+void appendToFile(const fs::path& file, std::string_view bytes) {
+  if (const auto mode = typeOf(file)) requireWritable(file, *mode);
+  Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
+  if (!out.isOpen() || !writeAll(out.number(), bytes) || !out.close()) refuse(file, std::strerror(errno));
+}
+
+}  // namespace morula

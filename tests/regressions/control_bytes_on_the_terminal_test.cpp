@@ -1,0 +1,114 @@
+// Keys, names, --set, file names, OBJ lines, goldens and databases brought control bytes to the terminal, where they could
+// rewrite what stands there; bytes that are not UTF-8 in JSON ended as a bug, exit 70. All output passes one function that
+// shows such bytes instead of sending them; JSON stays JSON.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "hostile.h"
+#include "store/database.h"
+
+using namespace morula::test;
+
+namespace {
+
+const std::string escape = "\x1b]0;owned\x07", c1 = "\xc2\x9b" "31m", direction = "\xe2\x80\xae" "abc", noText = "\xff\xfe";
+const std::vector<std::string> hostile{escape, c1, direction, noText, "a\rb", "\x7f"};
+
+void checkClean(const Launched& run) {
+  CAPTURE(run.code, run.out, run.err);
+  CHECK(harmfulByte(run.out) == "");
+  CHECK(harmfulByte(run.err) == "");
+  CHECK(run.code != 70);
+  CHECK(run.code < 128);
+}
+
+}  // namespace
+
+TEST_CASE("control bytes in scenarios, names and options are shown, not sent") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "small.yaml";
+  for (const auto& bytes : hostile) {
+    CAPTURE(bytes);
+    for (const std::string& text :
+         {smallScene + bytes + ": 1\n", smallScene + "summary: " + bytes + "\n", smallScene + "colours: {" + bytes + ": red}\n",
+          "morula: 1\nname: x\ndna: |\n  START: a0\n  g1(" + bytes + "|a0)\nstop: {cycles: 1}\n"}) {
+      writeWhole(scenario, text);
+      checkClean(launch({"validate", scenario}));
+      checkClean(launch({"validate", "--json", scenario}));
+    }
+    writeWhole(scenario, smallScene);
+    for (const auto& words : std::vector<std::vector<std::string>>{
+             {"--set", "summary=" + bytes}, {"--set", bytes + "=1"}, {"--set", "name=" + bytes}, {"--set", bytes},
+             {"--seed", bytes}, {"--" + bytes}, {bytes}, {"--set", "colours={" + bytes + ": '#ffffff'}"}})
+      for (const char* verb : {"validate", "run"}) {
+        auto all = std::vector<std::string>{verb, scenario};
+        all.insert(all.end(), words.begin(), words.end());
+        if (all[0] == "run") all.insert(all.end(), {"--dry-run", "--json"});
+        checkClean(launch(all));
+      }
+    checkClean(launch({bytes}));
+    checkClean(launch({"lineage", "--run", bytes, scenario}));
+    checkClean(launch({"explain", "--with", folder / bytes, scenario}));
+    const auto named = folder / ("x" + bytes + ".yaml");
+    writeWhole(named, smallScene);
+    for (const char* verb : {"validate", "check", "lineage"}) {
+      checkClean(launch({verb, named}));
+      const auto json = launch({verb, "--json", named});
+      checkClean(json);
+      CHECK_FALSE(nlohmann::json::parse(json.out, nullptr, false).is_discarded());
+    }
+    checkClean(launch({"check", "--reports", folder / "reports", named}));
+    for (const char* report : {"junit.xml", "report.json", "summary.md"})
+      CHECK(harmfulByte(readWhole(folder / "reports/" + report)) == "");
+    writeWhole(folder / "small.golden", "morula golden 1\n" + bytes + "\n");
+    checkClean(launch({"check", scenario}));
+    std::filesystem::remove(folder / "small.golden");
+    writeWhole(folder / "a.obj", bytes + "\nv " + bytes + "\n");
+    writeWhole(scenario, smallBody);
+    checkClean(launch({"validate", "--set", "physics.mesh={file: a.obj}", scenario}));
+  }
+}
+
+TEST_CASE("control characters written as escapes of YAML are refused at their place") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "a.yaml";
+  for (const char* text : {"x\\0y", "\\e[31m", "a\\x9b", "\\u202e", "\\a"}) {
+    CAPTURE(text);
+    writeWhole(scenario, smallScene + "summary: \"" + text + "\"\n");
+    const auto run = launch({"validate", scenario});
+    checkClean(run);
+    CHECK(run.code == 3);
+    CHECK(run.err.starts_with(scenario + ":9:10: summary: "));
+  }
+}
+
+TEST_CASE("a text cannot pass for a line of ours") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "a.yaml", smallScene + "\"x\\nother.yaml:1:1: name\": 1\n");
+  const auto run = launch({"validate", folder / "a.yaml"});
+  CHECK(run.code == 3);
+  CHECK(run.err.find("\nother.yaml") == std::string::npos);
+}
+
+TEST_CASE("control bytes in a database are shown or refused") {
+  const TemporaryFolder folder;
+  const auto original = folder / "original.db", database = folder / "run.db";
+  writeWhole(folder / "small.yaml", smallScene);
+  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", original, folder / "small.yaml"}).code == 0);
+  for (const auto& bytes : hostile)
+    for (const char* change : {"UPDATE run SET scenario = ?", "UPDATE run SET started = ?", "UPDATE run SET failure = ?",
+                               "UPDATE run SET command = ?", "UPDATE run SET cpu = ?", "UPDATE cell SET state = ?",
+                               "UPDATE run_document SET role = ?"}) {
+      CAPTURE(bytes, change);
+      std::filesystem::copy_file(original, database, std::filesystem::copy_options::overwrite_existing);
+      {
+        morula::Database db(database, morula::Database::Mode::existing, std::chrono::seconds(1));
+        morula::Statement(db, change).run(bytes);
+      }
+      checkClean(launch({"export", database}));
+      checkClean(launch({"export", "--json", database}));
+      checkClean(launch({"lineage", database}));
+      checkClean(launch({"replay", database}));
+    }
+}

@@ -1,0 +1,56 @@
+// render X -o X replaced the scenario, or the database of results, with a picture and ended with 0. What a command writes
+// replaces files of its own kind only, and the message says what the other file is.
+#include <filesystem>
+
+#include "catch.h"
+#include "hostile.h"
+
+using namespace morula::test;
+
+TEST_CASE("a picture does not replace a file of another kind") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "small.yaml", database = folder / "out/run.db";
+  writeWhole(scenario, smallScene);
+  REQUIRE(launch({"run", "--quiet", "--no-pictures", "--no-check", "--db", database, "--out", folder / "out", scenario}).code == 0);
+  writeWhole(folder / "genes.dna", "START: a0\n");
+  writeWhole(folder / "x.golden", "morula golden 1\n");
+  writeWhole(folder / "letter.txt", "Dear all\n");
+  for (const auto& file : {scenario, database, folder / "genes.dna", folder / "x.golden", folder / "letter.txt"}) {
+    CAPTURE(file);
+    const auto before = readWhole(file);
+    const auto run = launch({"render", "--quiet", "--style", "lineage", "-o", file, scenario});
+    CAPTURE(run.err);
+    CHECK(run.code == 6);
+    CHECK(run.err.find("would replace") != std::string::npos);
+    CHECK(readWhole(file) == before);
+  }
+  CHECK(launch({"render", "--quiet", "--style", "lineage", "-o", scenario, database}).code == 6);
+}
+
+TEST_CASE("a picture replaces a picture and an empty file, and no link") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "small.yaml", smallScene);
+  writeWhole(folder / "empty.png", "");
+  const auto draw = [&](const std::string& file) {
+    return launch({"render", "--quiet", "--style", "lineage", "-o", file, folder / "small.yaml"}).code;
+  };
+  CHECK(draw(folder / "a.png") == 0);
+  CHECK(draw(folder / "a.png") == 0);
+  CHECK(draw(folder / "empty.png") == 0);
+  std::filesystem::create_symlink("a.png", folder / "link.png");
+  CHECK(draw(folder / "link.png") == 6);
+  CHECK(std::filesystem::is_symlink(folder / "link.png"));
+  CHECK(draw(folder.path()) == 6);
+  CHECK(draw("/dev/null") == 6);
+}
+
+TEST_CASE("reports of a check replace reports only") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "small.yaml", smallScene);
+  const auto check = [&] { return launch({"check", "--quiet", "--reports", folder / "r", folder / "small.yaml"}); };
+  check();
+  CHECK(check().code != 6);
+  writeWhole(folder / "r/report.json", "{\"mine\": 1}\n");
+  CHECK(check().code == 6);
+  CHECK(readWhole(folder / "r/report.json") == "{\"mine\": 1}\n");
+}

@@ -1,0 +1,33 @@
+// run removed the whole folder `sequence` of an earlier run, with files of the user's in it. It removes only pictures that
+// Morula itself wrote there and that the new run does not replace.
+#include <filesystem>
+
+#include "catch.h"
+#include "hostile.h"
+
+using namespace morula::test;
+
+TEST_CASE("run: files of the user's in the sequence folder stay") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "body.yaml", smallBody);
+  const auto sequence = folder.path() + "/body-0/sequence/";
+  const auto run = [&](const char* every) {
+    return launch({"run", "--quiet", "--no-check", "--out", folder.path(), "--set", std::string("record.pictures=") + every,
+                   folder / "body.yaml"});
+  };
+  const auto first = run("0.0078125");
+  CAPTURE(first.err);
+  REQUIRE(first.code == 0);
+  REQUIRE(std::filesystem::exists(sequence + "0004.png"));
+  writeWhole(sequence + "notes.txt", "mine\n");
+  writeWhole(sequence + "cover.png", readWhole(sequence + "0000.png"));
+  std::string foreign = readWhole(sequence + "0000.png");
+  foreign.replace(foreign.find("Morula"), 6, "Camera");
+  writeWhole(sequence + "0009.png", foreign);
+  REQUIRE(run("0.015625").code == 0);
+  CHECK(readWhole(sequence + "notes.txt") == "mine\n");
+  CHECK(std::filesystem::exists(sequence + "cover.png"));
+  CHECK(readWhole(sequence + "0009.png") == foreign);
+  CHECK(std::filesystem::exists(sequence + "0002.png"));
+  CHECK_FALSE(std::filesystem::exists(sequence + "0004.png"));  // of the longer sequence
+}
