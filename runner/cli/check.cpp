@@ -105,7 +105,7 @@ void writeReports(const std::filesystem::path& folder, const std::vector<CheckRe
   writeFile(folder / "junit.xml", junitXml(reports), Content::report);
   Json report{{"morula", 1}};
   report.update(found);
-  writeFile(folder / "report.json", jsonText(report, 2) + '\n', Content::report);
+  writeFile(folder / "report.json", printable(jsonText(report, 2)) + '\n', Content::report);
   writeFile(folder / "summary.md", summaryPage(reports) + (table.empty() ? "" : "\n" + printable(table)),
             Content::report);
 }

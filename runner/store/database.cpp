@@ -1,6 +1,7 @@
 #include "store/database.h"
 
 #include <sqlite3.h>
+#include <sys/resource.h>
 
 #include <cstring>
 
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 
 /// What would help, for the failures that people meet.
 std::string remedy(int code, int systemError, const fs::path& file) {
+  rlimit limit{};
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   switch (code & 0xff) {
     case SQLITE_NOTADB:
@@ -40,7 +42,9 @@ std::string remedy(int code, int systemError, const fs::path& file) {
                "; is the directory writable?";
       return "it cannot be opened; are the file and its directory readable and writable?";
     case SQLITE_IOERR:
-      // Also where files may not grow further (ulimit -f): SQLite has rolled back, so nothing that was stored is lost.
+      // SQLite has rolled back, so nothing that was stored is lost.
+      if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        return "files may not grow beyond " + std::to_string(limit.rlim_cur) + " bytes here (ulimit -f)";
       return systemError ? std::strerror(systemError) : "";
     case SQLITE_TOOBIG:
       return "a single value must stay below 1 GB";

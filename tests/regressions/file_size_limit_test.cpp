@@ -44,8 +44,11 @@ TEST_CASE("a limit of file sizes is told, and costs no earlier run") {
     const auto refused = withSeed("2");
     CAPTURE(refused.err);
     CHECK(refused.code == 6);
-    CHECK(refused.err.find("File too large") != std::string::npos);
-    const auto picture = launch({"render", "--quiet", "--style", "lineage", "--size", "3000", "-o", folder / "a.png", scenario});
+    CHECK(refused.err.find("ulimit -f") != std::string::npos);
+  }
+  {
+    const FileSizeLimit limit(2'000);
+    const auto picture = launch({"render", "--quiet", "--style", "lineage", "-o", folder / "a.png", scenario});
     CAPTURE(picture.err);
     CHECK(picture.code == 6);
     CHECK(picture.err.find("File too large") != std::string::npos);
