@@ -137,7 +137,7 @@ int actOnAll(const AccuracyWords& words) {
   int code = fine;
   for (const std::string& file : words.scenarios) {
     try {
-      const Scenario scenario = loadScenario(file);
+      const Scenario scenario = loadScenario(file, {}, words.input.allowOutside);
       if (!scenario.scene.mechanics || !scenario.check.fails.empty()) {
         tell("accuracy: " + file +
                  ": left out: " + (scenario.scene.mechanics ? "it must fail" : "it has no bodies"),

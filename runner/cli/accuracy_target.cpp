@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "base/error.h"
 #include "base/number_text.h"
 #include "cli/accuracy_json.h"
+#include "files/scratch_folder.h"
 #include "process/child_process.h"
 
 namespace morula::cli {
@@ -20,8 +20,9 @@ constexpr std::uint64_t finestLevel = 4;
 /// What is set is what was asked for, but for what the setting decides.
 std::vector<std::string> commandFor(const Setting& setting, const TargetQuestion& question) {
   std::vector<std::string> changes = changesFor(setting);
+  bool allowOutside = false;
   try {
-    question.read(changes);
+    allowOutside = question.read(changes).allowOutside;
   } catch (const InputError&) { return {}; }  // its row has failed too
   const auto pathOf = [](const std::string& change) { return change.substr(0, change.find('=')); };
   std::vector<std::string> command{"run", question.file};
@@ -33,6 +34,7 @@ std::vector<std::string> commandFor(const Setting& setting, const TargetQuestion
     if (std::none_of(changes.begin(), changes.end(),
                      [&](const std::string& change) { return pathOf(change) == pathOf(given); }))
       add("--set", given);
+  if (allowOutside) command.push_back("--allow-outside");
   if (!question.seed.empty()) add("--seed", question.seed);
   for (const std::string& change : changes) add("--set", change);
   return command;
@@ -60,16 +62,14 @@ class Runner {
       return {};
     }
     question_.tell(fmt::format("running to the end: {}, {}", series, timeStepChange(setting)));
-    const auto folder = std::filesystem::path(question_.folder) / ("target-" + std::to_string(++runs_));
+    const ScratchFolder folder(question_.folder);
     auto words = command;
     words.insert(words.begin(), question_.program);
     for (const std::string& word : {std::string("--no-check"), std::string("--no-pictures"),
-                                    std::string("--quiet"), std::string("--out"), folder.string()})
+                                    std::string("--quiet"), std::string("--out"), folder.path().string()})
       words.push_back(word);
     const ChildEnd end = runChild(
         words, {.cpuSeconds = static_cast<int>(std::ceil(rest)), .silent = false, .errorsToo = true});
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
     spent_ += end.cpuSeconds;
     if (end.well()) return EndedRun{command, setting, error, end.cpuSeconds};
     if (end.outOfTime()) answer_.outOfTime = true;
@@ -84,7 +84,6 @@ class Runner {
   const TargetQuestion& question_;
   TargetAnswer& answer_;
   double spent_ = 0;
-  int runs_ = 0;
 };
 
 std::string quoted(const std::string& word) {

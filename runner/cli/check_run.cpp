@@ -73,7 +73,7 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
   if (!committed) return golden;
   try {
     const auto before =
-        readScenario(*committed, scenario.file, std::filesystem::path(scenario.file).parent_path());
+        readScenario(*committed, scenario.file, folderOf(scenario.file), {}, {}, scenario.allowOutside);
     if (before.meaning.text() == golden.data.scenarioHash) golden.data.parameters = decidingValues(before);
   } catch (const InputError&) {  // of another version of the format: then it cannot tell
   }

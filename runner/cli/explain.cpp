@@ -16,6 +16,7 @@
 #include "explain/program_run.h"
 #include "explain/stored_run.h"
 #include "explain/text_difference.h"
+#include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/change.h"
 #include "golden/facts.h"
@@ -175,7 +176,7 @@ void compareWithGolden(const Scenario& scenario, const Execution& how, bool quie
   }
   const CheckReport report = check(scenario, run, invariants, true);
   f.checks = report.results;
-  if (std::filesystem::exists(goldenFile(scenario)) && !report.passed())
+  if (fileExists(goldenFile(scenario)) && !report.passed())
     f.changed = changedFrom(scenario, run);
   f.text += describe(report);
   const CheckResult* first = nullptr;  // the one that begins earliest, of the class that explains the others

@@ -29,7 +29,7 @@ fs::path pendingFolder() { return fs::path(ownProgram()).parent_path() / "pendin
 /// pending/thesis/unique-four-1a2b3c4d.golden: names are not unique (other folders, other checkouts), places
 /// are, so a hash of the place follows the name.
 fs::path fileOf(const Scenario& scenario, const char* extension) {
-  const std::string place = fs::absolute(scenario.file).lexically_normal().string();
+  const std::string place = absolutePath(scenario.file).string();
   return pendingFolder() /
          (goldenName(scenario.file) + '-' + Hasher().add(place).digest().text().substr(0, 8) + extension);
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "cli/exit_codes.h"
+#include "files/read_file.h"
 #include "scenario/numbers.h"
 
 namespace morula::cli {
@@ -16,7 +16,7 @@ constexpr double share = 0.9;
 
 /// [byte] What stands behind the line's name in /proc/meminfo; infinite if it does not say.
 double freeOfMachine() {
-  std::ifstream file("/proc/meminfo");
+  std::istringstream file(readHead("/proc/meminfo", 65536));
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
     std::string name;
@@ -29,7 +29,7 @@ double freeOfMachine() {
 /// [byte] The only number in a file of the control groups; infinite if it is "max", or not there.
 double numberIn(const std::string& file) {
   double number = 0;
-  return std::ifstream(file) >> number ? number : INFINITY;
+  return std::istringstream(readHead(file, 64)) >> number ? number : INFINITY;
 }
 
 /// Control groups of version 2, as containers see their own.

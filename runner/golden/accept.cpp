@@ -59,7 +59,7 @@ std::string goldenName(const fs::path& scenario) {
 }
 
 bool liesInScenarios(const fs::path& scenario) {
-  return !below(fs::absolute(scenario).lexically_normal(), "scenarios").empty();
+  return !below(absolutePath(scenario), "scenarios").empty();
 }
 
 fs::path goldenPath(const fs::path& scenario) {

@@ -11,7 +11,7 @@ std::vector<ValueDifference> Store::changedRecord(const std::string& id) {
       "SELECT d.number, d.role, d.hash, t.content FROM run_document d LEFT JOIN document t USING (hash) "
       "WHERE run_id = ? ORDER BY d.number");
   for (s.start(id); s.next();) {
-    const std::string row = "number " + s.text(0) + ", role " + s.text(1);
+    const std::string row = "number " + std::to_string(s.integer(0)) + ", role " + s.text(1);
     if (s.isNull(3)) {
       changed.push_back({"document", row, "", s.text(2), "no such row"});
       continue;

@@ -229,7 +229,7 @@ RunResults Store::results(const std::string& id) {
                      "SELECT path, time, step, axis_x, axis_y, axis_z, share, extent_ratio FROM division "
                      "WHERE run_id = ? ORDER BY step, path");
   for (division.start(id); division.next();)
-    results.divisions.push_back({CellPath::parse(division.text(0)),
+    results.divisions.push_back({pathFrom(division, 0),
                                  division.real(1),
                                  division.natural(2),
                                  {division.real(3), division.real(4), division.real(5)},

@@ -23,7 +23,8 @@ look() { # ALLOWED PATTERN WHY: without comments; a path as a value asks nothing
   sed "s|\$|   <- $3|" <<<"$found"
   wrong=1
 }
-look 'files/' "$files" 'use files/read_file.h, write_file.h or folders.h'
+# A child process's streams are set between fork and exec, where little may be called.
+look 'files/|process/child_process\.cpp:' "$files" 'use files/read_file.h, write_file.h or folders.h'
 look 'cli/console\.cpp:' "$streams" 'use cli/console.h'
 [ $wrong = 1 ] || echo "${#sources[@]} sources: files only through runner/files, standard streams only through the console"
 exit $wrong
