@@ -176,8 +176,7 @@ void compareWithGolden(const Scenario& scenario, const Execution& how, bool quie
   }
   const CheckReport report = check(scenario, run, invariants, true);
   f.checks = report.results;
-  if (fileExists(goldenFile(scenario)) && !report.passed())
-    f.changed = changedFrom(scenario, run);
+  if (fileExists(goldenFile(scenario)) && !report.passed()) f.changed = changedFrom(scenario, run);
   f.text += describe(report);
   const CheckResult* first = nullptr;  // the one that begins earliest, of the class that explains the others
   for (const auto& r : report.results)

@@ -58,9 +58,7 @@ std::string goldenName(const fs::path& scenario) {
   return (inside.empty() ? scenario.stem() : fs::path(inside).replace_extension()).generic_string();
 }
 
-bool liesInScenarios(const fs::path& scenario) {
-  return !below(absolutePath(scenario), "scenarios").empty();
-}
+bool liesInScenarios(const fs::path& scenario) { return !below(absolutePath(scenario), "scenarios").empty(); }
 
 fs::path goldenPath(const fs::path& scenario) {
   fs::path inside = below(scenario, "scenarios");

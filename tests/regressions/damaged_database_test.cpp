@@ -106,12 +106,15 @@ TEST_CASE("every verb that reads a damaged database ends with a code of its own"
   Loose loose;
   const auto small = loose.folder / "small.yaml";
   for (const std::string damage :
-       {"UPDATE run SET status = 'odd'", "UPDATE run SET state_hash = 'xyz'", "UPDATE run SET threads = 9223372036854775807",
-        "UPDATE run SET steps = -1", "UPDATE run SET run_id = '../../x' WHERE scenario = 'small'", "UPDATE step_hash SET hash = 'g' || substr(hash, 2)",
-        "UPDATE step_hash SET step = 9223372036854775807 - step", "UPDATE cell SET path = 'AXB' WHERE path = 'AB'", "UPDATE cell SET fate = 'odd'",
-        "UPDATE cell SET born = 9e999, ended = NULL", "UPDATE document SET content = x'ff00'", "UPDATE run_document SET role = NULL",
-        "DELETE FROM document", "DELETE FROM cell", "DELETE FROM run", "DROP TABLE cell",
-        "ALTER TABLE run RENAME TO r; CREATE VIEW run AS SELECT * FROM r",
+       {"UPDATE run SET status = 'odd'", "UPDATE run SET state_hash = 'xyz'",
+        "UPDATE run SET threads = 9223372036854775807", "UPDATE run SET steps = -1",
+        "UPDATE run SET run_id = '../../x' WHERE scenario = 'small'",
+        "UPDATE step_hash SET hash = 'g' || substr(hash, 2)",
+        "UPDATE step_hash SET step = 9223372036854775807 - step",
+        "UPDATE cell SET path = 'AXB' WHERE path = 'AB'", "UPDATE cell SET fate = 'odd'",
+        "UPDATE cell SET born = 9e999, ended = NULL", "UPDATE document SET content = x'ff00'",
+        "UPDATE run_document SET role = NULL", "DELETE FROM document", "DELETE FROM cell", "DELETE FROM run",
+        "DROP TABLE cell", "ALTER TABLE run RENAME TO r; CREATE VIEW run AS SELECT * FROM r",
         "CREATE TRIGGER t AFTER INSERT ON run BEGIN DELETE FROM cell; END"}) {
     CAPTURE(damage);
     const bool done = loose.damage(damage);

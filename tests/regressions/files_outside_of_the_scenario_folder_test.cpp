@@ -38,7 +38,8 @@ TEST_CASE("a scenario names files of its own folder only") {
     CHECK(allowed.err.find("hunter2") != allowed.err.npos);
   };
   for (const char* file : {"../secret", "link", "below/../../secret"}) refused("validate", file);
-  for (const char* verb : {"validate", "run", "parts", "check", "render", "lineage", "explain", "trail", "review", "accuracy"})
+  for (const char* verb :
+       {"validate", "run", "parts", "check", "render", "lineage", "explain", "trail", "review", "accuracy"})
     refused(verb, folder / "secret");
   writeWhole(scenario, withDna("below/a.dna"));
   CHECK(launch({"validate", scenario}).code == 0);

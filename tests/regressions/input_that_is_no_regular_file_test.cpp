@@ -35,8 +35,8 @@ TEST_CASE("what is no regular file is refused by every verb that reads one") {
     CHECK(run.err.find("bug") == std::string::npos);
   };
   for (const auto& words : readers(folder / "pipe", folder / "small.yaml")) refused(words);
-  for (const std::string& file : {std::string("/dev/zero"), std::string("/proc/self/mem"), folder.path(), folder / "loop",
-                                  folder / std::string(300, 'x'), folder / "small.yaml/x"})
+  for (const std::string& file : {std::string("/dev/zero"), std::string("/proc/self/mem"), folder.path(),
+                                  folder / "loop", folder / std::string(300, 'x'), folder / "small.yaml/x"})
     for (const char* verb : {"validate", "export", "replay"}) refused({verb, file});
 }
 
