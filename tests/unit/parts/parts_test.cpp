@@ -97,7 +97,7 @@ TEST_CASE("Without physics there are genes, and nothing that needs a body") {
   std::set<std::string> engaged;
   for (const auto& [name, part] : byName(scenario, {.pictures = false}))
     if (part.engaged) engaged.insert(name);
-  CHECK(engaged == std::set<std::string>{"biology"});
+  CHECK(engaged == std::set<std::string>{"biology", "samples"});  // of the start and of the end
 }
 
 TEST_CASE("Each part names the line that asks for it, or says that it is a default") {
