@@ -19,6 +19,6 @@ struct DividedElsewhere {
 /// The first division whose axes are more than `least` degrees apart.
 std::optional<DividedElsewhere> findDividedElsewhere(std::span<const DivisionRecord> divisions,
                                                      std::span<const DivisionRecord> reference,
-                                                     double least = 10);
+                                                     double least = 1);
 
 }  // namespace morula

@@ -121,12 +121,21 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
     if (error.orderIsObserved) return estimateByRichardson(coarseToMiddle, middleToFine, assumedMeshOrder);
     return {middleToFine / (std::exp2(assumedMeshOrder) - 1), assumedMeshOrder};
   };
-  error.order = left(coarse.worst.largest(), fine.worst.largest()).order;
+  const LeftError whole = left(coarse.worst.largest(), fine.worst.largest());
+  error.order = whole.order < leastMeshOrder ? 0 : whole.order;
   for (std::size_t i = 0; i < solved.size(); ++i) {
+    const bool isFinest = i + 1 == solved.size();
     LevelError level{solved[i].level, toFinest[i].worst, toFinest[i].atEnd};
+    // What does not converge cannot be extrapolated: the distance that was measured stands, which is the
+    // least that it can be. The finest mesh is taken to be as far off as it moved at last.
+    const auto add = [&](double& to, double coarseToMiddle, double middleToFine) {
+      const LeftError l = left(coarseToMiddle, middleToFine);
+      if (l.order >= leastMeshOrder) to += l.error;
+      else if (isFinest) to = std::max(coarseToMiddle, middleToFine);
+    };
     for (const auto m : meshMeasures) {
-      level.worst.*m += left(coarse.worst.*m, fine.worst.*m).error;
-      level.atEnd.*m += left(coarse.atEnd.*m, fine.atEnd.*m).error;
+      add(level.worst.*m, coarse.worst.*m, fine.worst.*m);
+      add(level.atEnd.*m, coarse.atEnd.*m, fine.atEnd.*m);
     }
     if (level.level == own) error.atStart = toFinest[i].atStart;
     error.levels.push_back(level);

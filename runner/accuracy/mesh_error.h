@@ -72,6 +72,9 @@ struct MeshError {
 /// Order that is assumed where only two levels are there: faces are flat, to second order in their edges.
 inline constexpr double assumedMeshOrder = 2;
 
+/// Below it errors hardly fall from mesh to mesh, and nothing is extrapolated.
+inline constexpr double leastMeshOrder = 1;
+
 /// From two or three neighbouring levels, rising. Sets levels, order, atStart, until and partedAt.
 MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t own, double eggRadius);
 

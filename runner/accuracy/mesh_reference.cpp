@@ -112,10 +112,12 @@ class Study {
       timeStep = fine_ / 2;
       Trial fine = solve(level_ + 1, timeStep);
       if (!fine.failure.empty()) break;
-      timeError_ = largestDistance(coarse, fine);
+      const double moved = largestDistance(coarse, fine);
+      const bool falls = i == 0 || moved < 0.7 * timeError_;
+      timeError_ = i == 0 ? moved : std::min(moved, timeError_);
       fine_ = timeStep;
       coarse = std::move(fine);
-      if (timeError_ <= share * largestDistance(own_, coarse)) break;
+      if (!falls || moved <= share * largestDistance(own_, coarse)) break;
     }
     result_.solved[level_ + 1] = std::move(coarse);
     return true;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/number_text.h"
 
@@ -15,7 +16,9 @@ std::string stepText(double timeStep);
 /// A share of the steps that the scene chooses, or a time.
 std::string stepText(const Setting& setting) {
   if (!setting.automatic || setting.autoShare == 1) return stepText(setting.timeStep);
-  return "auto · " + numberText(setting.autoShare);
+  const double parts = 1 / setting.autoShare;
+  return parts == std::floor(parts) ? fmt::format("auto/{:g}", parts)
+                                    : "auto*" + numberText(setting.autoShare);
 }
 
 std::string stepText(double timeStep) {
@@ -87,7 +90,7 @@ std::string meshText(const MeshError& mesh) {
                         level.worst.largest());
   text += mesh.orderIsObserved ? mesh.order > 0
                                      ? fmt::format("; order observed in the edge's length {:.2g}", mesh.order)
-                                     : "; from mesh to mesh it does not converge"
+                                     : "; from mesh to mesh it hardly falls: it may be larger"
                                : fmt::format("; order {:g} assumed: there are only two", mesh.order);
   text += fmt::format("; time steps add {:.2g}; {:.1f} s of CPU time\n", mesh.timeError, mesh.cpuSeconds);
   if (mesh.atStart > 0)
