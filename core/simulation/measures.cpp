@@ -33,17 +33,6 @@ CellMeasures measureSphere(const Bodies& b, int slot) {
   return m;
 }
 
-/// (x/a)² + (y/b)² + (z/c)² of the vertex where it is largest.
-double outermostSquare(const Bodies& b, const double* semiAxes) {
-  double outermost = 0;
-  for (int slot : b.slots)
-    for (const Point& p : takeSurface(b, slot).vertices) {
-      const Vector q{p.x / semiAxes[0], p.y / semiAxes[1], p.z / semiAxes[2]};
-      outermost = std::max(outermost, dot(q, q));
-    }
-  return outermost;
-}
-
 }  // namespace
 
 double measureKineticEnergy(const Bodies& b, int slot) {
@@ -53,6 +42,23 @@ double measureKineticEnergy(const Bodies& b, int slot) {
     sum += dot(u, u);
   }
   return 0.5 * b.vertexMass[slot] * sum;
+}
+
+double measureOutermost(const Bodies& b, int slot) {
+  const double* a = b.parameters.shell->semiAxes;
+  const double radius = b.parameters.cell.radius * b.restScale[slot];
+  if (b.areSpheres() && a[0] == a[1] && a[1] == a[2]) return (norm(b.vertex(slot, 0)) + radius) / a[0];
+  double outermost = 0;
+  for (Point p : takeSurface(b, slot).vertices) {
+    if (b.areSpheres()) {  // in the same direction, on the ball
+      const Point centre = b.vertex(slot, 0);
+      const Vector way = p - centre;
+      p = centre + (radius / norm(way)) * way;
+    }
+    const Vector q{p.x / a[0], p.y / a[1], p.z / a[2]};
+    outermost = std::max(outermost, dot(q, q));
+  }
+  return std::sqrt(outermost);
 }
 
 WorldMeasures measureWorld(const World& world) {
@@ -74,7 +80,7 @@ WorldMeasures measureWorld(const World& world) {
   if (b.parameters.shell) {
     const double* a = b.parameters.shell->semiAxes;
     m.shellFill = volume / (12.566370614359172 / 3 * a[0] * a[1] * a[2]);
-    if (b.count > 0) m.outermost = std::sqrt(outermostSquare(b, a));
+    for (int slot : b.slots) m.outermost = std::max(m.outermost.value_or(0), measureOutermost(b, slot));
   }
   return m;
 }

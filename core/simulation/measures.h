@@ -47,6 +47,9 @@ struct WorldMeasures {
 
 /// ½ Σ m v² over a cell's vertices. [force·length]
 double measureKineticEnergy(const Bodies& bodies, int slot);
+/// [shell radii] How far out a cell reaches: 1 on the shell, which there must be. A sphere's is that of the ball itself: the
+/// mesh that it is drawn with holds its volume, so that its vertices stand farther out.
+double measureOutermost(const Bodies& bodies, int slot);
 WorldMeasures measureWorld(const World& world);
 /// By lineage path; empty in a lineage-only world.
 std::vector<CellMeasures> measureCells(const World& world);

@@ -240,12 +240,7 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
     double volume = 0;
     for (int cell = 0; cell < b.count; ++cell) {
       volume += b.volume[b.slots[cell]];
-      double square = 0;
-      for (const Point& p : surfaces[cell].vertices) {
-        const Vector q{p.x / a[0], p.y / a[1], p.z / a[2]};
-        square = std::max(square, dot(q, q));
-      }
-      outermost.raise(std::sqrt(square), cell);
+      outermost.raise(measureOutermost(b, b.slots[cell]), cell);
     }
     all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost));
     all.push_back(

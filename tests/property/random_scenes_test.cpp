@@ -77,7 +77,7 @@ std::string sceneText(std::uint64_t seed) {
                           constant / volume * draw.between(0.5, 1.5));
   }
   if (draw.chance(0.5)) {
-    const double r = radius * draw.between(1, 1.3);
+    const double r = radius * draw.between(1.05, 1.3);
     text += draw.chance(0.5)
                 ? fmt::format("  shell: {{sphere: {:.4f}}}\n", r)
                 : fmt::format("  shell: {{ellipsoid: [{:.4f}, {:.4f}, {:.4f}]}}\n", 1.5 * r, r, r);
@@ -146,7 +146,10 @@ std::string ownVerdict(const World& world) {
     if (!(volume > 0)) return name + " is inside out";
     if (volume < 0.1 * rest) return fmt::format("{} is crushed to {:.3f}", name, volume / rest);
     if (b.parameters.shell)
-      for (const Point& p : m.vertices) {
+      for (Point p : m.vertices) {
+        // A ball is drawn with a mesh of its volume, whose vertices stand out of it.
+        if (const Vector way = p - b.vertex(slot, 0); sphere)
+          p = b.vertex(slot, 0) + (b.parameters.cell.radius * scale / norm(way)) * way;
         const double* a = b.parameters.shell->semiAxes;
         const double q = p.x * p.x / (a[0] * a[0]) + p.y * p.y / (a[1] * a[1]) + p.z * p.z / (a[2] * a[2]);
         if (!(q <= 1 + 1e-5)) return fmt::format("{} stands out of its shell: {:.6f}", name, std::sqrt(q));
