@@ -30,8 +30,8 @@ inline auto fields(Gene& a) {
   return std::tie(name, product, inputs);
 }
 inline auto fields(Dna& a) {
-  auto& [substances, start, genes, source] = a;
-  return std::tie(substances, start, genes, source);
+  auto& [substances, start, genes, source, warnings] = a;
+  return std::tie(substances, start, genes, source, warnings);
 }
 inline auto fields(CycleParameters& a) {
   auto& [length, perSubstance] = a;
@@ -66,9 +66,9 @@ inline auto fields(ShellParameters& a) {
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
 }
 inline auto fields(PhysicsParameters& a) {
-  auto& [coarsen, timeStep, integrator, substeps, precision, cell, membrane, pressure, shapeMatching, drag,
+  auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching, drag,
          growth, shell] = a;
-  return std::tie(coarsen, timeStep, integrator, substeps, precision, cell, membrane, pressure, shapeMatching,
+  return std::tie(coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching,
                   drag, growth, shell);
 }
 inline auto fields(ContactParameters& a) {

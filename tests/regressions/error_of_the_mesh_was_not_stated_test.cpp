@@ -49,7 +49,7 @@ Cell cellAtEnd(const TemporaryFolder& folder, const std::string& level, const st
   REQUIRE(run.code == 0);
   morula::Database db(file, morula::Database::Mode::existing, std::chrono::seconds(5));
   morula::Statement row(db, "SELECT x, volume, pressure FROM cell_sample ORDER BY time DESC, path LIMIT 1");
-  REQUIRE(row.step());
+  REQUIRE(row.next());
   return {row.real(0), row.real(1), row.real(2)};
 }
 
