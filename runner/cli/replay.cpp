@@ -12,6 +12,7 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/provenance.h"
+#include "cli/sanity.h"
 #include "cli/simulate.h"
 #include "cli/stored.h"
 #include "cli/verb.h"
@@ -108,8 +109,8 @@ void leaveOut(Comparison& c, const std::string& table, const std::string& why) {
 }
 
 /// What the file holds of the run, beside what the run gave now.
-void compareTables(Store& stored, const StoredRun& before, Store& again, const RunRecord& now,
-                   bool checked, Comparison& c) {
+void compareTables(Store& stored, const StoredRun& before, Store& again, const RunRecord& now, bool checked,
+                   Comparison& c) {
   c.tables = stored.compareResults(before.id, again, runId(now));
   const bool sameProgram = buildId(before.record.build) == buildId(now.build);
   std::vector<std::string> later;
@@ -120,16 +121,15 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   for (const CheckResult& r : stored.checks(before.id)) elsewhere += r.kind == "golden" || r.kind == "bullet";
   if (!checked) leaveOut(c, "check_result", "the run was not checked");
   if (elsewhere > 0)
-    c.notCompared.push_back(
-        fmt::format("check_result: {} of kind golden or bullet, which hang on what is not stored", elsewhere));
+    c.notCompared.push_back(fmt::format(
+        "check_result: {} of kind golden or bullet, which hang on what is not stored", elsewhere));
   for (const TableContents& t : stored.contents(before.id))
     if (t.table == "bullet_sample" && t.rows > 0)
       c.notCompared.push_back("bullet_sample: Bullet is not run again");
 }
 
 std::string describe(const ValueDifference& d) {
-  if (d.column.empty())
-    return fmt::format("{}: stored: {}; recomputed: {}", d.row, d.stored, d.recomputed);
+  if (d.column.empty()) return fmt::format("{}: stored: {}; recomputed: {}", d.row, d.stored, d.recomputed);
   return fmt::format("{}: {}: stored {}, recomputed {}", d.row, d.column, d.stored, d.recomputed);
 }
 
@@ -142,12 +142,13 @@ std::string describeTables(const Comparison& c) {
     else
       text += fmt::format("  {:<15} {} of {} rows differ{}\n    first {}\n", t.table, t.differing,
                           std::max(t.rows, t.recomputedRows),
-                          t.rows == t.recomputedRows ? ""
-                                                     : fmt::format(" ({} are stored, {} recomputed)", t.rows,
-                                                                   t.recomputedRows),
+                          t.rows == t.recomputedRows
+                              ? ""
+                              : fmt::format(" ({} are stored, {} recomputed)", t.rows, t.recomputedRows),
                           describe(*t.first));
   }
-  text += fmt::format("  tables          {}{} the same, {} rows\n", same == c.tables.size() ? "all " : "", same, rows);
+  text += fmt::format("  tables          {}{} the same, {} rows\n", same == c.tables.size() ? "all " : "",
+                      same, rows);
   for (const std::string& what : c.notCompared) text += fmt::format("  not compared    {}\n", what);
   return text;
 }
@@ -157,8 +158,7 @@ std::string describe(const Comparison& c, const StoredRun& run) {
   if (!c.record.empty()) {
     text = fmt::format("{}  seed {}: run {}, not replayed: its record was changed since it was stored\n",
                        run.record.scenario, run.record.seed, run.id);
-    for (const ValueDifference& d : c.record)
-      text += fmt::format("  {:<15} {}\n", d.table, describe(d));
+    for (const ValueDifference& d : c.record) text += fmt::format("  {:<15} {}\n", d.table, describe(d));
     return text + "NOT the same record\n";
   }
   std::size_t same = 0;
@@ -244,12 +244,17 @@ int act(const ReplayOptions& options) {
   Progress progress(before.record.scenario, options.output.quiet);
   const auto kinds = kindsOfChecks(store, before.id);
   Invariants invariants(kinds.contains("invariant") ? scenario.check : CheckParameters{});
-  auto run = simulate(makeScenarioWorld(scenario, how), recordingOf(scenario, !hashes.empty()), progress,
+  World world = makeScenarioWorld(scenario, how);
+  const SanityCheck sanity(world);
+  auto run = simulate(std::move(world), recordingOf(scenario, !hashes.empty()), progress,
                       Invariants::areGiven(scenario.check) && kinds.contains("invariant")
                           ? [&](const World& w) { invariants.observe(w); }
                           : std::function<void(const World&)>());
   if (run.signal) return signalled + run.signal;
   run.results.checks = checkWithoutGolden(scenario, run, invariants);
+  if (kinds.contains("sanity") && run.end.status == RunStatus::done)
+    for (auto& result : sanity.results(run.world, scenario.check, kinds.contains("invariant")))
+      run.results.checks.push_back(std::move(result));
   std::erase_if(run.results.checks, [&](const CheckResult& r) { return !kinds.contains(r.kind); });
   compareEnds(before, hashes, run, c);
   auto again = Store::temporary();

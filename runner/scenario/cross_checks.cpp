@@ -60,28 +60,28 @@ Place placeOf(const Node& root, const std::string& path) {
   return node->place;
 }
 
-/// How far out the egg reaches, in its radii: the vertices of its mesh lie farther out than the sphere of its
-/// volume.
-double reachOf(const MechanicsScene& mechanics) {
-  double farthest = 0;
-  if (mechanics.physics.cell.model != CellModel::sphere)
+/// [1] How far out the egg's shape reaches, in its radii. An icosphere counts as the sphere that it stands
+/// for: its vertices lie a little farther out, and the shell puts them onto itself in the first step.
+double reachOf(const Scenario& scenario) {
+  const MechanicsScene& mechanics = *scenario.scene.mechanics;
+  double farthest = mechanics.physics.cell.radius;
+  if (scenario.mesh.file && !scenario.mesh.icosphere)
     for (const Point& vertex : mechanics.mesh.vertices) farthest = std::max(farthest, norm(vertex));
-  return std::max(1.0, farthest / mechanics.physics.cell.radius);
+  return farthest / mechanics.physics.cell.radius;
 }
 
-void checkShell(const MechanicsScene& mechanics, Reading& reading, const Node& root) {
-  const PhysicsParameters& physics = mechanics.physics;
+void checkShell(const Scenario& scenario, Reading& reading, const Node& root) {
+  const PhysicsParameters& physics = scenario.scene.mechanics->physics;
   if (!physics.shell) return;
   const auto& axes = physics.shell->semiAxes;
-  const double smallest = std::min({axes[0], axes[1], axes[2]}), reach = reachOf(mechanics);
+  const double smallest = std::min({axes[0], axes[1], axes[2]}), reach = reachOf(scenario);
   if (physics.cell.radius * reach <= smallest) return;
-  constexpr double rounding = 5e-4;  // of a number told with four digits
-  const std::string vertices =
-      reach > 1 ? ": the farthest vertex lies at " + numberText(physics.cell.radius * reach) : "";
+  std::string where = "its smallest semi-axis, " + formatReal(smallest) + " [length]";
+  if (reach > 1)
+    where += ", over " + numberText(reach) + ", for the shape reaches so many radii from its centre";
   reading.problems.add(placeOf(root, "physics.cell.radius"), "physics.cell.radius",
-                       formatReal(physics.cell.radius) + " does not fit into the shell" + vertices,
-                       "needs at most " + numberText((1 - rounding) * smallest / reach) +
-                           " [length], for the smallest semi-axis is " + formatReal(smallest));
+                       formatReal(physics.cell.radius) + " does not fit into the shell",
+                       "needs at most " + where);
 }
 
 /// (x/a)² + (y/b)² + (z/c)² of the start cell's vertex where it is largest.
@@ -246,7 +246,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkSubstances(scenario.scene.dna, reading);
   checkReason(scenario.check, reading, root);
   if (const auto& mechanics = scenario.scene.mechanics) {
-    if (scenario.scene.cells.empty()) checkShell(*mechanics, reading, root);
+    if (scenario.scene.cells.empty()) checkShell(scenario, reading, root);
     else checkStartCells(scenario, reading);
     checkEnergy(scenario, reading, root);
     checkCoarsening(scenario, reading, root);

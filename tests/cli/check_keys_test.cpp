@@ -59,7 +59,7 @@ TEST_CASE("run holds a scenario's invariants also where there is no golden file"
 TEST_CASE("check: a run that must stop passes if it stops, and says why, during the run or before it") {
   const TemporaryFolder folder;
   for (const auto& text :
-       {collapses + inside, refused + "check: {fails: [physics.time_step, stability limit]}\n"}) {
+       {collapses + inside, refused + "check: {fails: [physics.time_step, longer than the whole run]}\n"}) {
     const auto run = with("check", folder, text);
     INFO(run.err);
     CHECK(run.code == 0);

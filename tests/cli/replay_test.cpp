@@ -123,7 +123,7 @@ TEST_CASE("each condition that is not as it was is named") {
 TEST_CASE("other bits give exit 1, and the first step is named") {
   Stored stored;
   SECTION("at the end") {
-    stored.execute("UPDATE run SET state_hash = '0000000000000000'");
+    stored.execute("UPDATE run SET state_hash = '00000000000000000000000000000000'");
     const auto run = launch({"replay", stored.database});
     CHECK(run.code == 1);
     CHECK_THAT(run.out, ContainsSubstring("state           differs"));

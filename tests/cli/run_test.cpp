@@ -135,7 +135,7 @@ TEST_CASE("Ctrl-C and kill end a run cleanly, stored as killed") {
     const TemporaryFolder folder;
     const auto database = folder / "long.db";
     const auto run = launch(
-        {"run", four, "--out", folder.path(), "--db", database, "--json", "--set", "stop.cycles=1000000"}, {},
+        {"run", four, "--out", folder.path(), "--db", database, "--json", "--set", "stop.cycles=90000"}, {},
         [&, signal = signal](int process) {
           // The row `running` is written before the first step.
           for (int i = 0; i < 6000 && !fs::exists(database); ++i) usleep(10'000);

@@ -85,6 +85,8 @@ TEST_CASE("files that cannot be used") {
   refused({"lineage", "no-such.db"}, 6, "'no-such.db' cannot be read");
   refused({"run", four, "--out", "/dev/null/results"}, 6, "cannot be made");
   const TemporaryFolder folder;
-  writeWhole(folder / "no.db", "SQLite format 3, but not really, for a database has pages and this has none");
+  // With the zero byte that ends the mark of a database.
+  writeWhole(folder / "no.db",
+             std::string("SQLite format 3") + '\0' + "but a database has pages, and this has none");
   refused({"lineage", folder / "no.db"}, 6, "no.db");
 }

@@ -16,7 +16,7 @@ TEST_CASE("accuracy: where an ambiguous axis parts two runs, a remark says so") 
       folder / "round.yaml",
       "morula: 1\nname: round\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\ncycle: {length: 0.25}\n"
       "stop: {time: 0.5}\nphysics:\n  time_step: 0.001953125\n  mesh: {icosphere: 1}\n  drag: 10\n"
-      "  cell: {radius: 0.95}\n  contact: {}\n  shell: {ellipsoid: [0.90, 0.90, 2]}\n"
+      "  cell: {radius: 0.95}\n  contact: {}\n  shell: {ellipsoid: [1, 1, 2]}\n"
       "cells:\n  - {at: [0, 0, 0], stretch: [1, 1.0000001, 0.9]}\n");
   const auto run = launch({"accuracy", folder / "round.yaml", "--json", "--quiet", "--rounds", "1",
                            "--halvings", "1", "--integrator", "velocity-verlet", "--out", folder.path()});

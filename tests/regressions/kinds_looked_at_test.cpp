@@ -35,7 +35,9 @@ std::string cutShort(const Kind& kind, const TemporaryFolder& folder) {
   text = std::regex_replace(text, std::regex("\nstop:[^\n]*"), "\nstop: " + kind.stop);
   if (!kind.cycle.empty())
     text = std::regex_replace(text, std::regex("\ncycle:[^\n]*"), "\ncycle: " + kind.cycle);
-  text = std::regex_replace(text, std::regex("file: "), "file: " + original.parent_path().string() + "/");
+  const std::regex named("file: ([^ },\n]+)");
+  for (std::sregex_iterator at(text.begin(), text.end(), named), end; at != end; ++at)
+    fs::copy_file(original.parent_path() / (*at)[1].str(), folder / (*at)[1].str());
   text = std::regex_replace(text, std::regex("\ncheck:.*(\n +.*)*"), "");  // what holds at the end of all
   const std::string file = folder / "kind.yaml";
   writeWhole(file, text);

@@ -36,7 +36,7 @@ TEST_CASE("a lineage that divides for ever ends at the memory limit, and is stor
     CAPTURE(physics, run.out, run.err);
     CHECK(run.code == 4);
     const std::string text = run.out + run.err;
-    for (const char* word : {"memory", "limit of 2 MB", "stop.cells", "--memory-limit", "cell '", "step "})
+    for (const char* word : {"memory", "limit of 2 MB", "stop.cells", "--memory-limit", "cell ", "step "})
       CHECK(text.find(word) != std::string::npos);
     Database db(folder / "runs.db", Database::Mode::existing, std::chrono::seconds(1));
     Statement status(db, "SELECT status, failure FROM run");

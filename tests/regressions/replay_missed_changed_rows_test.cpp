@@ -19,7 +19,6 @@ name: small
 dna: |
   START: a0
   g1(divide|a0)
-  g2(connect|a0)
 stop: {time: 1.5}
 physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, contact: {}, shell: {sphere: 1}}
 connections: {make: at-division}

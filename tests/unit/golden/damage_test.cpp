@@ -12,7 +12,7 @@ TEST_CASE("Damaged goldens are one failed check, with the line") {
     return t.replace(t.find(from), from.size(), to);
   };
   const std::vector<std::pair<std::string, const char*>> faults{
-      {replaced("volume 1024 2", "volume 1024 3"), "somebody has edited them"},
+      {replaced("volume 1024 2", "volume 1024 3"), "they were edited afterwards"},
       {replaced("why first result\n", "why first result\n<<<<<<< ours\n"), "a merge marker"},
       {text.substr(0, text.size() / 2), ": "},
       {text.substr(0, text.rfind("end ")), "truncated"},

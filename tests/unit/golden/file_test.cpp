@@ -68,11 +68,12 @@ TEST_CASE("the error of a scenario's settings is kept, and sealed") {
   complains(replaced("error time 0.00028 mesh 0.014 until 1.6875"), 0, "edited");
   complains(replaced("error time 0.00028 mesh unknown until 1.6875"), 0, "edited");
   for (const char* broken :
-       {"error", "error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2",
+       {"error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2",
         "error time 1 until 2", "error time 1 mesh until 2", "error time 1 mesh -1 until 2",
         "error time 1 mesh 1 until 0", "error time 1 mesh 1 until 2 3"})
     CHECK_THROWS_WITH(readGolden(replaced(broken), "x.golden"),
                       ContainsSubstring("`error time SIZE mesh SIZE until TIME` is expected"));
+  complains(replaced("error"), 0, "'error' begins no line");
   complains(replaced(line + "\n" + line), 0, "stands twice");
   CHECK_FALSE(readGolden(writeGolden(exampleGolden()), "x.golden").error);
 }
@@ -231,7 +232,7 @@ TEST_CASE("how fast runs part is kept, and cannot be edited") {
     std::string edited = text;
     return edited.replace(edited.find("growth 1e-09 700"), 16, line);
   };
-  CHECK_THROWS_WITH(readGolden(with("growth 1e-09 900"), "x"), ContainsSubstring("somebody has edited them"));
+  CHECK_THROWS_WITH(readGolden(with("growth 1e-09 900"), "x"), ContainsSubstring("they were edited afterwards"));
   for (const char* line :
        {"growth", "growth 1e-9", "growth 0 7", "growth x 7", "growth 1e-9 -7", "growth 1e-9 7 8"})
     CHECK_THROWS_WITH(readGolden(with(line), "x"), ContainsSubstring("x:10: "));
@@ -275,7 +276,7 @@ TEST_CASE("lines that cannot be understood are named") {
   complains("time_step 0", "time_step x 0 1", "step: 'x'; a whole number");
   complains("end", "end many", "`end ITEMS DIGEST` is expected");
   complains("end", "end 36 00000000000000000000000000000000", "has 37 items, but 36 were accepted");
-  complains("end", "end 37 00000000000000000000000000000000", "somebody has edited them");
+  complains("end", "end 37 00000000000000000000000000000000", "they were edited afterwards");
   complains(writeGolden(exampleGolden()) + "count x 1\n", lastLine() + 1,
             "'count x 1' follows the end of the file");
 }

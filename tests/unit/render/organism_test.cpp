@@ -271,8 +271,8 @@ TEST_CASE("pictures that cannot be are refused by name", "[organism]") {
   refused([](auto& p) { p.samples = 0; }, "samples");
   refused([](auto& p) { p.samples = 5; }, "samples");
   refused([](auto& p) { p.samples = 4, p.width = p.height = 2000; }, "50000000");
-  refused([](auto& p) { p.cells[0].vertices.pop_back(); }, "'AB' has 161");
-  refused([](auto& p) { p.cells[0].vertices[3].y = NAN; }, "'AB'");
+  refused([](auto& p) { p.cells[0].vertices.pop_back(); }, "cell AB has 161");
+  refused([](auto& p) { p.cells[0].vertices[3].y = NAN; }, "cell AB");
   refused([](auto& p) { p.cells[0].vertices[3].y = INFINITY; }, "not finite");
   refused([](auto& p) { p.cells[0].opacity = 1.5; }, "opacity");
   refused([](auto& p) { p.cells[0].opacity = NAN; }, "opacity");

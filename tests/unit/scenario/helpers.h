@@ -24,7 +24,7 @@ name: every-part
 summary: All keys at once
 seed: 7
 dna: |
-  START: a0
+  START: a0, connect
   g1(a1|a0)
   g2(divide|a0)
 colours: {a0: '#102030', a*: '#ABCDEF'}

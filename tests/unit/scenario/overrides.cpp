@@ -22,10 +22,10 @@ TEST_CASE("overrides make the maps that are missing") {
 }
 
 TEST_CASE("null takes away what the file gives, whole sections too") {
-  REQUIRE(read(everyPart).scene.mechanics->contact);
+  REQUIRE(read(everyPart).scene.mechanics->physics.shell);
   for (const char* nothing : {"null", "~"}) {
-    CHECK_FALSE(
-        read(everyPart, {parseOverride(std::string("physics.contact=") + nothing)}).scene.mechanics->contact);
+    CHECK_FALSE(read(everyPart, {parseOverride(std::string("physics.shell=") + nothing)})
+                    .scene.mechanics->physics.shell);
     CHECK(read(everyPart, {parseOverride(std::string("physics.drag=") + nothing)})
               .scene.mechanics->physics.drag == PhysicsParameters{}.drag);
   }

@@ -72,14 +72,14 @@ TEST_CASE("plain SQL reads what was stored") {
   REQUIRE(first(f.db, "SELECT path FROM cell WHERE parent IS NULL").empty());
   REQUIRE(first(f.db, "SELECT group_concat(path) FROM cell WHERE parent = ''") == "A,B");
   REQUIRE(first(f.db, "SELECT fate || ' ' || state FROM cell WHERE path = ''") == "divided START a0");
-  REQUIRE(first(f.db, "SELECT ended IS NULL AND ended_step IS NULL FROM cell WHERE fate = 'alive'") == "1");
+  REQUIRE(first(f.db, "SELECT (ended IS NULL AND ended_step IS NULL) || '' FROM cell WHERE fate = 'alive'") == "1");
   REQUIRE(first(f.db, "SELECT name FROM cell WHERE path = 'A'") == "AB");
-  REQUIRE(first(f.db, "SELECT released IS NULL FROM connection WHERE cause = ''") == "1");
+  REQUIRE(first(f.db, "SELECT (released IS NULL) || '' FROM connection WHERE cause = ''") == "1");
   REQUIRE(first(f.db, "SELECT hash FROM step_hash WHERE step = 512") == "ffffffffffffffff0000000000000000");
   REQUIRE(first(f.db, "SELECT typeof(content) FROM document LIMIT 1") == "blob");
   REQUIRE(first(f.db, "SELECT libraries FROM run").find("SQLite 3.") != std::string::npos);
   // The start was measured without a shell: not 0 % full, but nothing to fill.
-  REQUIRE(first(f.db, "SELECT shell_fill IS NULL AND volume > 4 FROM sample WHERE time = 0") == "1");
+  REQUIRE(first(f.db, "SELECT (shell_fill IS NULL AND volume > 4) || '' FROM sample WHERE time = 0") == "1");
 }
 
 TEST_CASE("a query keeps the values it was started with") {
