@@ -9,11 +9,10 @@ using namespace morula::test;
 
 TEST_CASE("run: files of the user's in the sequence folder stay") {
   const TemporaryFolder folder;
-  writeWhole(folder / "body.yaml", smallBody);
   const auto sequence = folder.path() + "/body-0/sequence/";
-  const auto run = [&](const char* every) {
-    return launch({"run", "--quiet", "--no-check", "--out", folder.path(), "--set", std::string("record.pictures=") + every,
-                   folder / "body.yaml"});
+  const auto run = [&](const std::string& every) {
+    writeWhole(folder / "body.yaml", smallBody + "record: {pictures: " + every + "}\n");
+    return launch({"run", "--quiet", "--no-check", "--out", folder.path(), folder / "body.yaml"});
   };
   const auto first = run("0.0078125");
   CAPTURE(first.err);
