@@ -1,5 +1,7 @@
 // render X -o X replaced the scenario, or the database of results, with a picture and ended with 0. What a command writes
-// replaces files of its own kind only, and the message says what the other file is.
+// replaces files of its own kind only, whatever their names end in, and the message says what the other file is.
+#include <sys/stat.h>
+
 #include <filesystem>
 
 #include "catch.h"
@@ -9,13 +11,13 @@ using namespace morula::test;
 
 TEST_CASE("a picture does not replace a file of another kind") {
   const TemporaryFolder folder;
-  const auto scenario = folder / "small.yaml", database = folder / "out/run.db";
+  const auto scenario = folder / "scenario.png", database = folder / "out/run.png";
   writeWhole(scenario, smallScene);
   REQUIRE(launch({"run", "--quiet", "--no-pictures", "--no-check", "--db", database, "--out", folder / "out", scenario}).code == 0);
-  writeWhole(folder / "genes.dna", "START: a0\n");
-  writeWhole(folder / "x.golden", "morula golden 1\n");
-  writeWhole(folder / "letter.txt", "Dear all\n");
-  for (const auto& file : {scenario, database, folder / "genes.dna", folder / "x.golden", folder / "letter.txt"}) {
+  writeWhole(folder / "genes.png", "START: a0\n");
+  writeWhole(folder / "golden.png", "morula golden 1\n");
+  writeWhole(folder / "letter.png", "Dear all\n");
+  for (const auto& file : {scenario, database, folder / "genes.png", folder / "golden.png", folder / "letter.png"}) {
     CAPTURE(file);
     const auto before = readWhole(file);
     // By its ending it is no picture; under a picture's name its content tells.
@@ -43,8 +45,10 @@ TEST_CASE("a picture replaces a picture and an empty file, and no link") {
   std::filesystem::create_symlink("a.png", folder / "link.png");
   CHECK(draw(folder / "link.png") == 6);
   CHECK(std::filesystem::is_symlink(folder / "link.png"));
-  CHECK(draw(folder.path()) == 6);
-  CHECK(draw("/dev/null") == 6);
+  std::filesystem::create_directory(folder / "folder.png");
+  CHECK(draw(folder / "folder.png") == 6);
+  REQUIRE(mkfifo((folder / "pipe.png").c_str(), 0600) == 0);
+  CHECK(draw(folder / "pipe.png") == 6);
 }
 
 TEST_CASE("reports of a check replace reports only") {

@@ -1,17 +1,17 @@
-// With standard output closed, the next file that was opened took its number, and what was printed went into it. What
-// cannot be printed is exit 6, and no file is touched.
+// What cannot be printed, because standard output is closed or its disk is full, is exit 6 with a sentence; and no file that
+// is opened meanwhile takes the number of a closed stream, so that nothing is printed into it.
 #include <sys/wait.h>
 
 #include <cstdlib>
 
 #include "catch.h"
-#include "hostile.h"
+#include "launch.h"
 
 using namespace morula::test;
 
 TEST_CASE("standard output that is closed or full is told") {
   const TemporaryFolder folder;
-  writeWhole(folder / "small.yaml", smallScene);
+  writeWhole(folder / "small.yaml", "morula: 1\nname: a\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {cycles: 1}\n");
   const auto shell = [&](const std::string& words) {
     return WEXITSTATUS(std::system(("'" + programFile() + "' " + words).c_str()));
   };
