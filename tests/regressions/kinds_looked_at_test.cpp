@@ -37,8 +37,10 @@ std::string cutShort(const Kind& kind, const TemporaryFolder& folder) {
     text = std::regex_replace(text, std::regex("\ncycle:[^\n]*"), "\ncycle: " + kind.cycle);
   const std::regex named("file: ([^ },\n]+)");
   for (std::sregex_iterator at(text.begin(), text.end(), named), end; at != end; ++at)
-    fs::copy_file(original.parent_path() / (*at)[1].str(), folder / (*at)[1].str());
+    fs::copy_file(original.parent_path() / (*at)[1].str(), folder / fs::path((*at)[1].str()).filename().string());
+  text = std::regex_replace(text, std::regex("file: [^ },\n]*/"), "file: ");
   text = std::regex_replace(text, std::regex("\ncheck:.*(\n +.*)*"), "");  // what holds at the end of all
+  text += "\ncheck: {}\n";  // explain reads the hashes that only checked runs keep
   const std::string file = folder / "kind.yaml";
   writeWhole(file, text);
   return file;
@@ -66,7 +68,9 @@ TEST_CASE("render, lineage and explain do their work for every kind of scenario"
         CHECK(readWhole(picture).starts_with("\x89PNG"));
         fs::remove(picture);
       }
-    checkFine({"run", file, "--out", folder / "out", "--no-pictures", "--no-check"});
+    const auto run = launch({"run", file, "--out", folder / "out", "--no-pictures"}, {{"CI", ""}});
+    CAPTURE(run.err, run.out);
+    CHECK((run.code == 0 || run.out.find("not sane at the end") != run.out.npos));  // cut short before it was at rest
     for (const auto& entry : fs::recursive_directory_iterator(folder / "out"))
       if (entry.path().extension() == ".db") {
         checkFine({"lineage", entry.path().string()});
