@@ -9,7 +9,7 @@ namespace morula {
 
 namespace {
 
-constexpr double margins[] = {0.005, 0.01, 0.02};  // [share radii]
+constexpr double margins[] = {0.0025, 0.005, 0.01, 0.02};  // [share radii]
 constexpr int mostIterations = 4;
 // Our cells at rest press on each other: Bullet pushes them apart to its own distance, and finds five times
 // as many contacts while it does. After about 40 steps their number stays.

@@ -45,12 +45,12 @@ TEST_CASE("Bullet settles before it is timed, in all its settings, and the faste
   Pretender bullet;
   BulletSubject subject(twoCells(), 2, std::ref(bullet));
   subject.round();
-  REQUIRE(bullet.heard.size() == 3 + 12);
+  REQUIRE(bullet.heard.size() == 4 + 16);
   std::set<std::pair<double, int>> settings;
   for (std::size_t i = 0; i < bullet.heard.size(); ++i) {
     const BulletRequest& request = bullet.heard[i];
     CHECK(request.scene.physics.integrator == Integrator::velocityVerlet);
-    if (i < 3) {
+    if (i < 4) {
       CHECK(request.steps == 40);
       CHECK(request.scene.cells[0].mass == 1);
       continue;
@@ -58,27 +58,27 @@ TEST_CASE("Bullet settles before it is timed, in all its settings, and the faste
     CHECK(request.scene.cells[0].mass == 1 + 40);  // from where it has settled
     settings.emplace(request.scene.margin, request.scene.iterations);
   }
-  CHECK(settings.size() == 12);
-  CHECK(settings.contains({2 * 0.005, 1}));
+  CHECK(settings.size() == 16);
+  CHECK(settings.contains({2 * 0.0025, 1}));
   CHECK(settings.contains({2 * 0.02, 4}));
 
   const auto timings = subject.timings();
-  REQUIRE(timings.size() == 12);
-  CHECK((timings[0].margin == 0.005 && timings[0].iterations == 1));
-  CHECK((timings[11].margin == 0.02 && timings[11].iterations == 4));
-  for (const double s : timings[0].samples) CHECK(s == Approx(2 * 0.005 + 0.001));  // without the first steps
+  REQUIRE(timings.size() == 16);
+  CHECK((timings[0].margin == 0.0025 && timings[0].iterations == 1));
+  CHECK((timings[15].margin == 0.02 && timings[15].iterations == 4));
+  for (const double s : timings[0].samples) CHECK(s == Approx(2 * 0.0025 + 0.001));  // without the first steps
 
   subject.round();
-  REQUIRE(bullet.heard.size() == 15 + 3);  // only what was the fastest
-  for (std::size_t i = 15; i < 18; ++i) CHECK(bullet.heard[i].scene.margin == 2 * 0.005);
+  REQUIRE(bullet.heard.size() == 20 + 3);  // only what was the fastest
+  for (std::size_t i = 20; i < 23; ++i) CHECK(bullet.heard[i].scene.margin == 2 * 0.0025);
   CHECK(subject.timings()[0].samples.size() == 2 * timings[0].samples.size());
 }
 
 TEST_CASE("A setting with which cells do not stay whole is no measure of Bullet") {
-  Pretender bullet{.brokenMargin = 2 * 0.005};
+  Pretender bullet{.brokenMargin = 2 * 0.0025};
   BulletSubject subject(twoCells(), 2, std::ref(bullet));
   subject.round();
   const auto timings = subject.timings();
-  REQUIRE(timings.size() == 8);
-  CHECK((timings[0].margin == 0.01 && timings[0].iterations == 1));
+  REQUIRE(timings.size() == 12);
+  CHECK((timings[0].margin == 0.005 && timings[0].iterations == 1));
 }
