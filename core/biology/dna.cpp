@@ -19,7 +19,8 @@ Dna compose(const Lines& lines, std::string_view text) {
   for (const Word& word : lines.start) names.insert(word.text);
   for (const GeneLine& gene : lines.genes) {
     names.insert(gene.product.text);
-    for (const Word& input : gene.inputs) names.insert(input.text);
+    for (const auto* words : {&gene.inputs, &gene.repressors})
+      for (const Word& input : *words) names.insert(input.text);
   }
   dna.substances.assign(names.begin(), names.end());
 
@@ -27,9 +28,11 @@ Dna compose(const Lines& lines, std::string_view text) {
   for (const Word& word : lines.start) dna.start.push_back(id(word));
   std::ranges::sort(dna.start);
   for (const GeneLine& line : lines.genes) {
-    Gene gene{line.name.text, id(line.product), {}};
+    Gene gene{line.name.text, id(line.product), {}, {}};
     for (const Word& input : line.inputs) gene.inputs.push_back(id(input));
+    for (const Word& repressor : line.repressors) gene.repressors.push_back(id(repressor));
     std::ranges::sort(gene.inputs);
+    std::ranges::sort(gene.repressors);
     dna.genes.push_back(std::move(gene));
   }
   return dna;

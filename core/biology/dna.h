@@ -4,6 +4,7 @@
 //   # a comment                    also behind a gene
 //   START: a0, a1                  the egg's substances; may repeat
 //   g1(a3|a1, a2)                  gene g1 produces a3 in a cell cycle if a1 and a2 are present
+//   g2(a4|a1, !a2)                 gene g2 produces a4 if a1 is present and a2 is not: a2 represses it (ours)
 //
 // Names are made of letters, digits and '_', at most 100 of them, and begin with a letter. Eight of them act
 // on the cell, see substances.h.
@@ -21,15 +22,16 @@ namespace morula {
 struct Gene {
   std::string name;
   SubstanceId product = 0;
-  std::vector<SubstanceId> inputs;  // sorted; all must be present
+  std::vector<SubstanceId> inputs;      // sorted; all must be present
+  std::vector<SubstanceId> repressors;  // sorted; none may be present
 };
 
 struct Dna {
   std::vector<std::string>
       substances;  // every name that occurs, and A and B; sorted: a SubstanceId is a place here
-  std::vector<SubstanceId> start;  // what the egg holds; sorted
-  std::vector<Gene> genes;         // as written
-  std::string source;              // the text that this was read from
+  std::vector<SubstanceId> start;     // what the egg holds; sorted
+  std::vector<Gene> genes;            // as written
+  std::string source;                 // the text that this was read from
   std::vector<std::string> warnings;  // what works, but may not be meant; each as a line of an InputError
 };
 

@@ -38,7 +38,8 @@ class EffectCheck {
     // Lines that could not be read may have said anything.
     read_ = lines.unreadableWords;
     for (const GeneLine& gene : lines.genes)
-      for (const Word& input : gene.inputs) read_.insert(input.text);
+      for (const auto* words : {&gene.inputs, &gene.repressors})
+        for (const Word& input : *words) read_.insert(input.text);
   }
 
   void check() {
@@ -104,7 +105,7 @@ class EffectCheck {
                                       ", so it does nothing; remove it, or write a gene that reads it");
   }
 
-  /// A cell can come to hold this; so it can hold what genes make of it.
+  /// A cell can come to hold this; so it can hold what genes make of it. What represses them may be absent.
   void reach(const std::string& name) {
     std::vector<std::string> found{name};
     while (!found.empty()) {

@@ -15,7 +15,7 @@ bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isWordPart(char c) { return isLetter(c) || isDigit(c) || c == '_'; }
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-bool isPunctuation(char c) { return c == '(' || c == '|' || c == ',' || c == ')' || c == ':'; }
+bool isPunctuation(char c) { return c == '(' || c == '|' || c == ',' || c == ')' || c == ':' || c == '!'; }
 
 struct Unreadable {
   Place place;
@@ -121,7 +121,7 @@ void readStart(Cursor& cursor, Lines& lines) {
 }
 
 GeneLine readGene(Cursor& cursor, Word name) {
-  GeneLine gene{std::move(name), cursor.word("the gene's product"), {}};
+  GeneLine gene{std::move(name), cursor.word("the gene's product"), {}, {}};
   if (!cursor.take('|')) {
     if (cursor.next() == ',' && cursor.rest().find('|') != std::string_view::npos)
       cursor.fail("a gene has one product; write one gene for each product");
@@ -130,13 +130,23 @@ GeneLine readGene(Cursor& cursor, Word name) {
   if (cursor.atEnd() || cursor.next() == ')')
     cursor.fail("gene '" + gene.name.text +
                 "' has no input; name at least one, for example a START substance or the product itself");
-  do { gene.inputs.push_back(cursor.word("an input")); } while (cursor.take(','));
+  std::string last;
+  do {
+    const bool represses = cursor.take('!');
+    Word input = cursor.word(represses ? "a substance behind '!'" : "an input");
+    last = input.text;
+    (represses ? gene.repressors : gene.inputs).push_back(std::move(input));
+  } while (cursor.take(','));
   if (!cursor.take(')')) {
-    const std::string after = " after '" + gene.inputs.back().text + "'";
+    const std::string after = " after '" + last + "'";
     if (cursor.next() == '|') cursor.fail("a second '|'; inputs are separated by ','");
-    if (cursor.atWord()) cursor.failUnexpected("',' is missing" + after);
+    if (cursor.atWord() || cursor.next() == '!') cursor.failUnexpected("',' is missing" + after);
     cursor.failUnexpected("')' is missing" + after);
   }
+  if (gene.inputs.empty())
+    throw Unreadable{
+        gene.repressors.front().place,
+        "gene '" + gene.name.text + "' has no input that makes it active; name at least one without '!'"};
   if (!cursor.atEnd()) cursor.fail("text after the gene; write one gene per line, and # before a comment");
   return gene;
 }

@@ -28,7 +28,8 @@ std::set<std::string> possibleSubstances(const Lines& lines) {
 std::set<std::string> inputsOfAllGenes(const Lines& lines) {
   std::set<std::string> names;
   for (const GeneLine& gene : lines.genes)
-    for (const Word& input : gene.inputs) names.insert(input.text);
+    for (const auto* words : {&gene.inputs, &gene.repressors})
+      for (const Word& input : *words) names.insert(input.text);
   return names;
 }
 
@@ -65,6 +66,7 @@ void checkNames(const Lines& lines, Complaints& complaints) {
                                           atLine(firstName->second) + "); give this one another name");
     std::vector<std::string> content;
     for (const Word& input : gene.inputs) content.push_back(input.text);
+    for (const Word& repressor : gene.repressors) content.push_back('!' + repressor.text);
     std::ranges::sort(content);
     content.push_back(gene.product.text);
     const auto [firstGene, isNewGene] = contents.emplace(content, &gene);
@@ -108,6 +110,32 @@ void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Co
   }
 }
 
+/// What is never there represses nothing; what must be there and must not, always.
+void checkRepressors(const GeneLine& gene, const std::set<std::string>& possible, Complaints& complaints) {
+  std::set<std::string> inputs, seen;
+  for (const Word& input : gene.inputs) inputs.insert(input.text);
+  for (const Word& repressor : gene.repressors) {
+    const std::string name = quoted(repressor.text);
+    if (repressor.text == "START") {
+      complaints.add(repressor.place, "START cannot be a substance; take another name");
+    } else if (!seen.insert(repressor.text).second) {
+      complaints.add(repressor.place, name + " represses this gene already; remove one");
+    } else if (inputs.contains(repressor.text)) {
+      complaints.add(repressor.place,
+                     name + " must be present and must not, so this gene is never active; remove one");
+    } else if (repressor.text == substance::die) {
+      complaints.add(repressor.place,
+                     "a cell that holds 'die' runs no further cycle, so '!die' is always true; remove it");
+    } else if (!possible.contains(repressor.text)) {
+      const std::vector<std::string> candidates(possible.begin(), possible.end());
+      const std::string meant = closest(repressor.text, candidates);
+      complaints.add(repressor.place, "nothing produces " + name + ", so it represses nothing; " +
+                                          (meant.empty() ? "remove it or write a gene that produces it"
+                                                         : "did you mean " + quoted(meant) + "?"));
+    }
+  }
+}
+
 }  // namespace
 
 void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints) {
@@ -121,6 +149,7 @@ void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Compl
   for (const GeneLine& gene : lines.genes) {
     checkProduct(gene.product, complaints);
     checkInputs(gene, possible, complaints);
+    checkRepressors(gene, possible, complaints);
   }
 }
 

@@ -20,7 +20,8 @@ struct Word {
 
 struct GeneLine {
   Word name, product;
-  std::vector<Word> inputs;
+  std::vector<Word> inputs;      // that must be present
+  std::vector<Word> repressors;  // that must not
 };
 
 struct Lines {

@@ -27,10 +27,12 @@ struct State {
   std::array<StateId, 2> daughter = {unknown, unknown};  // A, B
 };
 
-/// One gene, as seen from the input that it waits for: active if the other inputs are there too.
+/// One gene, as seen from the input that it waits for: active if the other inputs are there too, and no
+/// repressor.
 struct WaitingGene {
   SubstanceId product = 0;
   Substances otherInputs;
+  Substances repressors;
 };
 
 class LogicalDna final : public BiologicalUnit {
@@ -103,7 +105,7 @@ void LogicalDna::readGenes(const Dna& dna) {
   for (const Gene& gene : dna.genes) {
     const auto rarest = std::ranges::min_element(gene.inputs, {}, [&](SubstanceId s) { return readers[s]; });
     CHECK(rarest != gene.inputs.end(), "a gene has at least one input");
-    WaitingGene entry{gene.product, {}};
+    WaitingGene entry{gene.product, {}, gene.repressors};
     std::ranges::copy_if(gene.inputs, std::back_inserter(entry.otherInputs),
                          [&](SubstanceId s) { return s != *rarest; });
     waiting_[*rarest].push_back(std::move(entry));
@@ -133,9 +135,10 @@ StateId LogicalDna::intern(Substances substances) {
 Substances LogicalDna::runGenes(const Substances& present) {
   Substances products;
   for (SubstanceId s : present) isPresent_[s] = true;
+  const auto isThere = [&](SubstanceId s) -> bool { return isPresent_[s]; };
   for (SubstanceId s : present)
     for (const WaitingGene& gene : waiting_[s])
-      if (std::ranges::all_of(gene.otherInputs, [&](SubstanceId input) { return isPresent_[input]; }))
+      if (std::ranges::all_of(gene.otherInputs, isThere) && std::ranges::none_of(gene.repressors, isThere))
         products.push_back(gene.product);
   for (SubstanceId s : present) isPresent_[s] = false;
   std::ranges::sort(products);

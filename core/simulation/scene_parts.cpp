@@ -23,6 +23,9 @@ std::string hashOf(const Dna& dna) {
   for (const Gene& gene : dna.genes) {
     h.add(std::uint64_t{gene.product}).add(std::uint64_t{gene.inputs.size()});
     for (SubstanceId s : gene.inputs) h.add(std::uint64_t{s});
+    if (gene.repressors.empty()) continue;
+    h.field("repressors").add(std::uint64_t{gene.repressors.size()});
+    for (SubstanceId s : gene.repressors) h.add(std::uint64_t{s});
   }
   return h.digest().text();
 }

@@ -59,14 +59,17 @@ Parameter dna() {
   p.write = [](const Scenario& s) {
     const auto& dna = s.scene.dna;
     if (dna.substances.empty()) return Json();
-    const auto list = [&](const std::vector<SubstanceId>& ids) {
+    const auto list = [&](const std::vector<SubstanceId>& ids,
+                          const std::vector<SubstanceId>& repressors = {}) {
       std::string text;
       for (const auto id : ids) text += (text.empty() ? "" : ", ") + dna.substances[id];
+      for (const auto id : repressors) text += ", !" + dna.substances[id];
       return text;
     };
     std::string text = "START: " + list(dna.start) + "\n";
     for (const auto& gene : dna.genes)
-      text += gene.name + "(" + dna.substances[gene.product] + "|" + list(gene.inputs) + ")\n";
+      text +=
+          gene.name + "(" + dna.substances[gene.product] + "|" + list(gene.inputs, gene.repressors) + ")\n";
     return Json(text);
   };
   return p;

@@ -186,3 +186,14 @@ TEST_CASE("equal states have equal ids") {
   CHECK(unit->daughterState(a, true) == unit->daughterState(a, true));
   CHECK(unit->describe(unit->daughterState(a, true)) == "B a");
 }
+
+TEST_CASE("a repressor keeps its gene from being active") {
+  // b and c alternate: each keeps the other away for one cycle.
+  Organism organism("START: a, b\ng1(a|a)\ng2(b|a, !b)\ng3(c|a, !c, b)\n");
+  std::vector<std::string> states;
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    organism.runCellCycle();
+    states.push_back(organism.cells().at(""));
+  }
+  CHECK(states == std::vector<std::string>{"a c", "a b", "a c", "a b"});
+}

@@ -13,7 +13,7 @@ namespace {
 
 struct PlainGene {
   std::string product;
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs, repressors;
 };
 
 using PlainState = std::set<std::string>;
@@ -21,7 +21,8 @@ using PlainState = std::set<std::string>;
 PlainState walk(const std::vector<PlainGene>& genes, const PlainState& state) {
   PlainState next;
   for (const PlainGene& gene : genes)
-    if (std::ranges::all_of(gene.inputs, [&](const std::string& input) { return state.contains(input); }))
+    if (std::ranges::all_of(gene.inputs, [&](const std::string& input) { return state.contains(input); }) &&
+        std::ranges::none_of(gene.repressors, [&](const std::string& name) { return state.contains(name); }))
       next.insert(gene.product);
   return next;
 }
@@ -68,11 +69,19 @@ Case randomCase(std::uint64_t seed) {
     if (kind == 3) inputs.insert("A"), inputs.insert(any()), inputs.insert(any());  // death is rare
     if (const unsigned asymmetry = dice.below(4); asymmetry < 2 && kind != 3)
       inputs.insert(asymmetry ? "A" : "B");
-    if (!written.insert({product, inputs}).second) continue;
-    c.genes.push_back({product, {inputs.begin(), inputs.end()}});
+    std::set<std::string> repressors;
+    for (unsigned n = dice.below(6) / 3 * dice.below(3); n > 0; --n) {
+      const std::string repressor = dice.below(8) ? any() : dice.below(2) ? "A" : "B";
+      if (!inputs.contains(repressor)) repressors.insert(repressor);
+    }
+    std::set<std::string> content = inputs;
+    for (const std::string& repressor : repressors) content.insert("!" + repressor);
+    if (!written.insert({product, content}).second) continue;
+    c.genes.push_back({product, {inputs.begin(), inputs.end()}, {repressors.begin(), repressors.end()}});
     std::string line = "\ng";
     line += std::to_string(i) + "(" + product + "|";
     for (const std::string& input : inputs) line += (line.back() == '|' ? "" : ",") + input;
+    for (const std::string& repressor : repressors) line += ", !" + repressor;
     c.text += line + ")";
   }
   return c;
