@@ -2,30 +2,36 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "biology/physical_unit.h"
 #include "division/principal_axis.h"
 
 namespace morula {
 
 namespace {
 
+/// In halves, as far as the cell is as large on one side of its centre of mass as on the other.
+Cut throughCentre(const CellContext& cell, const Vector& normal) {
+  return {cell.physical()->getShape().centre, normal};
+}
+
 struct FixedAxis final : DivisionPolicy {
   explicit FixedAxis(const Vector& a) : axis(a / norm(a)) {}
-  Vector planeNormal(const CellPath&, const Body&) const override { return axis; }
+  Cut findCut(const CellContext& cell) const override { return throughCentre(cell, axis); }
   Vector axis;
 };
 
 /// Cells tend to divide across their longest extent [Hertwig 1884; Nilsson 2008, §1.1].
 struct LongestExtent final : DivisionPolicy {
-  Vector planeNormal(const CellPath&, const Body& body) const override {
-    return principalAxis(body.position);
+  Cut findCut(const CellContext& cell) const override {
+    return throughCentre(cell, principalAxis(cell.physical()->getShape().surface.vertices));
   }
 };
 
 /// One direction per cell, whatever the order in which cells divide.
 struct RandomDirection final : DivisionPolicy {
   explicit RandomDirection(std::uint64_t s) : seed(s) {}
-  Vector planeNormal(const CellPath& cell, const Body&) const override {
-    return randomDirection({seed, cell, 0, Purpose::divisionPlane});
+  Cut findCut(const CellContext& cell) const override {
+    return throughCentre(cell, randomDirection({seed, cell.path, 0, Purpose::divisionPlane}));
   }
   std::uint64_t seed;
 };

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "catch.h"
+#include "known_cell.h"
 #include "unit/physics/lab.h"
 
 using namespace morula;
@@ -17,7 +18,7 @@ Body needle() {
 }
 
 Vector normalOf(const DivisionParameters& p, std::uint64_t seed, const char* cell) {
-  return makeDivisionPolicy(p, seed)->planeNormal(CellPath::parse(cell), needle());
+  return makeDivisionPolicy(p, seed)->findCut(KnownCell(cell, needle().position)).normal;
 }
 
 }  // namespace
@@ -41,8 +42,9 @@ TEST_CASE("A random plane is keyed by seed and path, and by nothing else") {
   const Vector once = normalOf(p, 1, "AB");
   CHECK(norm(once) == Approx(1).epsilon(1e-15));
   CHECK(normalOf(p, 1, "AB") == once);
-  CHECK(makeDivisionPolicy(p, 1)->planeNormal(CellPath::parse("AB"), shakenBody(makeIcosphere(0), 1, 1)) ==
-        once);
+  CHECK(makeDivisionPolicy(p, 1)
+            ->findCut(KnownCell("AB", shakenBody(makeIcosphere(0), 1, 1).position))
+            .normal == once);
   CHECK_FALSE(normalOf(p, 2, "AB") == once);
   CHECK_FALSE(normalOf(p, 1, "BA") == once);
   CHECK_FALSE(normalOf(p, 1, "A") == once);
@@ -54,9 +56,9 @@ TEST_CASE("Random planes of many cells and seeds look everywhere alike") {
   // Archimedes: the height on a sphere is uniform. Each of eight slices along each axis gets an eighth.
   int slices[3][8] = {};
   for (int i = 0; i < draws; ++i) {
-    CellPath cell;
-    for (int bit = 0; bit < 12; ++bit) cell = cell.daughter(i >> bit & 1);
-    const Vector n = makeDivisionPolicy(p, 7)->planeNormal(cell, {});
+    KnownCell cell("", makeIcosphere(0).vertices);
+    for (int bit = 0; bit < 12; ++bit) cell.path = cell.path.daughter(i >> bit & 1);
+    const Vector n = makeDivisionPolicy(p, 7)->findCut(cell).normal;
     const double component[3] = {n.x, n.y, n.z};
     for (int axis = 0; axis < 3; ++axis) ++slices[axis][static_cast<int>((component[axis] + 1) * 4)];
   }
