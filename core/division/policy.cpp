@@ -1,5 +1,7 @@
 #include "division/policy.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/random.h"
 #include "biology/physical_unit.h"
@@ -36,20 +38,42 @@ struct RandomDirection final : DivisionPolicy {
   std::uint64_t seed;
 };
 
+using Made = std::unique_ptr<DivisionPolicy>;
+using Given = const DivisionParameters&;
+
+constexpr DivisionPlaneKind kinds[] = {
+    {.plane = DivisionPlane::longest,
+     .name = "longest",
+     .meaning = "the direction of their largest extent",
+     .needsShape = true,
+     .make = [](Given, std::uint64_t) -> Made { return std::make_unique<LongestExtent>(); }},
+    {.plane = DivisionPlane::random,
+     .name = "random",
+     .meaning = "a random direction",
+     .usesSeed = true,
+     .make = [](Given, std::uint64_t seed) -> Made { return std::make_unique<RandomDirection>(seed); }},
+    {.plane = DivisionPlane::axis,
+     .name = "axis",
+     .meaning = "one fixed axis, which points to daughter A",
+     .takesAxis = true,
+     .make = [](Given p, std::uint64_t) -> Made { return std::make_unique<FixedAxis>(p.axis); }},
+};
+
 }  // namespace
 
+std::span<const DivisionPlaneKind> divisionPlanes() { return kinds; }
+
+const DivisionPlaneKind& kindOf(DivisionPlane plane) {
+  const auto at = std::ranges::find(kinds, plane, &DivisionPlaneKind::plane);
+  CHECK(at != std::end(kinds), "a division plane without a row");
+  return *at;
+}
+
 std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& p, std::uint64_t seed) {
-  switch (p.plane) {
-    case DivisionPlane::axis:
-      if (!(norm(p.axis) > 0))
-        throw InputError("division.plane: the axis has no length; give a direction such as [1, 0, 0]");
-      return std::make_unique<FixedAxis>(p.axis);
-    case DivisionPlane::longest:
-      return std::make_unique<LongestExtent>();
-    case DivisionPlane::random:
-      return std::make_unique<RandomDirection>(seed);
-  }
-  CHECK(false, "a plane policy without an implementation");
+  const DivisionPlaneKind& kind = kindOf(p.plane);
+  if (kind.takesAxis && !(norm(p.axis) > 0))
+    throw InputError("division.plane: the axis has no length; give a direction such as [1, 0, 0]");
+  return kind.make(p, seed);
 }
 
 }  // namespace morula
