@@ -14,6 +14,7 @@ enum class DivisionPlane {  // its number is part of what a scenario means: new 
   longest,                  // the default
   axis,
   random,  // the thesis' reference
+  alternating,
 };
 
 struct DivisionParameters {

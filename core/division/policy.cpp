@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "biology/physical_unit.h"
 #include "division/principal_axis.h"
+#include "division/record.h"
 
 namespace morula {
 
@@ -38,6 +39,20 @@ struct RandomDirection final : DivisionPolicy {
   std::uint64_t seed;
 };
 
+/// The new wall meets the one before at right angles [Sachs 1877]: of the directions within the mother's
+/// plane, the one of the cell's largest extent. Cells that no division made are cut across the given axis.
+struct AlternatingPlane final : DivisionPolicy {
+  explicit AlternatingPlane(const Vector& a) : first(a / norm(a)) {}
+  Cut findCut(const CellContext& cell) const override {
+    const DivisionRecord* mother = cell.motherDivision();
+    if (!mother) return throughCentre(cell, first);
+    std::vector<Point> within = cell.physical()->getShape().surface.vertices;
+    for (Point& x : within) x -= dot(x, mother->axis) * mother->axis;
+    return throughCentre(cell, principalAxis(within));
+  }
+  Vector first;
+};
+
 using Made = std::unique_ptr<DivisionPolicy>;
 using Given = const DivisionParameters&;
 
@@ -57,6 +72,13 @@ constexpr DivisionPlaneKind kinds[] = {
      .meaning = "one fixed axis, which points to daughter A",
      .takesAxis = true,
      .make = [](Given p, std::uint64_t) -> Made { return std::make_unique<FixedAxis>(p.axis); }},
+    {.plane = DivisionPlane::alternating,
+     .name = "alternating",
+     .meaning = "an axis at right angles to their mother's, the one of their largest extent, and at first "
+                "the given one",
+     .takesAxis = true,
+     .needsShape = true,
+     .make = [](Given p, std::uint64_t) -> Made { return std::make_unique<AlternatingPlane>(p.axis); }},
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "division/policy.h"
 
 #include <limits>
+#include <set>
+#include <string>
 
 #include "catch.h"
 #include "known_cell.h"
@@ -66,5 +68,19 @@ TEST_CASE("Random planes of many cells and seeds look everywhere alike") {
     double chiSquare = 0;
     for (int count : axis) chiSquare += (count - draws / 8.0) * (count - draws / 8.0) / (draws / 8.0);
     CHECK(chiSquare < 24.3);  // 7 degrees of freedom: exceeded once in a thousand
+  }
+}
+
+TEST_CASE("Each way to choose a plane has a row, a name of its own and a policy") {
+  std::set<std::string> names;
+  for (int i = 0; i < static_cast<int>(divisionPlanes().size()); ++i) {
+    const DivisionPlaneKind& kind = kindOf(static_cast<DivisionPlane>(i));
+    INFO(kind.name);
+    CHECK(names.insert(kind.name).second);
+    const DivisionParameters p{kind.plane, {0, 2, 0}};
+    CHECK(norm(normalOf(p, 1, "AB")) == Approx(1).epsilon(1e-13));
+    CHECK(makeDivisionPolicy(p, 1)->findCut(KnownCell("AB", needle().position)).point ==
+          measureCentroid(needle().position));
+    CHECK((normalOf(p, 1, "AB") == normalOf(p, 2, "AB")) != kind.usesSeed);
   }
 }
