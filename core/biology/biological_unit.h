@@ -3,22 +3,12 @@
 // implementation. Asked once per cell and cell cycle, never inside a vertex loop.
 #include <string>
 
-#include "base/cell_path.h"
-#include "biology/state.h"
+#include "biology/cell_context.h"
 
 namespace morula {
 
-class PhysicalUnit;
-
-/// What a unit may know of the cell it is asked about.
-struct CellView {
-  CellPath path;
-  StateId state = 0;
-  double time = 0;                         // now
-  double lastCycle = 0;                    // when its last cell cycle ran, or its birth
-  const PhysicalUnit* physical = nullptr;  // null in a lineage-only scene
-};
-
+/// All cells whose cycle is due at one time are asked for their next state of the same instant, before any of
+/// them changes; what they want is asked of the instant after it, when all have changed.
 class BiologicalUnit {
  public:
   virtual ~BiologicalUnit() = default;
@@ -28,17 +18,17 @@ class BiologicalUnit {
   /// Time from the last cycle (or birth) to the next one, for a cell in this state. [time]
   virtual double cycleLength(StateId state) const = 0;
   /// True if the cell's next cell cycle is due: the biological step is much longer than the physical one.
-  virtual bool wantsToRunCellCycle(const CellView& cell) const {
+  virtual bool wantsToRunCellCycle(const CellContext& cell) const {
     return cell.time >= cell.lastCycle + cycleLength(cell.state);
   }
   /// The state after one cell cycle.
-  virtual StateId runCellCycle(const CellView& cell) = 0;
-  virtual bool wantsToDivide(const CellView& cell) const = 0;
-  virtual bool wantsToDie(const CellView& cell) const = 0;
+  virtual StateId runCellCycle(const CellContext& cell) = 0;
+  virtual bool wantsToDivide(const CellContext& cell) const = 0;
+  virtual bool wantsToDie(const CellContext& cell) const = 0;
   /// > 0: grow; < 0: shrink; 0: neither.
-  virtual double wantsToGrow(const CellView& cell) const = 0;
+  virtual double wantsToGrow(const CellContext& cell) const = 0;
   /// > 0: connect, < 0: do not; the simulator adds the values of the two cells.
-  virtual double wantsToConnect(const CellView& cell) const = 0;
+  virtual double wantsToConnect(const CellContext& cell) const = 0;
   /// The state of a daughter: the mother's and one asymmetry substance, A or B.
   virtual StateId daughterState(StateId mother, bool b) = 0;
   /// The substances of a state, sorted by name, separated by single spaces.

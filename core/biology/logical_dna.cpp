@@ -41,11 +41,11 @@ class LogicalDna final : public BiologicalUnit {
 
   StateId startState() const override { return start_; }
   double cycleLength(StateId state) const override { return states_[state].cycleLength; }
-  StateId runCellCycle(const CellView& cell) override;
-  bool wantsToDivide(const CellView& cell) const override { return states_[cell.state].divides; }
-  bool wantsToDie(const CellView& cell) const override { return states_[cell.state].dies; }
-  double wantsToGrow(const CellView& cell) const override { return states_[cell.state].growth; }
-  double wantsToConnect(const CellView& cell) const override { return states_[cell.state].connecting; }
+  StateId runCellCycle(const CellContext& cell) override;
+  bool wantsToDivide(const CellContext& cell) const override { return states_[cell.state].divides; }
+  bool wantsToDie(const CellContext& cell) const override { return states_[cell.state].dies; }
+  double wantsToGrow(const CellContext& cell) const override { return states_[cell.state].growth; }
+  double wantsToConnect(const CellContext& cell) const override { return states_[cell.state].connecting; }
   StateId daughterState(StateId mother, bool b) override;
   std::string describe(StateId state) const override;
   StateId stateOf(const std::string& description) override;
@@ -146,7 +146,7 @@ Substances LogicalDna::runGenes(const Substances& present) {
   return products;
 }
 
-StateId LogicalDna::runCellCycle(const CellView& cell) {
+StateId LogicalDna::runCellCycle(const CellContext& cell) {
   if (states_[cell.state].next == unknown) {
     const StateId next = intern(runGenes(states_[cell.state].substances));  // may move states_
     states_[cell.state].next = next;

@@ -8,14 +8,14 @@
 
 namespace morula {
 
-CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double production) {
+CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double production) {
   CutResult result;
   Body &a = result.daughters.a, &b = result.daughters.b;
   a = b = mother;
-  const Point centre = measureCentroid(mother.position);
+  const Vector& normal = cut.normal;
   std::vector<char> flatInA(mother.position.size()), flatInB(mother.position.size());
   for (std::size_t v = 0; v < mother.position.size(); ++v) {
-    const double height = dot(mother.position[v] - centre, normal);
+    const double height = dot(mother.position[v] - cut.point, normal);
     Body& beyond = height > 0 ? b : a;  // the daughter for which this vertex lies beyond the plane
     beyond.position[v] = mother.position[v] - height * normal;
     (height > 0 ? flatInB : flatInA)[v] = true;
@@ -26,8 +26,8 @@ CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double 
   const double volumeA = measureVolume(a.position, faces), volumeB = measureVolume(b.position, faces);
   const double volume = volumeA + volumeB;
   if (!(volumeA >= 0.1 * volume && volumeB >= 0.1 * volume)) {
-    result.failure = "the plane through its centre of mass would cut its volume into " + numberText(volumeA) +
-                     " and " + numberText(volumeB);
+    result.failure =
+        "its plane would cut its volume into " + numberText(volumeA) + " and " + numberText(volumeB);
     return result;
   }
   const double shareA = volumeA / volume;
@@ -42,17 +42,17 @@ CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double 
   return result;
 }
 
-Daughters halveSphere(const Body& mother, double radius, const Vector& normal) {
+Daughters divideSphere(const Body& mother, double radius, const Cut& cut) {
   Daughters d{mother, mother};
-  const double shrinkage = cubeRoot(0.5);
-  for (Body* daughter : {&d.a, &d.b}) {
-    daughter->restScale *= shrinkage;
-    daughter->mass *= 0.5;
-    daughter->pressureConstant *= 0.5;
-  }
-  const Vector aside = (radius * (1 - shrinkage)) * normal;
-  d.a.position[0] += aside;
-  d.b.position[0] -= aside;
+  d.a.mass = mother.mass * cut.ratio;
+  d.b.mass = mother.mass - d.a.mass;
+  d.a.pressureConstant = mother.pressureConstant * cut.ratio;
+  d.b.pressureConstant = mother.pressureConstant - d.a.pressureConstant;
+  const double scaleA = cubeRoot(cut.ratio), scaleB = cubeRoot(1 - cut.ratio);
+  d.a.restScale *= scaleA;
+  d.b.restScale *= scaleB;
+  d.a.position[0] += (radius * (1 - scaleA)) * cut.normal;
+  d.b.position[0] -= (radius * (1 - scaleB)) * cut.normal;
   return d;
 }
 

@@ -12,6 +12,14 @@
 
 namespace morula {
 
+/// Where a cell is to be cut. A surface is cut along the plane; a sphere, which has none, into shares of its
+/// volume.
+struct Cut {
+  Point point;         // [length] on the plane
+  Vector normal;       // the plane's unit normal; points to daughter A
+  double ratio = 0.5;  // [1] of the volume that daughter A is to have, above 0 and below 1
+};
+
 struct Daughters {
   Body a, b;  // a on the side that the normal points to
 };
@@ -21,15 +29,15 @@ struct CutResult {
   std::string failure;  // empty: the cut succeeded
 };
 
-/// Cuts across the plane through the mean of the vertices with unit normal `normal`. k_p and mass go by
-/// volume. Of the membrane, `production` times the mother's rest area is shared out by volume^(2/3):
-/// production 2^(1/3) gives the halves of a sphere just the membrane that their rounded shape needs. Fails if
-/// a daughter would get less than a tenth of the volume: such a body never was one piece on either side.
-CutResult cutBody(const Body& mother, Faces faces, const Vector& normal, double production);
+/// Cuts along the plane. k_p and mass go by volume. Of the membrane, `production` times the mother's rest
+/// area is shared out by volume^(2/3): production 2^(1/3) gives the halves of a sphere just the membrane that
+/// their rounded shape needs. Fails if a daughter would get less than a tenth of the volume: such a body
+/// never was one piece on either side.
+CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double production);
 
-/// A sphere of that radius becomes two of half its volume and mass within its outline, side by side along
-/// `normal`, touching it from inside, so that nobody else is pushed in that moment. They overlap, and contact
-/// parts them.
-Daughters halveSphere(const Body& mother, double radius, const Vector& normal);
+/// A sphere of that radius becomes two that share its volume and mass by the cut's ratio, side by side along
+/// its normal within the mother's outline, touching it from inside, so that nobody else is pushed in that
+/// moment. They overlap, and contact parts them.
+Daughters divideSphere(const Body& mother, double radius, const Cut& cut);
 
 }  // namespace morula

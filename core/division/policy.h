@@ -1,20 +1,20 @@
 #pragma once
-// Where a cell divides: the direction from daughter B to daughter A, at right angles to the plane.
+// Where a cell divides.
 #include <cstdint>
 #include <memory>
 
-#include "base/cell_path.h"
+#include "biology/cell_context.h"
+#include "division/cut.h"
 #include "division/parameters.h"
-#include "physics/bodies.h"
 
 namespace morula {
 
 class DivisionPolicy {
  public:
   virtual ~DivisionPolicy() = default;
-  /// The plane's unit normal; the plane goes through the cell's centre of mass. Daughter A lies where it
-  /// points.
-  virtual Vector planeNormal(const CellPath& cell, const Body& body) const = 0;
+  /// Where this cell, which has a body, is to be cut. Asked of the instant before any cell divides; the
+  /// answer depends on nothing else, so the order in which cells are asked cannot matter.
+  virtual Cut findCut(const CellContext& cell) const = 0;
 };
 
 /// Throws InputError for an axis of length 0.

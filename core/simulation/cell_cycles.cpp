@@ -1,5 +1,6 @@
-// The biological step [Nilsson 2008, figure 4.2]: what the cells want is asked first, of the world as it is,
-// and done afterwards, so that the order of cells cannot matter.
+// The biological step [Nilsson 2008, figure 4.2]: observe, decide, apply. All cells that are due run their
+// cycle on the same instant, into new states; when all have changed, what they want is asked of that instant,
+// and done afterwards. So the order of cells cannot matter, whatever they know of one another.
 //
 // Cycles that fall within one time step run in the order in which they are due, those due at one time
 // together, and each round sees what the one before has made: so biology goes through the same rounds whether
@@ -7,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/body_unit.h"
+#include "simulation/observation.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
 
@@ -15,29 +16,50 @@ namespace morula {
 
 namespace {
 
-/// Runs the cycle of one cell if it is due at `time`. Its unit sees its body if there is one. Returns what
-/// becomes of it.
-CellChange runCellCycle(World& world, std::size_t i, double time) {
+/// Runs the cycles that are due. Returns which cells had one.
+std::vector<CellChange> runDueCycles(World& world, double time) {
   Cells& cells = world.cells;
-  std::optional<BodyUnit> body;
-  if (world.bodies) body.emplace(*world.bodies, world.bodies->slots[i]);
-  CellView view{cells.path[i], cells.state[i], time, cells.lastCycle[i], body ? &*body : nullptr};
-  if (!world.biology->wantsToRunCellCycle(view)) return CellChange::none;
-  cells.lastCycle[i] +=
-      world.biology->cycleLength(cells.state[i]);  // when it was due: rounding to steps does not pile up
-  view.state = cells.state[i] = world.biology->runCellCycle(view);
-  world.lineage.entries[cells.entry[i]].state = cells.state[i];
-  if (world.biology->wantsToDie(view)) return CellChange::dies;
-  if (world.model.mechanics) cells.growth[i] = world.biology->wantsToGrow(view);
-  return world.biology->wantsToDivide(view) ? CellChange::divides : CellChange::cycled;
+  std::vector<CellChange> changes(cells.path.size(), CellChange::none);
+  std::vector<StateId> next = cells.state;
+  const Observation now(world, time);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const ObservedCell cell(now, static_cast<int>(i));
+    if (!world.biology->wantsToRunCellCycle(cell)) continue;
+    next[i] = world.biology->runCellCycle(cell);
+    changes[i] = CellChange::cycled;
+  }
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (changes[i] == CellChange::none) continue;
+    // When it was due: rounding to steps does not pile up.
+    cells.lastCycle[i] += world.biology->cycleLength(cells.state[i]);
+    world.lineage.entries[cells.entry[i]].state = next[i];
+  }
+  cells.state = std::move(next);
+  return changes;
+}
+
+/// Asks those whose cycle has run what they want.
+void decide(World& world, const Observation& now, std::vector<CellChange>& changes) {
+  const BiologicalUnit& biology = *world.biology;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (changes[i] == CellChange::none) continue;
+    const ObservedCell cell(now, static_cast<int>(i));
+    if (biology.wantsToDie(cell)) {
+      changes[i] = CellChange::dies;
+      continue;
+    }
+    if (world.model.mechanics) world.cells.growth[i] = biology.wantsToGrow(cell);
+    if (biology.wantsToDivide(cell)) changes[i] = CellChange::divides;
+  }
 }
 
 /// All cycles that are due at one time. False if there was none.
 bool runOneRound(World& world, double time) {
-  std::vector<CellChange> changes(world.cells.path.size());
-  for (std::size_t i = 0; i < changes.size(); ++i) changes[i] = runCellCycle(world, i, time);
-  connectByGene(world, changes);
-  changePopulation(world, changes);
+  std::vector<CellChange> changes = runDueCycles(world, time);
+  const Observation now(world, time);
+  decide(world, now, changes);
+  connectByGene(world, now, changes);
+  changePopulation(world, now, changes);
   return std::any_of(changes.begin(), changes.end(), [](CellChange c) { return c != CellChange::none; });
 }
 

@@ -1,133 +1,300 @@
+// The tables of measures. To add one: a row here.
 #include "simulation/measures.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/error.h"
 #include "mesh/measures.h"
-#include "mesh/overlap.h"
-#include "simulation/world.h"
+#include "simulation/body_measures.h"
 
 namespace morula {
 
 namespace {
 
-CellMeasures measureMesh(const Bodies& b, int slot) {
-  const auto& [vertices, faces] = takeSurface(b, slot);
-  CellMeasures m;
-  m.volume = measureVolume(vertices, faces);
-  m.area = measureArea(vertices, faces);
-  if (b.parameters.cell.model == CellModel::shell)
-    m.pressure = b.pressureConstant[slot] / m.volume - b.parameters.pressure.outside;
-  m.centroid = measureCentroid(vertices);
-  m.sphericity = sphericity(m.volume, m.area);
-  return m;
+const Bodies& bodiesOf(const Observation& now) { return *now.world.bodies; }
+const BodyShape& shapeOf(const CellContext& cell) { return cell.physical()->getShape(); }
+
+/// Over all cells with a body.
+template <class Get>
+double sumOf(const Observation& now, const Get& get) {
+  double sum = 0;
+  for (int slot : bodiesOf(now).slots) sum += get(bodiesOf(now), slot);
+  return sum;
+}
+double volumeOf(const Bodies& b, int slot) { return b.volume[slot]; }
+double pressureOf(const Bodies& b, int slot) { return b.pressure[slot]; }
+
+constexpr WorldMeasure ofWorld[] = {
+    {.name = "cells",
+     .unit = "",
+     .meaning = "Cells that live",
+     .needs = Needs::nothing,
+     .isWhole = true,
+     .get = [](const Observation& now) { return std::optional(double(now.world.cells.path.size())); }},
+    {.name = "volume",
+     .unit = "length³",
+     .meaning = "Of all cells, as the last evaluation of the forces found it [Nilsson 2008, eq. 4.4]",
+     .get = [](const Observation& now) { return std::optional(sumOf(now, volumeOf)); }},
+    {.name = "kinetic_energy",
+     .unit = "force·length",
+     .meaning = "½ Σ m v² over the vertices of all cells",
+     .get = [](const Observation& now) { return std::optional(sumOf(now, measureKineticEnergy)); }},
+    {.name = "mean_pressure",
+     .unit = "force/length²",
+     .meaning = "Inner minus outer pressure [Nilsson 2008, eq. 4.3], in the mean over the cells; absent "
+                "without cells",
+     .get =
+         [](const Observation& now) {
+           const int count = bodiesOf(now).count;
+           return count > 0 ? std::optional(sumOf(now, pressureOf) / count) : std::nullopt;
+         }},
+    {.name = "shell_fill",
+     .unit = "",
+     .meaning = "Volume of all cells over the shell's",
+     .needs = Needs::shell,
+     .get =
+         [](const Observation& now) {
+           return std::optional(sumOf(now, volumeOf) / measureShellVolume(bodiesOf(now)));
+         }},
+    {.name = "outermost",
+     .unit = "shell radii",
+     .meaning = "How far out the farthest vertex, or ball, reaches: 1 on the shell; absent without cells",
+     .needs = Needs::shell,
+     .get =
+         [](const Observation& now) {
+           std::optional<double> most;
+           for (int slot : bodiesOf(now).slots)
+             most = std::max(most.value_or(0), measureOutermost(bodiesOf(now), slot));
+           return most;
+         }},
+    {.name = "extent",
+     .unit = "length",
+     .meaning = "The farthest that a vertex, or a ball's surface, is from the origin",
+     .taken = Taken::onDemand,
+     .get = [](const Observation& now) { return std::optional(measureExtent(bodiesOf(now))); }},
+    {.name = "energy",
+     .unit = "force·length",
+     .meaning = "Of motion ½mv², membranes ½k_s(l−l₀)² and contents k_p (r−1−ln r), r = P₀V/k_p: 0 at rest; "
+                "not what "
+                "contacts and connections hold",
+     .taken = Taken::onDemand,
+     .get = [](const Observation& now) { return std::optional(measureEnergy(bodiesOf(now))); }},
+    {.name = "momentum_x",
+     .unit = "mass·length/time",
+     .meaning = "Σ m v over the vertices of all cells, along x",
+     .taken = Taken::onDemand,
+     .get = [](const Observation& now) { return std::optional(measureMomentum(bodiesOf(now)).x); }},
+    {.name = "momentum_y",
+     .unit = "mass·length/time",
+     .meaning = "The same along y",
+     .taken = Taken::onDemand,
+     .get = [](const Observation& now) { return std::optional(measureMomentum(bodiesOf(now)).y); }},
+    {.name = "momentum_z",
+     .unit = "mass·length/time",
+     .meaning = "The same along z",
+     .taken = Taken::onDemand,
+     .get = [](const Observation& now) { return std::optional(measureMomentum(bodiesOf(now)).z); }},
+    {.name = "mean_overlap",
+     .unit = "",
+     .meaning = "Share of a cell's volume that lies in another cell too, in the mean over the cells, by 256 "
+                "× 256 scan "
+                "lines",
+     .taken = Taken::onDemand,
+     .get = [](const Observation& now) { return std::optional(measureMeanOverlap(bodiesOf(now))); }},
+};
+
+constexpr CellMeasure ofCell[] = {
+    {.name = "volume",
+     .unit = "length³",
+     .meaning = "What its surface encloses, by the divergence theorem [Nilsson 2008, eq. 4.4]",
+     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).volume); }},
+    {.name = "area",
+     .unit = "length²",
+     .meaning = "Of its surface",
+     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).area); }},
+    {.name = "pressure",
+     .unit = "force/length²",
+     .meaning = "Inner minus outer [Nilsson 2008, eq. 4.3]; absent in models without contents under pressure",
+     .get = [](const CellContext& cell) { return shapeOf(cell).pressure; }},
+    {.name = "x",
+     .unit = "length",
+     .meaning = "Of the mean of its vertices, which carry the mass",
+     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).centre.x); }},
+    {.name = "y",
+     .unit = "length",
+     .meaning = "The same along y",
+     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).centre.y); }},
+    {.name = "z",
+     .unit = "length",
+     .meaning = "The same along z",
+     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).centre.z); }},
+    {.name = "sphericity",
+     .unit = "",
+     .meaning = "π^(1/3) (6V)^(2/3) / A: 1 for a sphere [Wadell 1935]",
+     .get =
+         [](const CellContext& cell) {
+           const BodyShape& shape = shapeOf(cell);
+           return std::optional(shape.isBall ? 1.0 : sphericity(shape.volume, shape.area));
+         }},
+    {.name = "neighbours",
+     .unit = "",
+     .meaning = "Cells that it touches; 0 where cells cannot touch",
+     .needs = Needs::contact,
+     .isWhole = true,
+     .get = [](const CellContext& cell) { return std::optional(double(cell.neighbours().size())); }},
+    {.name = "volume_over_rest",
+     .unit = "",
+     .meaning = "Volume over what it would be if nothing pressed on the cell: with contents under pressure "
+                "its share of "
+                "the egg's, otherwise that of its mesh with its rest lengths",
+     .taken = Taken::onDemand,
+     .get =
+         [](const CellContext& cell) {
+           return std::optional(cell.physical()->getVolume() / cell.physical()->getRestVolume());
+         }},
+    {.name = "volume_over_mesh",
+     .unit = "",
+     .meaning = "Volume over that of its mesh with its rest lengths",
+     .taken = Taken::onDemand,
+     .get =
+         [](const CellContext& cell) {
+           return std::optional(cell.physical()->getVolume() / cell.physical()->getMeshVolume());
+         }},
+    {.name = "inverted",
+     .unit = "",
+     .meaning = "Share of its surface whose outer side is turned to the mean of its vertices",
+     .taken = Taken::onDemand,
+     .get = [](const CellContext& cell) { return std::optional(measureInvertedShare(shapeOf(cell))); }},
+};
+
+constexpr PairMeasure ofPair[] = {
+    {.name = "area",
+     .unit = "length²",
+     .meaning = "Of the contact: the mean of what the vertices of either cell stand for that touch the other "
+                "one; of two "
+                "balls the disc in which their surfaces meet",
+     .needs = Needs::contact,
+     .get = [](const Touch& touch) { return std::optional(touch.area); }},
+};
+
+/// True if a world has what a measure needs.
+bool has(const World& world, Needs needs) {
+  switch (needs) {
+    case Needs::nothing:
+      return true;
+    case Needs::shell:
+      return world.bodies && world.bodies->parameters.shell;
+    case Needs::bodies:
+    case Needs::contact:  // without it nobody touches: 0, not unknown
+      return world.bodies.has_value();
+  }
+  CHECK(false, "a need that is not known");
 }
 
-CellMeasures measureSphere(const Bodies& b, int slot) {
-  const double radius = b.parameters.cell.radius * b.restScale[slot];
-  CellMeasures m;
-  m.volume = b.volume[slot];
-  m.area = 12.566370614359172 * radius * radius;
-  m.centroid = b.vertex(slot, 0);
-  m.sphericity = 1;
-  return m;
+template <class Of>
+void take(const World& world, const Of& of, Measured<Of>& into) {
+  const auto rows = sampledMeasures<Of>();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (has(world, rows[i].needs)) into.values[i] = rows[i].get(of);
 }
 
 }  // namespace
 
-double measureKineticEnergy(const Bodies& b, int slot) {
-  double sum = 0;
-  for (int v = 0; v < b.vertexCount(slot); ++v) {
-    const Vector u = b.read(b.velocity, slot, v);
-    sum += dot(u, u);
-  }
-  return 0.5 * b.vertexMass[slot] * sum;
+const char* name(Needs needs) {
+  constexpr const char* names[] = {"nothing", "bodies", "contact", "a shell"};
+  return names[static_cast<int>(needs)];
 }
 
-double measureOutermost(const Bodies& b, int slot) {
-  const double* a = b.parameters.shell->semiAxes;
-  const double radius = b.parameters.cell.radius * b.restScale[slot];
-  if (b.areSpheres() && a[0] == a[1] && a[1] == a[2]) return (norm(b.vertex(slot, 0)) + radius) / a[0];
-  double outermost = 0;
-  for (Point p : takeSurface(b, slot).vertices) {
-    if (b.areSpheres()) {  // in the same direction, on the ball
-      const Point centre = b.vertex(slot, 0);
-      const Vector way = p - centre;
-      p = centre + (radius / norm(way)) * way;
-    }
-    const Vector q{p.x / a[0], p.y / a[1], p.z / a[2]};
-    outermost = std::max(outermost, dot(q, q));
-  }
-  return std::sqrt(outermost);
+template <>
+std::span<const WorldMeasure> measures<Observation>() {
+  return ofWorld;
 }
+template <>
+std::span<const CellMeasure> measures<CellContext>() {
+  return ofCell;
+}
+template <>
+std::span<const PairMeasure> measures<Touch>() {
+  return ofPair;
+}
+
+template <class Of>
+std::span<const Measure<Of>> sampledMeasures() {
+  const auto all = measures<Of>();
+  const auto end = std::ranges::find(all, Taken::onDemand, &Measure<Of>::taken);
+  return all.first(end - all.begin());
+}
+
+template <class Of>
+const Measure<Of>& measure(std::string_view name) {
+  const auto all = measures<Of>();
+  const auto at = std::ranges::find(all, name, &Measure<Of>::name);
+  CHECK(at != all.end(), "a measure that no row names");
+  return *at;
+}
+
+template <class Of>
+std::size_t Measured<Of>::indexOf(std::string_view name) {
+  const auto rows = sampledMeasures<Of>();
+  const auto at = std::ranges::find(rows, name, &Measure<Of>::name);
+  CHECK(at != rows.end(), "a measure that samples do not hold");
+  return at - rows.begin();
+}
+
+template <class Of>
+double Measured<Of>::at(std::string_view name) const {
+  const std::optional<double>& value = values[indexOf(name)];
+  CHECK(value.has_value(), "a value that was not measured");
+  return *value;
+}
+
+#define MORULA_MEASURES_OF(Of)                             \
+  template std::span<const Measure<Of>> sampledMeasures(); \
+  template const Measure<Of>& measure(std::string_view);   \
+  template class Measured<Of>;
+MORULA_MEASURES_OF(Observation)
+MORULA_MEASURES_OF(CellContext)
+MORULA_MEASURES_OF(Touch)
+#undef MORULA_MEASURES_OF
 
 WorldMeasures measureWorld(const World& world) {
   WorldMeasures m;
   m.time = world.clock.time;
   m.step = world.clock.step;
-  m.cells = world.cells.path.size();
-  if (!world.bodies) return m;
-  const Bodies& b = *world.bodies;
-  double volume = 0, pressure = 0, kineticEnergy = 0;
-  for (int slot : b.slots) {
-    volume += b.volume[slot];
-    pressure += b.pressure[slot];
-    kineticEnergy += measureKineticEnergy(b, slot);
-  }
-  m.volume = volume;
-  m.kineticEnergy = kineticEnergy;
-  if (b.count > 0) m.meanPressure = pressure / b.count;
-  if (b.parameters.shell) {
-    const double* a = b.parameters.shell->semiAxes;
-    m.shellFill = volume / (12.566370614359172 / 3 * a[0] * a[1] * a[2]);
-    for (int slot : b.slots) m.outermost = std::max(m.outermost.value_or(0), measureOutermost(b, slot));
-  }
+  take(world, Observation(world), m);
   return m;
 }
 
 std::vector<CellMeasures> measureCells(const World& world) {
   std::vector<CellMeasures> all;
   if (!world.bodies) return all;
-  const Bodies& b = *world.bodies;
-  for (int cell = 0; cell < b.count; ++cell) {
-    const int slot = b.slots[cell];
-    CellMeasures m = b.areSpheres() ? measureSphere(b, slot) : measureMesh(b, slot);
-    m.path = world.cells.path[cell];
-    m.state = world.cells.state[cell];
-    all.push_back(m);
+  const Observation now(world);
+  for (int i = 0; i < world.bodies->count; ++i) {
+    const ObservedCell cell(now, i);
+    CellMeasures& m = all.emplace_back();
+    m.path = cell.path;
+    m.state = cell.state;
+    take<CellContext>(world, cell, m);
   }
-  if (world.contacts)
-    for (const ContactArea& touch : measureContactAreas(*world.contacts, b)) {
-      ++all[touch.a].neighbours;
-      ++all[touch.b].neighbours;
-    }
   return all;
 }
 
 std::vector<ContactMeasures> measureContacts(const World& world) {
   std::vector<ContactMeasures> all;
-  if (!world.contacts) return all;
-  for (const ContactArea& touch : measureContactAreas(*world.contacts, *world.bodies))
-    all.push_back({world.cells.path[touch.a], world.cells.path[touch.b], touch.area});
+  const Observation now(world);
+  for (const auto& [a, b, area] : now.contacts()) {
+    ContactMeasures& m = all.emplace_back();
+    m.a = world.cells.path[a];
+    m.b = world.cells.path[b];
+    take<Touch>(world, {now.cell(a), now.cell(b), area}, m);
+  }
   return all;
-}
-
-double measureMeanOverlap(const World& world, int columns) {
-  if (!world.bodies || world.bodies->count == 0) return 0;
-  const Bodies& b = *world.bodies;
-  std::vector<Mesh> surfaces;
-  for (int slot : b.slots) surfaces.push_back(takeSurface(b, slot));
-  std::vector<MeshView> meshes;
-  for (const Mesh& surface : surfaces) meshes.push_back({surface.vertices, surface.faces});
-  return measureOverlap(meshes, columns).meanShare();
 }
 
 Mesh cellMesh(const World& world, const CellPath& path) {
   if (!world.bodies) return {};
-  const auto& paths = world.cells.path;
-  const auto at = std::lower_bound(paths.begin(), paths.end(), path);
-  if (at == paths.end() || *at != path) return {};
-  return takeSurface(*world.bodies, world.bodies->slots[at - paths.begin()]);
+  const int number = cellNumber(world.cells, path);
+  return number < 0 ? Mesh{} : takeSurface(*world.bodies, world.bodies->slots[number]);
 }
 
 std::vector<Point> cellVertices(const World& world, const CellPath& path) {

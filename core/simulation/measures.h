@@ -1,63 +1,96 @@
 #pragma once
-// What can be read off a World. Measured on demand only; nothing here is computed unless somebody asks.
+// What can be read off a World: one row per measure, of the world, of a cell, of a pair of cells that touch.
+// Columns of the database, values of goldens, JSON, what a scenario checks and scenarios/MEASURES.md come
+// from these rows; a new measure is a new row. Measured on demand only: nothing here is computed unless
+// somebody asks.
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
-#include "base/cell_path.h"
-#include "base/vec3.h"
-#include "biology/state.h"
-#include "connections/connections.h"
-#include "mesh/mesh.h"
+#include "simulation/observation.h"
 
 namespace morula {
 
-struct Bodies;
-struct World;
+/// Two cells that touch, a < b.
+struct Touch {
+  const CellContext &a, &b;
+  double area;  // [length²] as ContactArea
+};
+
+/// What a scene must have for a measure to be taken.
+enum class Needs { nothing, bodies, contact, shell };
+const char* name(Needs needs);
+
+enum class Taken {
+  withSamples,  // at every sample
+  onDemand,     // where a check asks for it
+};
+
+template <class Of>
+struct Measure {
+  const char* name;     // of the column, in goldens and in JSON
+  const char* unit;     // "length³"; "": a pure number
+  const char* meaning;  // its definition, with its source; one line
+  Needs needs = Needs::bodies;
+  Taken taken = Taken::withSamples;
+  bool isWhole = false;                     // a whole number
+  std::optional<double> (*get)(const Of&);  // absent: there is nothing to measure
+};
+using WorldMeasure = Measure<Observation>;
+using CellMeasure = Measure<CellContext>;
+using PairMeasure = Measure<Touch>;
+
+/// All rows of one table: `Of` is Observation, CellContext or Touch. Those taken with samples stand first.
+template <class Of>
+std::span<const Measure<Of>> measures();
+/// Those that are taken with samples.
+template <class Of>
+std::span<const Measure<Of>> sampledMeasures();
+/// The row of this name; CHECKed.
+template <class Of>
+const Measure<Of>& measure(std::string_view name);
+
+/// The values of one thing, one for each of sampledMeasures<Of>(); absent: not measured.
+template <class Of>
+class Measured {
+ public:
+  std::vector<std::optional<double>> values =
+      std::vector<std::optional<double>>(sampledMeasures<Of>().size());
+
+  std::optional<double>& operator[](std::string_view name) { return values[indexOf(name)]; }
+  const std::optional<double>& operator[](std::string_view name) const { return values[indexOf(name)]; }
+  /// A value that has been measured; CHECKed.
+  double at(std::string_view name) const;
+  /// [byte] That the values take.
+  static std::size_t bytes() { return sampledMeasures<Of>().size() * sizeof(std::optional<double>); }
+  friend bool operator==(const Measured&, const Measured&) = default;
+
+ private:
+  static std::size_t indexOf(std::string_view name);
+};
 
 /// One living cell's geometry. Lineage-only worlds have none.
-struct CellMeasures {
+struct CellMeasures : Measured<CellContext> {
   CellPath path;
   StateId state = 0;
-  double volume = 0;      // [length³] by the divergence theorem [Nilsson 2008, eq. 4.4]
-  double area = 0;        // [length²]
-  double pressure = 0;    // [force/length²] inner minus outer [Nilsson 2008, eq. 4.3]; a sphere has none
-  Point centroid;         // [length] of the vertices, which carry the mass
-  double sphericity = 0;  // π^(1/3) (6V)^(2/3) / A, 1 for a sphere
-  int neighbours = 0;     // cells it touches
 };
 
-struct ContactMeasures {
-  CellPath a, b;    // a < b
-  double area = 0;  // [length²]
+struct ContactMeasures : Measured<Touch> {
+  CellPath a, b;  // a < b
 };
 
-/// What the scene does not have, or no living cell has, is not measured and absent.
-struct WorldMeasures {
-  double time = 0;
+struct WorldMeasures : Measured<Observation> {
+  double time = 0;  // [time]
   std::uint64_t step = 0;
-  std::uint64_t cells = 0;              // alive
-  std::optional<double> volume;         // [length³] all cells; with bodies
-  std::optional<double> kineticEnergy;  // [force·length]; with bodies
-  std::optional<double> meanPressure;   // [force/length²]; with bodies, of the living cells
-  std::optional<double> shellFill;      // volume / the shell's volume; with a shell
-  std::optional<double> outermost;  // largest distance of a vertex, in shell radii (1: on the shell); with a
-                                    // shell, of the living cells
 };
 
-/// ½ Σ m v² over a cell's vertices. [force·length]
-double measureKineticEnergy(const Bodies& bodies, int slot);
-/// [shell radii] How far out a cell reaches: 1 on the shell, which there must be. A sphere's is that of the ball itself: the
-/// mesh that it is drawn with holds its volume, so that its vertices stand farther out.
-double measureOutermost(const Bodies& bodies, int slot);
 WorldMeasures measureWorld(const World& world);
 /// By lineage path; empty in a lineage-only world.
 std::vector<CellMeasures> measureCells(const World& world);
 /// By (a, b); empty without contact.
 std::vector<ContactMeasures> measureContacts(const World& world);
-/// Mean over the cells of the share of a cell's volume that lies in another cell too, by scan lines through a
-/// grid of `columns` × `columns` columns; O(cells · faces). [1]
-double measureMeanOverlap(const World& world, int columns = 256);
 
 /// The surface of one living cell: vertex positions, in the order of its mesh, and faces. Empty if no such
 /// cell lives, or without bodies.

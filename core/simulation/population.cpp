@@ -15,45 +15,45 @@ namespace morula {
 namespace {
 
 struct Division {
+  Cut cut;
   Daughters daughters;
   DivisionRecord record;
 };
 
-Division divide(const World& world, std::size_t i) {
-  const int slot = world.bodies->slots[i];
-  const Body mother = takeBody(*world.bodies, slot);
-  const Vector normal = world.divisionPolicy->planeNormal(world.cells.path[i], mother);
-  DivisionRecord record{world.cells.path[i], world.clock.time, world.clock.step, normal, 0.5, {}};
-  if (world.bodies->areSpheres())
-    return {halveSphere(mother, world.bodies->parameters.cell.radius * mother.restScale, normal), record};
+Division divide(const World& world, const ObservedCell& cell) {
+  const Bodies& bodies = *world.bodies;
+  const Body mother = takeBody(bodies, cell.slot());
+  const Cut cut = world.divisionPolicy->findCut(cell);
+  DivisionRecord record{cell.path, world.clock.time, world.clock.step, cut.normal, cut.ratio, {}};
+  if (bodies.areSpheres())
+    return {cut, divideSphere(mother, bodies.parameters.cell.radius * mother.restScale, cut), record};
   record.extentRatio = extentRatio(mother.position);
-  CutResult cut = cutBody(mother, world.bodies->meshOf(slot).mesh.faces, normal,
-                          world.bodies->parameters.membrane.production);
-  if (!cut.failure.empty())
+  CutResult result =
+      cutBody(mother, bodies.meshOf(cell.slot()).mesh.faces, cut, bodies.parameters.membrane.production);
+  if (!result.failure.empty())
     throw NumericalError(
-        world.cells.path[i].text(), world.clock.step, "it cannot divide: " + cut.failure,
+        cell.path.text(), world.clock.step, "it cannot divide: " + result.failure,
         "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
-  auto& [a, b] = cut.daughters;
-  record.share = a.mass / mother.mass;                                  // mass goes by volume
-  if (world.bodies->parameters.cell.model == CellModel::shapeMatching)  // a volume at rest, and no membrane
+  auto& [a, b] = result.daughters;
+  record.share = a.mass / mother.mass;                           // mass goes by volume
+  if (bodies.parameters.cell.model == CellModel::shapeMatching)  // a volume at rest, and no membrane
     for (Body* daughter : {&a, &b})
       daughter->restScale = mother.restScale * cubeRoot(daughter->mass / mother.mass);
-  return {{coarsen(*world.bodies, std::move(a)), coarsen(*world.bodies, std::move(b))}, record};
+  return {cut, {coarsen(bodies, std::move(a)), coarsen(bodies, std::move(b))}, record};
 }
 
-/// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3]. `centreOf`
-/// knows the cells of this moment.
+/// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3]: the one on
+/// whose side of the plane the other cell lies. `centreOf` knows the cells of this moment.
 template <class CentreOf>
-void inheritConnections(Connections& c, const CellPath& mother, double time, const CentreOf& centreOf) {
+void inheritConnections(Connections& c, const CellPath& mother, const Cut& cut, double time,
+                        const CentreOf& centreOf) {
   const CellPath a = mother.daughter(false), b = mother.daughter(true);
   for (const CellPath& other : partners(c, mother)) {
     release(c, mother, other, time, "divided");
-    // The plane lies between the daughters: the nearer one is the one on the other cell's side.
-    const Vector toA = centreOf(a) - centreOf(other), toB = centreOf(b) - centreOf(other);
-    const bool aIsNearer = dot(toA, toA) <= dot(toB, toB);
     const bool both = c.parameters.onDivision == ConnectionsOnDivision::both;
-    if (both || aIsNearer) connect(c, a, other, time);
-    if (both || !aIsNearer) connect(c, b, other, time);
+    const bool onSideOfA = dot(centreOf(other) - cut.point, cut.normal) >= 0;
+    if (both || onSideOfA) connect(c, a, other, time);
+    if (both || !onSideOfA) connect(c, b, other, time);
   }
   if (c.parameters.make != MakeConnections::byGene) connect(c, a, b, time);
 }
@@ -91,22 +91,22 @@ void bear(World& world, Population& next, std::size_t mother, bool b) {
   world.lineage.entries.push_back({path, world.clock.time, 0, world.clock.step, 0, Fate::alive, state});
 }
 
-void inheritAllConnections(World& world, const std::vector<CellChange>& changes, const Population& next) {
+/// `cuts`: of the cells that divide, by path.
+void inheritAllConnections(World& world, const std::vector<CellChange>& changes, const std::vector<Cut>& cuts,
+                           const Population& next) {
   if (!world.connections) return;
   const double time = world.clock.time;
   // A cell that still stands in the list under its mother's name is looked up by its mother's old body.
   const auto centreOf = [&](const CellPath& path) {
-    const auto now = std::lower_bound(next.cells.path.begin(), next.cells.path.end(), path);
-    if (now != next.cells.path.end() && *now == path)
-      return centreOfBody(next.bodies[now - next.cells.path.begin()]);
-    const auto old = std::lower_bound(world.cells.path.begin(), world.cells.path.end(), path);
-    return centreOfBody(takeBody(*world.bodies, world.bodies->slots[old - world.cells.path.begin()]));
+    if (const int now = cellNumber(next.cells, path); now >= 0) return centreOfBody(next.bodies[now]);
+    return measureCentre(*world.bodies, world.bodies->slots[cellNumber(world.cells, path)]);
   };
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] == CellChange::dies) releaseAll(*world.connections, world.cells.path[i], time, "died");
+  std::size_t division = 0;
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] == CellChange::divides)
-      inheritConnections(*world.connections, world.cells.path[i], time, centreOf);
+      inheritConnections(*world.connections, world.cells.path[i], cuts[division++], time, centreOf);
 }
 
 /// Daughters have no more vertices than their mother.
@@ -134,7 +134,7 @@ void addFounder(World& world, const CellPath& path, StateId state) {
   world.lineage.entries.push_back({path, 0, 0, 0, 0, Fate::alive, state});
 }
 
-void changePopulation(World& world, const std::vector<CellChange>& changes) {
+void changePopulation(World& world, const Observation& now, const std::vector<CellChange>& changes) {
   const auto changesHere = [](CellChange c) { return c == CellChange::divides || c == CellChange::dies; };
   if (std::none_of(changes.begin(), changes.end(), changesHere)) return;
 
@@ -144,10 +144,11 @@ void changePopulation(World& world, const std::vector<CellChange>& changes) {
   std::vector<Division> divisions;
   if (world.bodies)
     for (std::size_t i = 0; i < changes.size(); ++i)
-      if (changes[i] == CellChange::divides) divisions.push_back(divide(world, i));
+      if (changes[i] == CellChange::divides)
+        divisions.push_back(divide(world, ObservedCell(now, static_cast<int>(i))));
 
   Population next;
-  std::size_t division = 0;
+  std::vector<Cut> cuts;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (changes[i] == CellChange::dies) {
       end(world, i, Fate::died);  // it leaves the physics and stays in the lineage
@@ -156,10 +157,11 @@ void changePopulation(World& world, const std::vector<CellChange>& changes) {
       bear(world, next, i, false);
       bear(world, next, i, true);
       if (world.bodies) {
-        auto& [daughters, record] = divisions[division++];
+        auto& [cut, daughters, record] = divisions[cuts.size()];
         next.bodies.push_back(std::move(daughters.a));
         next.bodies.push_back(std::move(daughters.b));
         world.divisions.push_back(record);
+        cuts.push_back(cut);
       }
     } else {
       const Cells& c = world.cells;
@@ -167,7 +169,7 @@ void changePopulation(World& world, const std::vector<CellChange>& changes) {
       if (world.bodies) next.bodies.push_back(takeBody(*world.bodies, world.bodies->slots[i]));
     }
   }
-  inheritAllConnections(world, changes, next);
+  inheritAllConnections(world, changes, cuts, next);
   world.cells = std::move(next.cells);
   if (!world.bodies) return;
   setBodies(*world.bodies, next.bodies);

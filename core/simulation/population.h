@@ -2,15 +2,16 @@
 // Births and deaths: the only places where the set of living cells changes.
 #include <vector>
 
-#include "simulation/world.h"
+#include "simulation/observation.h"
 
 namespace morula {
 
 enum class CellChange : std::uint8_t { none, cycled, divides, dies };
 
 /// Makes all divisions and deaths of one moment. First every cut is tried; only when all have succeeded does
-/// the world change. Throws NumericalError for a division that cannot be done, with its reason.
-void changePopulation(World& world, const std::vector<CellChange>& changes);
+/// the world change. Throws NumericalError for a division that cannot be done, with its reason. `now`: of
+/// this world as it is; not to be asked any more afterwards.
+void changePopulation(World& world, const Observation& now, const std::vector<CellChange>& changes);
 
 /// A living cell that no division made, at time 0, without a body yet; cells come in the order of their
 /// paths.
@@ -21,6 +22,6 @@ void beginWithBodies(World& world);
 
 /// Makes and releases connections between neighbours whose cell cycle ran, by the sum of their
 /// wantsToConnect.
-void connectByGene(World& world, const std::vector<CellChange>& changes);
+void connectByGene(World& world, const Observation& now, const std::vector<CellChange>& changes);
 
 }  // namespace morula

@@ -6,6 +6,7 @@
 
 #include "mesh/measures.h"
 #include "mesh/overlap.h"
+#include "simulation/body_measures.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
 
@@ -45,33 +46,6 @@ bool isFinite(const Bodies& b, int slot) {
     sum += 0 * (x.x + x.y + x.z) + 0 * (u.x + u.y + u.z);  // 0 for what is finite, and no number otherwise
   }
   return std::isfinite(sum);
-}
-
-/// [length³]
-double volumeAtRest(const Bodies& b, const Mesh& egg) {
-  const double r = b.parameters.cell.radius;
-  return b.areSpheres() ? ballVolume * (r * r * r) : measureVolume(egg.vertices, egg.faces);
-}
-
-double restVolume(const Bodies& b, int slot, double egg) {
-  const double contents = b.parameters.pressure.constant, scale = b.restScale[slot];
-  if (b.parameters.cell.model == CellModel::shell && contents > 0)
-    return egg * (b.pressureConstant[slot] / contents);
-  return egg * scale * scale * scale;
-}
-
-/// Share of the area whose outer side is turned to the cell's centre. [1]
-double invertedShare(const Mesh& surface) {
-  const Point centre = measureCentroid(surface.vertices);
-  double all = 0, inverted = 0;
-  for (const auto& [a, b, c] : surface.faces) {
-    const Point& corner = surface.vertices[a];
-    const Vector normal = cross(surface.vertices[b] - corner, surface.vertices[c] - corner);
-    const double size = norm(normal);
-    all += size;
-    if (dot(normal, corner - centre) < 0) inverted += size;
-  }
-  return all > 0 ? inverted / all : 1;
 }
 
 double boxVolume(const Box& a, const Box& b) {
@@ -190,17 +164,7 @@ Worst widestGap(const std::vector<Point>& centres, double radius) {
   return worst;
 }
 
-std::vector<Mesh> takeSurfaces(const Bodies& b) {
-  std::vector<Mesh> surfaces;
-  for (int slot : b.slots) surfaces.push_back(takeSurface(b, slot));
-  return surfaces;
-}
-
 }  // namespace
-
-double measureRestVolume(const Bodies& b, int slot) {
-  return restVolume(b, slot, volumeAtRest(b, b.meshOf(slot).mesh));
-}
 
 std::vector<SanityMeasure> measureSanity(const World& world) {
   if (!world.bodies || world.bodies->count == 0) return {};
@@ -211,21 +175,24 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
   std::vector<SanityMeasure> all{measureOf(world, "finite", broken, 0, 0)};
   if (!all[0].holds()) return all;
 
-  const std::vector<Mesh> surfaces = takeSurfaces(b);
-  std::vector<double> eggs{volumeAtRest(b, b.mesh.mesh)};
-  for (const CoarserMesh& coarser : b.coarser) eggs.push_back(volumeAtRest(b, coarser.mesh.mesh));
-  Worst least{1}, most{1}, inverted{0};
+  const Observation now(world);
+  const auto valueOf = [](const char* name, const CellContext& cell) {
+    return *measure<CellContext>(name).get(cell);
+  };
+  std::vector<Mesh> surfaces;
   std::vector<Point> centres;
+  Worst least{1}, most{1}, inverted{0};
   double largest = 0;
-  for (int cell = 0; cell < b.count; ++cell) {
-    const int slot = b.slots[cell];
-    const double rest = restVolume(b, slot, eggs[b.blocks[slot / blockLanes].coarseness]);
-    least.lower(b.volume[slot] / rest, cell);
-    most.raise(b.volume[slot] / rest, cell);
-    inverted.raise(invertedShare(surfaces[cell]), cell);
-    const Box box = measureBox(surfaces[cell].vertices);
+  for (int i = 0; i < b.count; ++i) {
+    const ObservedCell cell(now, i);
+    const double volume = valueOf("volume_over_rest", cell);
+    least.lower(volume, i);
+    most.raise(volume, i);
+    inverted.raise(valueOf("inverted", cell), i);
+    surfaces.push_back(cell.physical()->getShape().surface);
+    const Box box = measureBox(surfaces[i].vertices);
     largest = std::max(largest, 0.5 * norm(box.high - box.low));
-    centres.push_back(measureCentroid(surfaces[cell].vertices));
+    centres.push_back(measureCentroid(surfaces[i].vertices));
   }
   const bool crushed = !(least.value >= sanity::leastVolume);
   all.push_back(measureOf(world, "volume", crushed ? least : most, sanity::leastVolume, sanity::mostVolume));
@@ -235,16 +202,11 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
     all.push_back(measureOf(world, "gap", widestGap(centres, largest), 0, sanity::mostGap));
   }
   if (b.parameters.shell) {
-    const double* a = b.parameters.shell->semiAxes;
     Worst outermost{0};
-    double volume = 0;
-    for (int cell = 0; cell < b.count; ++cell) {
-      volume += b.volume[b.slots[cell]];
-      outermost.raise(measureOutermost(b, b.slots[cell]), cell);
-    }
+    for (int cell = 0; cell < b.count; ++cell) outermost.raise(measureOutermost(b, b.slots[cell]), cell);
     all.push_back(measureOf(world, "outermost", outermost, 0, sanity::mostOutermost));
     all.push_back(
-        measureOf(world, "fill", {volume / (ballVolume * a[0] * a[1] * a[2])}, 0, sanity::mostFill));
+        measureOf(world, "fill", {*measure<Observation>("shell_fill").get(now)}, 0, sanity::mostFill));
   }
   return all;
 }

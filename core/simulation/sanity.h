@@ -9,7 +9,6 @@
 
 namespace morula {
 
-struct Bodies;
 struct World;
 
 namespace sanity {
@@ -33,10 +32,6 @@ struct SanityMeasure {
 
   bool holds() const { return value >= least && value <= most; }
 };
-
-/// [length³] What a cell's volume would be if nothing pressed on it: with contents its share of the egg's,
-/// which its mother's division gave it; otherwise that of its mesh with its rest lengths.
-double measureRestVolume(const Bodies& bodies, int slot);
 
 /// All quantities that the world has; none without bodies or without cells. Volume first, and what is not
 /// finite alone: a world with numbers that are none is not measured further.

@@ -25,6 +25,11 @@ double lastDue(const Scene& scene) {
 
 }  // namespace
 
+int cellNumber(const Cells& cells, const CellPath& path) {
+  const auto at = std::ranges::lower_bound(cells.path, path);
+  return at != cells.path.end() && *at == path ? static_cast<int>(at - cells.path.begin()) : -1;
+}
+
 World makeWorld(const Scene& scene, const Execution& execution) {
   return makeWorld(scene, makeLogicalDna(scene.dna, scene.cycle), execution);
 }
@@ -85,7 +90,7 @@ bool usesSeed(const Scene& scene) {
   const auto divides = [&](const Gene& gene) {
     return scene.dna.substances[gene.product] == substance::divide;
   };
-  return scene.mechanics && scene.mechanics->division.plane == DivisionPlane::random &&
+  return scene.mechanics && kindOf(scene.mechanics->division.plane).usesSeed &&
          std::ranges::any_of(scene.dna.genes, divides);
 }
 

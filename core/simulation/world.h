@@ -36,6 +36,9 @@ struct Cells {
   std::vector<std::uint32_t> entry;  // its place in lineage.entries
 };
 
+/// The number of the living cell with this path; −1 if there is none. O(log cells)
+int cellNumber(const Cells& cells, const CellPath& path);
+
 struct Clock {
   double time = 0;         // [time] = epochTime + (step − epochStep)·timeStep, so no error piles up
   std::uint64_t step = 0;  // physical steps; in a lineage-only world, times at which cell cycles ran

@@ -18,7 +18,7 @@ double largestPressure(const Shapes& shapes) {
 
 double largestArea(const Shapes& shapes) {
   double largest = 0;
-  for (const ContactMeasures& contact : shapes.contacts) largest = std::max(largest, contact.area);
+  for (const ContactMeasures& contact : shapes.contacts) largest = std::max(largest, contact.at("area"));
   return largest;
 }
 
@@ -31,7 +31,7 @@ double pressureDifference(const Shapes& a, const Shapes& b) {
 
 double areaOf(const Shapes& shapes, const ContactMeasures& pair) {
   for (const ContactMeasures& c : shapes.contacts)
-    if (c.a == pair.a && c.b == pair.b) return c.area;
+    if (c.a == pair.a && c.b == pair.b) return c.at("area");
   return 0;
 }
 

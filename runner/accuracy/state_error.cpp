@@ -121,7 +121,7 @@ Shapes takeShapes(const World& world) {
   Shapes shapes{world.clock.time, {}, measureContacts(world)};
   for (const CellMeasures& measures : measureCells(world)) {
     shapes.cells.push_back(comparedCell(measures.path, cellMesh(world, measures.path)));
-    shapes.cells.back().pressure = measures.pressure;
+    shapes.cells.back().pressure = measures["pressure"].value_or(0);
   }
   return shapes;
 }

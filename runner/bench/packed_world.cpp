@@ -52,7 +52,7 @@ std::vector<CellPath> paths(const std::vector<PlacedCell>& places) {
 double moveInEdges(const World& world) {
   const WorldMeasures m = measureWorld(world);
   const Bodies& b = *world.bodies;
-  const double speed = std::sqrt(2 * m.kineticEnergy.value() / (b.mass(0) * b.count));
+  const double speed = std::sqrt(2 * m.at("kinetic_energy") / (b.mass(0) * b.count));
   return speed * world.clock.timeStep / (b.mesh.meanRestLength * b.restScale[0]);
 }
 
@@ -70,7 +70,7 @@ std::vector<Body> settle(const PackedScene& packed, const std::vector<PlacedCell
     if (i % 256 == 0) beginWithBodies(world);
     if (i % 32 == 0 && i >= leastSteps && moveInEdges(world) < slow) break;
   }
-  const double fill = measureWorld(world).shellFill.value_or(0);
+  const double fill = measureWorld(world)["shell_fill"].value_or(0);
   if (fill < wantedFill)
     throw BugError(fmt::format("{} cells fill only {:.3f} of their shell", packed.cells, fill));
   return allBodies(world);

@@ -20,7 +20,7 @@ namespace {
 constexpr double shellSlack = 1e-6;
 
 CheckResult shellHolds(const World& world) {
-  const double outermost = measureWorld(world).outermost.value_or(0);
+  const double outermost = measure<Observation>("outermost").get(Observation(world)).value_or(0);
   CheckResult result;
   result.check = "shell";
   result.kind = "invariant";

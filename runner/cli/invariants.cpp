@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/measures.h"
 #include "scenario/numbers.h"
 #include "simulation/measures.h"
 
@@ -13,52 +12,16 @@ namespace {
 
 using scenario::formatReal;
 
-/// Of the scene's meshes at rest, before their cells' rest scales.
-std::vector<double> restVolumes(const Bodies& b) {
-  std::vector<double> volumes;
-  for (std::size_t i = 0; i <= b.coarser.size(); ++i) {
-    const Mesh& mesh = b.meshAt(static_cast<int>(i)).mesh;
-    const double r = b.parameters.cell.radius;
-    volumes.push_back(b.areSpheres() ? 12.566370614359172 / 3 * (r * r * r)
-                                     : measureVolume(mesh.vertices, mesh.faces));
+double valueOf(const char* name, const Observation& now) { return *measure<Observation>(name).get(now); }
+
+/// Calls see(value, path) for each cell.
+template <class See>
+void forEachCell(const char* name, const Observation& now, const See& see) {
+  const CellMeasure& row = measure<CellContext>(name);
+  for (std::size_t i = 0; i < now.world.cells.path.size(); ++i) {
+    const ObservedCell cell(now, static_cast<int>(i));
+    see(*row.get(cell), cell.path);
   }
-  return volumes;
-}
-
-/// Every edge once: in one of its two faces it runs upwards.
-double membraneEnergy(const Bodies& b, int slot) {
-  const Mesh& rest = b.meshOf(slot).mesh;
-  double sum = 0;
-  for (const Face& face : rest.faces)
-    for (int k = 0; k < 3; ++k) {
-      const int i = face[k], j = face[(k + 1) % 3];
-      if (i > j) continue;
-      const double length = norm(b.vertex(slot, i) - b.vertex(slot, j));
-      const double off = length - b.restScale[slot] * norm(rest.vertices[i] - rest.vertices[j]);
-      sum += off * off;
-    }
-  return 0.5 * b.parameters.membrane.stiffness * sum;
-}
-
-double contentsEnergy(const Bodies& b, int slot) {
-  const double k = b.pressureConstant[slot], outside = b.parameters.pressure.outside;
-  if (k == 0) return outside * b.volume[slot];
-  const double r = outside * b.volume[slot] / k;
-  return k * (r - 1 - std::log(r));
-}
-
-/// NaN if a place is no number: std::max would pass over it.
-double extentOf(const Bodies& b) {
-  double extent = 0;
-  for (int slot : b.slots) {
-    const double around = b.areSpheres() ? b.parameters.cell.radius * b.restScale[slot] : 0;
-    for (int v = 0; v < b.vertexCount(slot); ++v) {
-      const double here = norm(b.vertex(slot, v)) + around;
-      if (std::isnan(here)) return here;
-      extent = std::max(extent, here);
-    }
-  }
-  return extent;
 }
 
 std::string text(const Bounds& b) { return "from " + formatReal(b.least) + " to " + formatReal(b.most); }
@@ -81,20 +44,6 @@ CheckResult resultOf(const char* check, const std::string& expected, const std::
 
 }  // namespace
 
-double measureEnergy(const Bodies& b) {
-  double sum = 0;
-  for (int slot : b.slots)
-    sum += measureKineticEnergy(b, slot) + membraneEnergy(b, slot) + contentsEnergy(b, slot);
-  return sum;
-}
-
-Vector measureMomentum(const Bodies& b) {
-  Vector sum;
-  for (int slot : b.slots)
-    for (int v = 0; v < b.vertexCount(slot); ++v) sum += b.vertexMass[slot] * b.read(b.velocity, slot, v);
-  return sum;
-}
-
 bool Invariants::areGiven(const CheckParameters& c) {
   return c.volume || c.extent || c.energy || c.momentum || c.endVolume || c.endRoundness || c.endOverlap ||
          !c.fails.empty();
@@ -110,29 +59,23 @@ void Invariants::lower(Extreme& least, double value, const World& world, std::op
   least = {value, true, world.clock.step, cell};
 }
 
-void Invariants::observeVolumes(const World& world) {
-  const Bodies& b = *world.bodies;
-  const std::vector<double> rest = restVolumes(b);
-  for (int cell = 0; cell < b.count; ++cell) {
-    const int slot = b.slots[cell];
-    const double scale = b.restScale[slot];
-    const double volume =
-        b.volume[slot] / (rest[b.blocks[slot / blockLanes].coarseness] * scale * scale * scale);
-    lower(leastVolume_, volume, world, world.cells.path[cell]);
-    raise(mostVolume_, volume, world, world.cells.path[cell]);
-  }
+void Invariants::observeVolumes(const Observation& now) {
+  forEachCell("volume_over_mesh", now, [&](double volume, const CellPath& cell) {
+    lower(leastVolume_, volume, now.world, cell);
+    raise(mostVolume_, volume, now.world, cell);
+  });
 }
 
 void Invariants::observe(const World& world) {
   if (!world.bodies) return;
-  const Bodies& b = *world.bodies;
-  if (check_.volume) observeVolumes(world);
-  if (check_.extent) raise(extent_, extentOf(b), world);
-  if (check_.energy) raise(energy_, measureEnergy(b), world);
+  const Observation now(world);
+  if (check_.volume) observeVolumes(now);
+  if (check_.extent) raise(extent_, valueOf("extent", now), world);
+  if (check_.energy) raise(energy_, valueOf("energy", now), world);
   if (check_.momentum) {
-    const Vector now = measureMomentum(b);
-    if (!momentum_) momentum_ = now;
-    raise(stray_, norm(now - *momentum_), world);
+    const Vector momentum{valueOf("momentum_x", now), valueOf("momentum_y", now), valueOf("momentum_z", now)};
+    if (!momentum_) momentum_ = momentum;
+    raise(stray_, norm(momentum - *momentum_), world);
   }
 }
 
@@ -176,20 +119,23 @@ std::vector<CheckResult> Invariants::collect(const World* end) const {
   addMost("energy", check_.energy, energy_);
   addMost("momentum", check_.momentum, stray_);
   if (!end) return all;
+  const Observation now(*end);
   if (check_.endVolume) {
     Invariants last(check_);
-    last.observeVolumes(*end);
+    last.observeVolumes(now);
     addBounds("end-volume", *check_.endVolume, last.leastVolume_, last.mostVolume_);
   }
   if (check_.endRoundness) {
     Extreme least;
-    for (const CellMeasures& cell : measureCells(*end)) lower(least, cell.sphericity, *end, cell.path);
+    if (end->bodies)
+      forEachCell("sphericity", now,
+                  [&](double roundness, const CellPath& cell) { lower(least, roundness, *end, cell); });
     add("end-roundness", "at least " + formatReal(*check_.endRoundness), formatReal(least.value), least,
         least.value >= *check_.endRoundness);
   }
   if (check_.endOverlap) {
     Extreme mean;
-    raise(mean, measureMeanOverlap(*end), *end);
+    raise(mean, end->bodies ? valueOf("mean_overlap", now) : 0, *end);
     addMost("end-overlap", check_.endOverlap, mean);
   }
   return all;

@@ -5,7 +5,7 @@
 
 #include "golden/check_result.h"
 #include "scenario/scenario.h"
-#include "simulation/world.h"
+#include "simulation/observation.h"
 
 namespace morula::cli {
 
@@ -36,7 +36,7 @@ class Invariants {
     std::optional<CellPath> cell = {};
   };
   std::vector<CheckResult> collect(const World* end) const;
-  void observeVolumes(const World& world);
+  void observeVolumes(const Observation& now);
   static void raise(Extreme& most, double value, const World& world, std::optional<CellPath> cell = {});
   static void lower(Extreme& least, double value, const World& world, std::optional<CellPath> cell = {});
 
@@ -48,12 +48,5 @@ class Invariants {
 /// The check of a run that had to stop: with all of `fails` in the reason. `failure`: why it stopped; "" if
 /// it did not.
 CheckResult stopsAsItMust(const std::vector<std::string>& fails, const std::string& failure);
-
-/// [force·length] Of all cells: ½mv², ½k_s(l−l₀)² of every edge, and of the contents k_p (r − 1 − ln r) with
-/// r = P₀V/k_p: nothing where they are at rest. Not what contacts hold, nor connections.
-double measureEnergy(const Bodies& bodies);
-
-/// [mass·length/time] Of all cells.
-Vector measureMomentum(const Bodies& bodies);
 
 }  // namespace morula::cli

@@ -1,5 +1,7 @@
 #include "cli/other_run_json.h"
 
+#include "scenario/measure_list.h"
+
 namespace morula::cli {
 
 namespace {
@@ -25,20 +27,16 @@ CheckResult resultFrom(const Json& j) {
 }
 
 Json toJson(const CellMeasures& c) {
-  return {{"path", c.path.text()},
-          {"volume", c.volume},
-          {"area", c.area},
-          {"pressure", c.pressure},
-          {"centroid", toJson(c.centroid)},
-          {"sphericity", c.sphericity}};
+  Json json{{"path", c.path.text()}};
+  addMeasures(json, c);
+  return json;
 }
 
 CellMeasures cellFrom(const Json& j) {
   CellMeasures c;
   c.path = CellPath::parse(j.at("path").get<std::string>());
-  j.at("volume").get_to(c.volume), j.at("area").get_to(c.area), j.at("pressure").get_to(c.pressure);
-  c.centroid = vectorFrom(j.at("centroid"));
-  j.at("sphericity").get_to(c.sphericity);
+  for (const CellMeasure& m : sampledMeasures<CellContext>())
+    if (!j.at(m.name).is_null()) c[m.name] = j.at(m.name).get<double>();
   return c;
 }
 

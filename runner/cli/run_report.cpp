@@ -5,6 +5,7 @@
 #include "cli/check_run.h"
 #include "cli/run_scenario.h"
 #include "files/folders.h"
+#include "scenario/measure_list.h"
 
 namespace morula::cli {
 
@@ -52,6 +53,19 @@ Json sanityJson(const std::vector<CheckResult>& results) {
                     {"actual", r.actual},
                     {"message", r.message}});
   return list;
+}
+
+/// As the last rows of the tables sample and cell_sample.
+Json sampleJson(const Sample& sample) {
+  Json json{{"time", sample.world.time}};
+  addMeasures(json, sample.world);
+  json["cell_sample"] = Json::array();
+  for (const CellMeasures& c : sample.cells) {
+    Json cell{{"path", c.path.text()}};
+    addMeasures(cell, c);
+    json["cell_sample"].push_back(std::move(cell));
+  }
+  return json;
 }
 
 }  // namespace
@@ -106,6 +120,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettin
             {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()},
             {"sane", orNull(outcome.isSane())},
             {"sanity", sanityJson(outcome.sanity)}};
+  if (outcome.last) json["sample"] = sampleJson(*outcome.last);
   if (!end.failure.empty()) json["failure"] = end.failure;
   return json;
 }

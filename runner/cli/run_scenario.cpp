@@ -140,6 +140,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   outcome.end = run.end;
   outcome.canBeResumed = outcome.canBeResumed && run.end.status == RunStatus::killed;
   const bool done = run.end.status == RunStatus::done;
+  if (done && !run.results.samples.empty()) outcome.last = run.results.samples.back();
   if (run.end.status != RunStatus::killed) checkOutcome(scenario, settings, run, invariants, outcome);
   if (done) outcome.sanity = sanity.results(run.world, scenario.check, settings.check && !settings.changed);
   if (outcome.checks) run.results.checks = outcome.checks->results;

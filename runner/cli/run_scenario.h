@@ -27,6 +27,7 @@ struct RunOutcome {
   std::optional<std::uint64_t> resumedAt;  // [steps]
   bool canBeResumed = false;               // it left a checkpoint
   RunEnd end;
+  std::optional<Sample> last;  // of a run that came to its end
   std::optional<CheckReport> checks;
   std::string whyNotChecked;  // against a golden
   std::vector<CheckResult> sanity;     // of a run with bodies that came to its end, whatever else was checked

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/invariants.h"
 #include "mesh/measures.h"
 #include "scenario/numbers.h"
+#include "simulation/body_measures.h"
 #include "simulation/sanity.h"
 
 namespace morula::cli {

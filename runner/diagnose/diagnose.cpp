@@ -8,6 +8,7 @@
 #include "diagnose/force_work.h"
 #include "diagnose/trials.h"
 #include "physics/stability.h"
+#include "simulation/body_measures.h"
 #include "simulation/checkpoint.h"
 #include "simulation/sanity.h"
 #include "simulation/stages.h"

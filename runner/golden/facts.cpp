@@ -36,30 +36,12 @@ class Builder {
     items.push_back({"value", when + '/' + who + '/' + what, {std::to_string(step), writeReal(v)}});
   }
 
-  void organism(const std::string& when, const WorldMeasures& m) {
-    // What was not measured is 0 in a golden file.
-    const auto add = [&](const char* what, std::optional<double> v) {
-      value(when, "organism", what, m.step, v.value_or(0));
-    };
-    add("cells", static_cast<double>(m.cells));
-    add("volume", m.volume);
-    add("kinetic_energy", m.kineticEnergy);
-    add("mean_pressure", m.meanPressure);
-    add("shell_fill", m.shellFill);
-    add("outermost", m.outermost);
-  }
-
-  void cell(const std::string& when, std::uint64_t step, const CellMeasures& m) {
-    const std::string who = nameOf(m.path);
-    const auto add = [&](const char* what, double v) { value(when, who, what, step, v); };
-    add("volume", m.volume);
-    add("area", m.area);
-    add("pressure", m.pressure);
-    add("x", m.centroid.x);
-    add("y", m.centroid.y);
-    add("z", m.centroid.z);
-    add("sphericity", m.sphericity);
-    add("neighbours", m.neighbours);
+  /// What was not measured is 0 in a golden file.
+  template <class Of>
+  void values(const std::string& when, const std::string& who, std::uint64_t step, const Measured<Of>& m) {
+    const auto rows = sampledMeasures<Of>();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      value(when, who, rows[i].name, step, m.values[i].value_or(0));
   }
 };
 
@@ -151,10 +133,10 @@ GoldenData makeGoldenData(const GoldenFacts& facts) {
 
   if (facts.mechanics) {
     for (const WorldMeasures& sample : facts.samples)
-      if (sample.step < facts.end.step) to.organism(writeReal(sample.time), sample);
-    to.organism("final", facts.end);
+      if (sample.step < facts.end.step) to.values(writeReal(sample.time), "organism", sample.step, sample);
+    to.values("final", "organism", facts.end.step, facts.end);
     if (facts.cells.size() <= goldenCellLimit)
-      for (const CellMeasures& c : facts.cells) to.cell("final", facts.end.step, c);
+      for (const CellMeasures& c : facts.cells) to.values("final", nameOf(c.path), facts.end.step, c);
   }
   return {facts.scenario, facts.scenarioHash, facts.seed, std::move(to.items)};
 }

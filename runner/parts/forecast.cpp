@@ -55,8 +55,10 @@ Sums addUp(const Life& life, const std::vector<Outlook>& eras, const Scenario& s
 }
 
 double recordBytes(const Sums& sums, const World& world) {
-  double perCell = sizeof(CellMeasures);
-  if (world.contacts) perCell += 6 * sizeof(ContactMeasures);  // a dozen neighbours, shared by two
+  double perCell = double(sizeof(CellMeasures) + CellMeasures::bytes());
+  if (world.contacts)
+    perCell +=
+        6 * double(sizeof(ContactMeasures) + ContactMeasures::bytes());  // a dozen neighbours, shared by two
   return sums.samples * sizeof(Sample) + (world.bodies ? sums.sampledCells * perCell : 0);
 }
 

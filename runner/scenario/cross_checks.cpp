@@ -7,6 +7,7 @@
 #include "biology/substances.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/numbers.h"
+#include "scenario/value_types.h"
 #include "simulation/world.h"
 
 namespace morula::scenario {
@@ -164,7 +165,7 @@ void checkModel(const Scenario& scenario, Reading& reading, const Node& root) {
 void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) {
   const MechanicsScene& m = *scenario.scene.mechanics;
   if (m.physics.cell.model != CellModel::sphere) return;
-  const auto refuse = [&](const std::string& path, const char* wrong, const char* right) {
+  const auto refuse = [&](const std::string& path, const char* wrong, const std::string& right) {
     reading.problems.add(placeOf(root, path), path, wrong, right);
   };
   if (m.physics.coarsen) refuse("physics.mesh.coarsen", "a sphere has no mesh to coarsen", "remove this");
@@ -177,9 +178,9 @@ void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) 
     return dna.substances[gene.product] == "divide";
   };
   const Dna& dna = scenario.scene.dna;
-  if (m.division.plane == DivisionPlane::longest &&
+  if (kindOf(m.division.plane).needsShape &&
       std::any_of(dna.genes.begin(), dna.genes.end(), [&](const Gene& g) { return divides(g, dna); }))
-    refuse("division.plane", "a sphere has no longest extent", "needs random or {axis: [x, y, z]}");
+    refuse("division.plane", "a sphere has no longest extent", "needs " + planesAllowed(true));
   for (std::size_t i = 0; i < scenario.scene.cells.size() && i < reading.startCells.size(); ++i)
     if (const Vector& s = scenario.scene.cells[i].stretch; s.x != 1 || s.y != 1 || s.z != 1)
       reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "].stretch",

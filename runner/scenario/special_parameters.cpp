@@ -1,4 +1,6 @@
 // Parameters that are one of a kind: DNA, the shell's two spellings, the division plane.
+#include <algorithm>
+
 #include "base/did_you_mean.h"
 #include "scenario/value_types.h"
 
@@ -6,22 +8,44 @@ namespace morula::scenario {
 
 namespace {
 
-/// Reads a map that has exactly one known key; null and a problem otherwise.
-const Member* readOnly(const Node& node, const std::string& path, const std::string& key,
+/// Reads a map that has exactly one key, of those that are known; null and a problem otherwise.
+const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
                        const std::string& allowed, Problems& problems) {
   const Member* found = nullptr;
+  std::string known;
+  for (const std::string& key : keys) known += (known.empty() ? "" : ", ") + key;
   for (const auto& member : node.members) {
-    if (member.key == key) found = &member;
-    else if (!member.key.empty())
-      problems.add(
-          member.place, path + "." + member.key, "unknown key",
-          closest(member.key, std::vector{key}).empty() ? "known here: " + key : "did you mean " + key + "?");
+    const bool isKnown = std::ranges::find(keys, member.key) != keys.end();
+    if (isKnown && !found) found = &member;
+    else if (isKnown)
+      problems.add(member.place, path + "." + member.key, "is one too many", "needs " + allowed);
+    else if (!member.key.empty()) {
+      const std::string meant = closest(member.key, keys);
+      problems.add(member.place, path + "." + member.key, "unknown key",
+                   meant.empty() ? "known here: " + known : "did you mean " + meant + "?");
+    }
   }
   if (node.members.empty()) problems.add(node.place, path, "is empty", "needs " + allowed);
   return found;
 }
 
+/// "a or b"; "a, b, or c".
+std::string inWords(const std::vector<std::string>& choices) {
+  std::string text;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < choices.size() ? ", " : i > 1 ? ", or " : " or ") + choices[i];
+  return text;
+}
+
 }  // namespace
+
+std::string planesAllowed(bool ofSpheres) {
+  std::vector<std::string> allowed;
+  for (const DivisionPlaneKind& kind : divisionPlanes())
+    if (!(ofSpheres && kind.needsShape))
+      allowed.push_back(kind.takesAxis ? std::string("{") + kind.name + ": [x, y, z]}" : kind.name);
+  return inWords(allowed);
+}
 
 Parameter dna() {
   Parameter p;
@@ -37,7 +61,7 @@ Parameter dna() {
   p.read = [allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
     reading.dna.place = node.place;
     if (node.kind == Node::Kind::map) {
-      const auto* file = readOnly(node, "dna", "file", allowed, reading.problems);
+      const auto* file = readOnly(node, "dna", {"file"}, allowed, reading.problems);
       if (!file) return;
       reading.dna.place = file->value.place;
       if (file->value.kind == Node::Kind::scalar && !file->value.text.empty())
@@ -94,7 +118,7 @@ Parameter timeStep() {
   p.read = [path = p.path, allowed = p.allowed, share](Scenario& s, const Node& node, Reading& reading) {
     auto& physics = s.scene.mechanics->physics;
     if (node.kind == Node::Kind::map) {
-      const auto* given = readOnly(node, path, "auto", allowed, reading.problems);
+      const auto* given = readOnly(node, path, {"auto"}, allowed, reading.problems);
       if (!given) return;
       if (const auto value =
               readReal(given->value, share, path + ".auto", numberAllowed(share, ""), reading.problems))
@@ -148,40 +172,48 @@ Parameter shellEllipsoid() {
 Parameter divisionPlane() {
   Parameter p;
   p.path = "division.plane";
-  p.allowed = "longest, random, or {axis: [x, y, z]}";
-  p.meaning =
-      "Cells divide across the direction of their largest extent, a random one, or one fixed axis (any "
-      "length but 0), which points to daughter A";
-  p.schema = {
-      {"oneOf",
-       Json::array(
-           {{{"enum", {"longest", "random"}}},
-            {{"type", "object"},
-             {"properties",
-              {{"axis",
-                {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}}},
-             {"required", {"axis"}},
-             {"additionalProperties", false}}})}};
+  p.allowed = planesAllowed();
+  std::vector<std::string> meanings;
+  Json words = Json::array(), forms = Json::array();
+  for (const DivisionPlaneKind& kind : divisionPlanes()) {
+    meanings.push_back(std::string(kind.meaning) + " (" + kind.name + ")");
+    if (!kind.takesAxis) words.push_back(kind.name);
+    else
+      forms.push_back(
+          {{"type", "object"},
+           {"properties",
+            {{kind.name,
+              {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}}},
+           {"required", {kind.name}},
+           {"additionalProperties", false}});
+  }
+  p.meaning = "Cells divide across " + inWords(meanings);
+  forms.insert(forms.begin(), {{"enum", words}});
+  p.schema = {{"oneOf", forms}};
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     auto& division = s.scene.mechanics->division;
+    std::vector<std::string> words, keys;
+    for (const DivisionPlaneKind& kind : divisionPlanes()) {
+      (kind.takesAxis ? keys : words).push_back(kind.name);
+      if (!kind.takesAxis && node.kind == Node::Kind::scalar && node.text == kind.name) {
+        division.plane = kind.plane;
+        return;
+      }
+    }
     if (node.kind == Node::Kind::map) {
-      const auto* axis = readOnly(node, path, "axis", allowed, reading.problems);
+      const auto* axis = readOnly(node, path, keys, allowed, reading.problems);
       if (!axis) return;
-      const auto value = readTriple(axis->value, {}, path + ".axis", "three numbers, not all 0, as [1, 0, 0]",
-                                    reading.problems);
+      const std::string key = path + "." + axis->key;
+      const auto value =
+          readTriple(axis->value, {}, key, "three numbers, not all 0, as [1, 0, 0]", reading.problems);
       if (!value) return;
       if (*value == Vector{})
-        reading.problems.add(axis->value.place, path + ".axis", "has length 0",
+        reading.problems.add(axis->value.place, key, "has length 0",
                              "needs at least one number other than 0");
-      else division = {DivisionPlane::axis, *value};
-    } else if (node.kind == Node::Kind::scalar && node.text == "longest") {
-      division.plane = DivisionPlane::longest;
-    } else if (node.kind == Node::Kind::scalar && node.text == "random") {
-      division.plane = DivisionPlane::random;
+      else
+        division = {std::ranges::find(divisionPlanes(), axis->key, &DivisionPlaneKind::name)->plane, *value};
     } else if (node.kind != Node::Kind::broken) {
-      const auto near = node.kind == Node::Kind::scalar
-                            ? closest(node.text, std::vector<std::string>{"longest", "random"})
-                            : "";
+      const auto near = node.kind == Node::Kind::scalar ? closest(node.text, words) : "";
       reading.problems.add(node.place, path,
                            node.kind == Node::Kind::null     ? "is empty"
                            : node.kind == Node::Kind::scalar ? describe(node) + " is not known here"
@@ -191,9 +223,9 @@ Parameter divisionPlane() {
   };
   p.write = [](const Scenario& s) {
     const auto& division = s.scene.mechanics->division;
-    if (division.plane == DivisionPlane::longest) return Json("longest");
-    if (division.plane == DivisionPlane::random) return Json("random");
-    return Json{{"axis", {division.axis.x, division.axis.y, division.axis.z}}};
+    const DivisionPlaneKind& kind = kindOf(division.plane);
+    if (!kind.takesAxis) return Json(kind.name);
+    return Json{{kind.name, {division.axis.x, division.axis.y, division.axis.z}}};
   };
   return p;
 }

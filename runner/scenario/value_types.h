@@ -53,6 +53,8 @@ Parameter timeStep();
 Parameter shellSphere();
 Parameter shellEllipsoid();
 Parameter divisionPlane();
+/// What division.plane may be, in words.
+std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();
 Parameter saneEnd();
 Parameter becauseText();

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -45,6 +46,15 @@ class Database {
 /// Bytes for a BLOB column.
 struct Blob {
   std::string_view bytes;
+};
+
+/// Numbers for several columns in a row; NULL where there is none, whole ones as integers.
+struct BoundNumbers {
+  struct Number {
+    std::optional<double> value;
+    bool isWhole = false;
+  };
+  std::vector<Number> numbers;
 };
 
 /// A prepared statement. Parameters are bound in order by `run` or `start`, columns read by number from 0.
@@ -96,8 +106,19 @@ class Statement {
   void bindAll(const Values&... values) {
     reset();
     int place = 0;
-    (bind(++place, values), ...);
+    (bindNext(place, values), ...);
     expectParameters(place);
+  }
+
+  template <class T>
+  void bindNext(int& place, const T& value) {
+    bind(++place, value);
+  }
+  void bindNext(int& place, const BoundNumbers& values) {
+    for (const auto& [value, isWhole] : values.numbers) {
+      if (value && isWhole) bind(++place, static_cast<std::int64_t>(*value));
+      else bind(++place, value);
+    }
   }
 
   /// SQLite keeps every finite double and the infinities bit for bit, but −0.0 becomes 0.0 and NaN becomes

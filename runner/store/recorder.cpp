@@ -61,8 +61,8 @@ void Recorder::sample(const World& world) {
   results_.samples.push_back({measureWorld(world), measureCells(world), measureContacts(world)});
   for (const CellMeasures& c : results_.samples.back().cells) describe(world, c.state);
   const Sample& taken = results_.samples.back();
-  bytes_ += double(sizeof(Sample) + taken.cells.size() * sizeof(CellMeasures) +
-                   taken.contacts.size() * sizeof(ContactMeasures));
+  bytes_ += double(sizeof(Sample) + taken.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +
+                   taken.contacts.size() * (sizeof(ContactMeasures) + ContactMeasures::bytes()));
   sampled_ = true;
 }
 

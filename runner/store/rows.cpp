@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "store/measure_columns.h"
 
 namespace morula {
 
@@ -52,18 +53,18 @@ bool isNew(std::uint64_t step, std::optional<std::uint64_t> after) { return !aft
 
 void insertSamples(Database& db, const std::string& id, const RunResults& results,
                    std::optional<std::uint64_t> after) {
-  Statement whole(db, "INSERT INTO sample VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  Statement cell(db, "INSERT INTO cell_sample VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  Statement contact(db, "INSERT INTO contact VALUES (?, ?, ?, ?, ?)");
+  const auto world = columnsOf<Observation>(), ofCell = columnsOf<CellContext>(), ofPair = columnsOf<Touch>();
+  Statement whole(db, insertInto("sample", "run_id, time, step", world));
+  Statement cell(db, insertInto("cell_sample", "run_id, time, path, state", ofCell));
+  Statement contact(db, insertInto("contact", "run_id, time, a, b", ofPair));
   for (const Sample& s : results.samples) {
     const WorldMeasures& w = s.world;
     if (!isNew(w.step, after)) continue;
-    whole.run(id, w.time, w.cells, w.step, w.volume, w.kineticEnergy, w.meanPressure, w.shellFill,
-              w.outermost);
+    whole.run(id, w.time, w.step, valuesOf(w, world));
     for (const CellMeasures& c : s.cells)
-      cell.run(id, w.time, c.path.text(), c.volume, c.area, c.pressure, c.centroid.x, c.centroid.y,
-               c.centroid.z, c.sphericity, c.neighbours, stateText(results, c.state));
-    for (const ContactMeasures& c : s.contacts) contact.run(id, w.time, c.a.text(), c.b.text(), c.area);
+      cell.run(id, w.time, c.path.text(), stateText(results, c.state), valuesOf(c, ofCell));
+    for (const ContactMeasures& c : s.contacts)
+      contact.run(id, w.time, c.a.text(), c.b.text(), valuesOf(c, ofPair));
   }
 }
 
@@ -162,11 +163,11 @@ void insertChecks(Database& db, const std::string& id, const std::vector<CheckRe
 
 void insertBulletSamples(Database& db, const std::string& id, const std::string& baseline,
                          const std::vector<Sample>& samples) {
-  Statement insert(db, "INSERT INTO bullet_sample VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  const auto columns = bulletColumns();
+  Statement insert(db, insertInto("bullet_sample", "run_id, time, path, baseline", columns));
   for (const Sample& sample : samples)
     for (const CellMeasures& c : sample.cells)
-      insert.run(id, sample.world.time, c.path.text(), baseline, c.volume, c.area, c.pressure, c.centroid.x,
-                 c.centroid.y, c.centroid.z, c.sphericity);
+      insert.run(id, sample.world.time, c.path.text(), baseline, valuesOf(c, columns));
 }
 
 }  // namespace morula

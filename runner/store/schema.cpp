@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "store/measure_columns.h"
 #include "store/store_error.h"
 
 namespace morula {
@@ -259,7 +260,11 @@ DROP TABLE check_result;
 ALTER TABLE check_result_4 RENAME TO check_result;
 )sql";
 
-constexpr std::array migrations{&version1, &version2, &version3, &version4};
+// Version 4 to 5: nothing but measures that join their table, whose columns are added where they are missing
+// (measure_columns.h). Programs before it write rows by position, and would fail on them.
+const char* const version5 = "";
+
+constexpr std::array migrations{&version1, &version2, &version3, &version4, &version5};
 
 /// Throws unless the file is empty or Morula's and not newer
 /// than this program. Returns its version, 0 when empty.
@@ -295,13 +300,14 @@ void configure(Database& db) {
 }
 
 void migrate(Database& db) {
-  if (checkedVersion(db) == schemaVersion()) return;
+  if (checkedVersion(db) == schemaVersion() && hasMeasureColumns(db)) return;
   if (db.readOnly())
     throw StoreError(db.file().string() +
                      ": the file is not writable; change its permissions or give another file");
   Transaction transaction(db);
   const int version = checkedVersion(db);  // again: another process may have been faster
   for (int v = version; v < schemaVersion(); ++v) db.execute(*migrations[static_cast<std::size_t>(v)]);
+  addMeasureColumns(db);
   db.execute("PRAGMA application_id = " + std::to_string(applicationId));
   db.execute("PRAGMA user_version = " + std::to_string(schemaVersion()));
   transaction.commit();

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "store/measure_columns.h"
 #include "store/store.h"
 #include "store/store_error.h"
 
@@ -145,38 +146,30 @@ void readLineage(Database& db, const std::string& id, RunResults& results, State
 }
 
 void readSamples(Database& db, const std::string& id, RunResults& results, StateNumbers& numberOf) {
-  Statement whole(
-      db,
-      "SELECT time, step, cells, volume, kinetic_energy, mean_pressure, shell_fill, outermost FROM sample "
-      "WHERE run_id = ? ORDER BY time");
-  Statement cell(
-      db,
-      "SELECT path, state, volume, area, pressure, x, y, z, sphericity, neighbours FROM cell_sample "
-      "WHERE run_id = ? AND time = ? ORDER BY path");
-  Statement contact(db, "SELECT a, b, area FROM contact WHERE run_id = ? AND time = ? ORDER BY a, b");
+  const auto world = columnsOf<Observation>(), ofCell = columnsOf<CellContext>(), ofPair = columnsOf<Touch>();
+  Statement whole(db, "SELECT time, step, " + selected(db, "sample", world) +
+                          " FROM sample WHERE run_id = ? ORDER BY time");
+  Statement cell(db, "SELECT path, state, " + selected(db, "cell_sample", ofCell) +
+                         " FROM cell_sample WHERE run_id = ? AND time = ? ORDER BY path");
+  Statement contact(db, "SELECT a, b, " + selected(db, "contact", ofPair) +
+                            " FROM contact WHERE run_id = ? AND time = ? ORDER BY a, b");
   for (whole.start(id); whole.next();) {
     Sample& sample = results.samples.emplace_back();
     WorldMeasures& w = sample.world;
     if (const double time = whole.real(0); !(time >= 0 && time <= std::numeric_limits<double>::max()))
       whole.refuse(0, "needs a time from 0");
-    w = {.time = whole.real(0), .step = whole.natural(1), .cells = whole.natural(2)};
-    const auto measured = [&](int column) {
-      return whole.isNull(column) ? std::nullopt : std::optional(whole.real(column));
-    };
-    w.volume = measured(3), w.kineticEnergy = measured(4), w.meanPressure = measured(5);
-    w.shellFill = measured(6), w.outermost = measured(7);
-    for (cell.start(id, w.time); cell.next();)
-      sample.cells.push_back({.path = pathFrom(cell, 0),
-                              .state = numberOf(cell.line(1)),
-                              .volume = cell.real(2),
-                              .area = cell.real(3),
-                              .pressure = cell.real(4),
-                              .centroid = {cell.real(5), cell.real(6), cell.real(7)},
-                              .sphericity = cell.real(8),
-                              .neighbours = smallFrom(cell, 9, 0)});
-    for (contact.start(id, w.time); contact.next();)
-      sample.contacts.push_back(
-          {pathFrom(contact, 0), pathFrom(contact, 1), contact.real(2)});
+    w.time = whole.real(0), w.step = whole.natural(1);
+    readValues(whole, 2, world, w.values);
+    for (cell.start(id, w.time); cell.next();) {
+      CellMeasures& c = sample.cells.emplace_back();
+      c.path = pathFrom(cell, 0), c.state = numberOf(cell.line(1));
+      readValues(cell, 2, ofCell, c.values);
+    }
+    for (contact.start(id, w.time); contact.next();) {
+      ContactMeasures& c = sample.contacts.emplace_back();
+      c.a = pathFrom(contact, 0), c.b = pathFrom(contact, 1);
+      readValues(contact, 2, ofPair, c.values);
+    }
   }
 }
 

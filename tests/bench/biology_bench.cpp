@@ -26,7 +26,7 @@ struct Cell {
 std::uint64_t runCellCycles(BiologicalUnit& unit, std::vector<Cell>& cells, std::vector<Cell>& next) {
   next.clear();
   for (const Cell& cell : cells) {
-    CellView view;
+    CellContext view;
     view.path = cell.path;
     view.state = cell.state;
     view.state = unit.runCellCycle(view);

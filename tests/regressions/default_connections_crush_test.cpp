@@ -24,10 +24,10 @@ double keptVolume(const std::string& connections) {
       connections;
   const Scenario scenario = readScenario(text, "test.yaml", ".");
   World world = makeWorld(scenario.scene);
-  const double before = *measureWorld(world).volume;
+  const double before = measureWorld(world).at("volume");
   while (!finished(world)) takeSteps(world, 64);
   CHECK(world.cells.path.size() == 32);
-  return *measureWorld(world).volume / before;
+  return measureWorld(world).at("volume") / before;
 }
 
 }  // namespace

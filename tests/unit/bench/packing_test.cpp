@@ -73,11 +73,11 @@ TEST_CASE("Cells of neighbouring paths lie near each other, as sisters do") {
 TEST_CASE("Packed cells fill their shell and stay in it") {
   const World world = makePackedWorld({.cells = 8}, {}, "", silent);
   const WorldMeasures m = measureWorld(world);
-  CHECK(m.cells == 8);
-  CHECK(m.shellFill >= 0.85);
-  CHECK(m.shellFill <= 1);
-  CHECK(m.outermost <= 1 + 1e-12);
-  for (const CellMeasures& cell : measureCells(world)) CHECK(cell.neighbours >= 3);
+  CHECK(m.at("cells") == 8);
+  CHECK(m.at("shell_fill") >= 0.85);
+  CHECK(m.at("shell_fill") <= 1);
+  CHECK(m.at("outermost") <= 1 + 1e-12);
+  for (const CellMeasures& cell : measureCells(world)) CHECK(cell.at("neighbours") >= 3);
 }
 
 TEST_CASE("What was packed once is found again, bit by bit") {

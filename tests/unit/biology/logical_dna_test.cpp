@@ -12,8 +12,8 @@ using Census = std::map<std::string, int>;
 
 namespace {
 
-CellView inState(StateId state) {
-  CellView cell;
+CellContext inState(StateId state) {
+  CellContext cell;
   cell.state = state;
   return cell;
 }
@@ -127,7 +127,7 @@ TEST_CASE("cells that die are gone, and a cell that is to die and to divide says
   CHECK(organism.cells() == Cells{{"B", "b"}});
 
   const auto unit = makeLogicalDna(parseDna("START: a\ng1(divide|a)\ng2(die|a)\n", "f"), {});
-  const CellView cell = inState(unit->runCellCycle(inState(unit->startState())));
+  const CellContext cell = inState(unit->runCellCycle(inState(unit->startState())));
   CHECK(unit->wantsToDie(cell));
   CHECK(unit->wantsToDivide(cell));
 }
@@ -163,7 +163,7 @@ TEST_CASE("the cycle's length is the shortest that a substance of the state asks
   for (double length : {0.5, 8.0, 2.0, 2.0}) {
     INFO(unit->describe(state));
     CHECK(unit->cycleLength(state) == length);
-    CellView cell = inState(state);
+    CellContext cell = inState(state);
     cell.lastCycle = 4;
     cell.time = 4 + length;
     CHECK(unit->wantsToRunCellCycle(cell));

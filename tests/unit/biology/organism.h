@@ -21,7 +21,7 @@ class Organism {
   void runCellCycle() {
     std::map<CellPath, StateId> next;
     for (const auto& [path, state] : cells_) {
-      CellView cell;
+      CellContext cell;
       cell.path = path;
       cell.state = state;
       cell.state = unit_->runCellCycle(cell);

@@ -6,6 +6,7 @@
 
 #include "catch.h"
 #include "scenario/scenario.h"
+#include "simulation/body_measures.h"
 
 using namespace morula;
 using namespace morula::cli;

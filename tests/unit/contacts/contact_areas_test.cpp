@@ -1,4 +1,5 @@
 // Who touches whom, and over which area.
+#include <map>
 #include <numbers>
 
 #include "catch.h"
@@ -75,4 +76,54 @@ TEST_CASE("Areas do not depend on when the list was built") {
     CHECK(lazy[i].b == fresh[i].b);
     CHECK(lazy[i].area == fresh[i].area);
   }
+}
+
+namespace {
+
+/// The same by the definition alone: every vertex against every vertex of every other cell.
+std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& c) {
+  std::map<std::pair<int, int>, double> areas;
+  const std::vector<SeenVertex> all = seen(b, c);
+  for (const SeenVertex& i : all) {
+    double nearest = INFINITY;
+    int touched = -1;
+    for (const SeenVertex& j : all) {
+      const Vector apart = i.x - j.x, facing = j.normal - i.normal;
+      const double reach = std::sqrt(2 / (i.inverseRadiusSquared + j.inverseRadiusSquared));
+      const bool touches = j.slot != i.slot && norm(apart) < reach && dot(i.normal, j.normal) < 0 &&
+                           dot(apart, facing / norm(facing)) <= reach / 4;
+      if (touches && norm(apart) < nearest) nearest = norm(apart), touched = j.slot;
+    }
+    if (touched < 0) continue;
+    double around = 0;
+    for (const Face& f : b.mesh.mesh.faces)
+      if (f[0] == i.v || f[1] == i.v || f[2] == i.v)
+        around += norm(cross(b.vertex(i.slot, f[1]) - b.vertex(i.slot, f[0]),
+                             b.vertex(i.slot, f[2]) - b.vertex(i.slot, f[0]))) /
+                  2;
+    areas[std::minmax(i.slot, touched)] += around / 3 / 2;  // its third, of the mean of two sides
+  }
+  return areas;
+}
+
+}  // namespace
+
+TEST_CASE("Areas are those of the definition, vertex against vertex, whatever the law") {
+  const Mesh ball = makeIcosphere(2);
+  int pairs = 0;
+  for (const ContactLaw law : {ContactLaw::pair, ContactLaw::thesis})
+    for (std::uint32_t key = 0; key < 4; ++key) {
+      ContactParameters parameters;
+      parameters.law = law;
+      Crowd crowd(limp(), parameters, ball, heap(ball, 9, 1.85, 0, key));
+      const auto expected = bruteForce(crowd.lab.bodies, parameters);
+      const auto areas = measureContactAreas(crowd.contacts, crowd.lab.bodies);
+      REQUIRE(areas.size() == expected.size());
+      for (const ContactArea& p : areas) {
+        REQUIRE(expected.contains({p.a, p.b}));
+        CHECK(p.area == Approx(expected.at({p.a, p.b})).epsilon(1e-12));
+        ++pairs;
+      }
+    }
+  CHECK(pairs > 80);
 }

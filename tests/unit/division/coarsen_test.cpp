@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "division/cut.h"
 #include "division/principal_axis.h"
+#include "through_mean.h"
 #include "unit/physics/lab.h"
 
 using namespace morula;
@@ -34,7 +35,7 @@ std::vector<Body> bodies() {
       std::vector<Point> x;
       for (const Point& v : ball.vertices) x.push_back(shape(v, dot(v, m)));
       all.push_back(moving(x));
-      const CutResult cut = cutBody(all.back(), ball.faces, principalAxis(x), 1.26);
+      const CutResult cut = cutBody(all.back(), ball.faces, throughMean(all.back(), principalAxis(x)), 1.26);
       REQUIRE(cut.failure == "");
       all.push_back(cut.daughters.a);
       all.push_back(cut.daughters.b);
@@ -82,7 +83,7 @@ TEST_CASE("However a cut slants, volume is kept, and area to 1 %") {
   std::uint64_t seed = 100;
   for (const Body& mother : bodies()) {
     const Vector normal = randomDirection({seed++, {}, 0, Purpose::test});
-    const CutResult cut = cutBody(mother, b.mesh.mesh.faces, normal, 1.26);
+    const CutResult cut = cutBody(mother, b.mesh.mesh.faces, throughMean(mother, normal), 1.26);
     if (cut.failure != "") continue;
     for (const Body& before : {cut.daughters.a, cut.daughters.b}) {
       const Body after = coarsen(b, before);

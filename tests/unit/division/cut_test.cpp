@@ -3,6 +3,7 @@
 
 #include "catch.h"
 #include "folds.h"
+#include "through_mean.h"
 
 using namespace morula;
 
@@ -39,7 +40,8 @@ std::vector<zoo::Animal> convexBodies() {
 TEST_CASE("Gas pressure and density at birth are the mother's where no volume is lost") {
   const Mesh mesh = makeIcosphere(2);
   const Body mother = moving(mesh);
-  const CutResult cut = cutBody(mother, mesh.faces, randomDirection({5, {}, 0, Purpose::test}), 1.26);
+  const CutResult cut =
+      cutBody(mother, mesh.faces, throughMean(mother, randomDirection({5, {}, 0, Purpose::test})), 1.26);
   for (const Body* daughter : {&cut.daughters.a, &cut.daughters.b}) {
     CHECK(daughter->pressureConstant / volumeOf(*daughter, mesh) ==
           Approx(mother.pressureConstant / volumeOf(mother, mesh)).epsilon(1e-13));
@@ -53,7 +55,7 @@ TEST_CASE("Volumes, masses, gas and momentum add up to the mother's, whatever th
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const Body mother = moving(mesh);
       const Vector normal = randomDirection({seed, {}, 0, Purpose::test});
-      const CutResult cut = cutBody(mother, mesh.faces, normal, 1.26);
+      const CutResult cut = cutBody(mother, mesh.faces, throughMean(mother, normal), 1.26);
       CAPTURE(name, seed);
       REQUIRE(cut.failure == "");
       const auto& [a, b] = cut.daughters;
@@ -77,7 +79,8 @@ TEST_CASE("Of a sphere each daughter gets half") {
   const Mesh mesh = makeIcosphere(2);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const CutResult cut =
-        cutBody(moving(mesh), mesh.faces, randomDirection({seed, {}, 0, Purpose::test}), 1.26);
+        cutBody(moving(mesh), mesh.faces,
+                throughMean(moving(mesh), randomDirection({seed, {}, 0, Purpose::test})), 1.26);
     CHECK(volumeOf(cut.daughters.a, mesh) ==
           Approx(measureVolume(mesh.vertices, mesh.faces) / 2).epsilon(1e-13));
     CHECK(cut.daughters.a.mass == Approx(1.5).epsilon(1e-13));
@@ -88,7 +91,7 @@ TEST_CASE("Each vertex stays with one daughter and lies on the plane in the othe
   const Mesh mesh = makeIcosphere(2);
   const Vector normal = randomDirection({1, {}, 0, Purpose::test});
   const Body mother = moving(mesh);
-  const CutResult cut = cutBody(mother, mesh.faces, normal, 1.26);
+  const CutResult cut = cutBody(mother, mesh.faces, throughMean(mother, normal), 1.26);
   const auto& [a, b] = cut.daughters;
   const Point centre = measureCentroid(mother.position);
   Worst error;
@@ -111,7 +114,7 @@ TEST_CASE("No face of a convex body is turned over by a cut that folds nothing")
   for (const auto& [name, mesh, handles] : convexBodies())
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const Vector normal = randomDirection({seed, {}, 0, Purpose::test});
-      const CutResult cut = cutBody(moving(mesh), mesh.faces, normal, 1.26);
+      const CutResult cut = cutBody(moving(mesh), mesh.faces, throughMean(moving(mesh), normal), 1.26);
       if (projectionFolds(moving(mesh), mesh, normal) > 0) continue;
       ++cuts;
       for (const Body* daughter : {&cut.daughters.a, &cut.daughters.b}) {
@@ -142,20 +145,21 @@ TEST_CASE("Membrane: two halves share `production` times their mother's area ali
   const Mesh mesh = makeIcosphere(2);
   const Body mother = moving(mesh);
   for (double production : {1.0, 1.26, 1.5}) {
-    const CutResult cut = cutBody(mother, mesh.faces, {1, 0, 0}, production);
+    const CutResult cut = cutBody(mother, mesh.faces, throughMean(mother, {1, 0, 0}), production);
     const double a = cut.daughters.a.restScale / mother.restScale,
                  b = cut.daughters.b.restScale / mother.restScale;
     CHECK(a * a + b * b == Approx(production).epsilon(1e-14));
     CHECK(a == Approx(b).epsilon(1e-13));
   }
   // With the cube root of 2 a half has the lengths of a sphere of half the volume: 2^(−1/3).
-  const CutResult cut = cutBody(mother, mesh.faces, {1, 0, 0}, std::cbrt(2.0));
+  const CutResult cut = cutBody(mother, mesh.faces, throughMean(mother, {1, 0, 0}), std::cbrt(2.0));
   CHECK(cut.daughters.a.restScale == Approx(mother.restScale / std::cbrt(2.0)).epsilon(1e-13));
 }
 
 TEST_CASE("Unequal daughters get membrane by the area of spheres of their volumes") {
   const Mesh mesh = zoo::tetrahedron();
-  const CutResult cut = cutBody(moving(mesh), mesh.faces, Vector{1, 1, 1} / std::sqrt(3.0), 1.26);
+  const CutResult cut =
+      cutBody(moving(mesh), mesh.faces, throughMean(moving(mesh), Vector{1, 1, 1} / std::sqrt(3.0)), 1.26);
   REQUIRE(cut.failure == "");
   const auto& [a, b] = cut.daughters;
   const double volumes = volumeOf(a, mesh) / volumeOf(b, mesh);
@@ -169,12 +173,52 @@ TEST_CASE("A body that would have next to no volume on one side does not divide,
   Body nail = moving(mesh);
   for (Point& x : nail.position)
     if (x.x > -0.5) x = {x.x, 0.05 * x.y, 0.05 * x.z};
-  CHECK_THAT(cutBody(nail, mesh.faces, {1, 0, 0}, 1.26).failure, ContainsSubstring("cut its volume into"));
-  CHECK(cutBody(nail, mesh.faces, {0, 1, 0}, 1.26).failure == "");
+  CHECK_THAT(cutBody(nail, mesh.faces, throughMean(nail, {1, 0, 0}), 1.26).failure,
+             ContainsSubstring("cut its volume into"));
+  CHECK(cutBody(nail, mesh.faces, throughMean(nail, {0, 1, 0}), 1.26).failure == "");
 
   const Mesh insideOut = zoo::inverted(mesh);
-  CHECK(cutBody(moving(insideOut), insideOut.faces, {1, 0, 0}, 1.26).failure != "");
+  CHECK(
+      cutBody(moving(insideOut), insideOut.faces, throughMean(moving(insideOut), {1, 0, 0}), 1.26).failure !=
+      "");
   Body broken = moving(mesh);
   broken.position[3].x = std::nan("");
-  CHECK(cutBody(broken, mesh.faces, {1, 0, 0}, 1.26).failure != "");
+  CHECK(cutBody(broken, mesh.faces, throughMean(broken, {1, 0, 0}), 1.26).failure != "");
+}
+
+TEST_CASE("A plane beside the centre gives daughter A the cap before it") {
+  const Mesh ball = makeIcosphere(3);
+  for (const double height : {-0.4, 0.0, 0.3, 0.5}) {
+    const CutResult cut = cutBody(moving(ball), ball.faces, {{0, height, 7}, {0, 1, 0}}, 1.26);
+    REQUIRE(cut.failure == "");
+    const double cap = (1 - height) * (1 - height) * (2 + height) / 4;  // π(1−h)²(2+h)/3 over 4π/3
+    CHECK(cut.daughters.a.mass / moving(ball).mass == Approx(cap).margin(0.01));
+    CHECK(cut.daughters.a.mass + cut.daughters.b.mass == moving(ball).mass);
+    for (const Point& x : cut.daughters.a.position) CHECK(x.y >= height - 1e-15);
+    for (const Point& x : cut.daughters.b.position) CHECK(x.y <= height + 1e-15);
+  }
+}
+
+TEST_CASE("A sphere is shared by the cut's ratio, and both parts touch its outline from inside") {
+  Body mother;
+  mother.position = {{1, 2, 3}};
+  mother.velocity = {{}};
+  mother.mass = 3;
+  mother.restScale = 0.8;
+  mother.pressureConstant = 5;
+  const Vector axis{0.6, 0, 0.8};
+  for (const double ratio : {0.5, 0.58, 0.2}) {
+    const auto [a, b] = divideSphere(mother, 2, {{9, 9, 9}, axis, ratio});
+    const double radiusA = 2 * a.restScale / mother.restScale, radiusB = 2 * b.restScale / mother.restScale;
+    CHECK(std::pow(radiusA / 2, 3) == Approx(ratio).epsilon(1e-14));
+    CHECK(std::pow(radiusB / 2, 3) == Approx(1 - ratio).epsilon(1e-14));
+    CHECK(a.mass == Approx(3 * ratio).epsilon(1e-15));
+    CHECK(a.mass + b.mass == 3);
+    CHECK(a.pressureConstant + b.pressureConstant == 5);
+    const double outA = dot(a.position[0] - mother.position[0], axis) + radiusA;
+    const double outB = dot(mother.position[0] - b.position[0], axis) + radiusB;
+    CHECK(outA == Approx(2).epsilon(1e-14));
+    CHECK(outB == Approx(2).epsilon(1e-14));
+    CHECK(norm(cross(a.position[0] - b.position[0], axis)) < 1e-14);
+  }
 }

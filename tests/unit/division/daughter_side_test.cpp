@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "division/cut.h"
 #include "division/policy.h"
+#include "known_cell.h"
 #include "unit/physics/lab.h"
 
 using namespace morula;
@@ -25,13 +26,13 @@ Body longCell(const Vector& along, double stretch) {
 
 /// From daughter B's centre to daughter A's.
 Vector fromBToA(const Body& mother, const Vector& normal) {
-  const CutResult cut = cutBody(mother, egg().faces, normal, 1.26);
+  const CutResult cut = cutBody(mother, egg().faces, {measureCentroid(mother.position), normal}, 1.26);
   REQUIRE(cut.failure.empty());
   return measureCentroid(cut.daughters.a.position) - measureCentroid(cut.daughters.b.position);
 }
 
 Vector axisOf(const DivisionParameters& p, const Body& mother, const char* cell = "AB") {
-  return makeDivisionPolicy(p, 7)->planeNormal(CellPath::parse(cell), mother);
+  return makeDivisionPolicy(p, 7)->findCut(KnownCell(cell, mother.position)).normal;
 }
 
 const std::array<Vector, 7> directions{
@@ -90,7 +91,7 @@ TEST_CASE("rounding does not decide which daughter is A, not even of a round cel
 TEST_CASE("of a sphere cut in halves too, daughter A lies where the axis points") {
   const Body mother = longCell({1, 0, 0}, 0);
   for (const Vector& axis : directions) {
-    const Daughters d = halveSphere(mother, 1, axis);
+    const Daughters d = divideSphere(mother, 1, {{}, axis});
     CHECK(dot(d.a.position[0] - d.b.position[0], axis) > 0.1);
   }
 }

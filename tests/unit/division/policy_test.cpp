@@ -2,8 +2,11 @@
 #include "division/policy.h"
 
 #include <limits>
+#include <set>
+#include <string>
 
 #include "catch.h"
+#include "known_cell.h"
 #include "unit/physics/lab.h"
 
 using namespace morula;
@@ -17,7 +20,7 @@ Body needle() {
 }
 
 Vector normalOf(const DivisionParameters& p, std::uint64_t seed, const char* cell) {
-  return makeDivisionPolicy(p, seed)->planeNormal(CellPath::parse(cell), needle());
+  return makeDivisionPolicy(p, seed)->findCut(KnownCell(cell, needle().position)).normal;
 }
 
 }  // namespace
@@ -41,8 +44,9 @@ TEST_CASE("A random plane is keyed by seed and path, and by nothing else") {
   const Vector once = normalOf(p, 1, "AB");
   CHECK(norm(once) == Approx(1).epsilon(1e-15));
   CHECK(normalOf(p, 1, "AB") == once);
-  CHECK(makeDivisionPolicy(p, 1)->planeNormal(CellPath::parse("AB"), shakenBody(makeIcosphere(0), 1, 1)) ==
-        once);
+  CHECK(makeDivisionPolicy(p, 1)
+            ->findCut(KnownCell("AB", shakenBody(makeIcosphere(0), 1, 1).position))
+            .normal == once);
   CHECK_FALSE(normalOf(p, 2, "AB") == once);
   CHECK_FALSE(normalOf(p, 1, "BA") == once);
   CHECK_FALSE(normalOf(p, 1, "A") == once);
@@ -54,9 +58,9 @@ TEST_CASE("Random planes of many cells and seeds look everywhere alike") {
   // Archimedes: the height on a sphere is uniform. Each of eight slices along each axis gets an eighth.
   int slices[3][8] = {};
   for (int i = 0; i < draws; ++i) {
-    CellPath cell;
-    for (int bit = 0; bit < 12; ++bit) cell = cell.daughter(i >> bit & 1);
-    const Vector n = makeDivisionPolicy(p, 7)->planeNormal(cell, {});
+    KnownCell cell("", makeIcosphere(0).vertices);
+    for (int bit = 0; bit < 12; ++bit) cell.path = cell.path.daughter(i >> bit & 1);
+    const Vector n = makeDivisionPolicy(p, 7)->findCut(cell).normal;
     const double component[3] = {n.x, n.y, n.z};
     for (int axis = 0; axis < 3; ++axis) ++slices[axis][static_cast<int>((component[axis] + 1) * 4)];
   }
@@ -64,5 +68,19 @@ TEST_CASE("Random planes of many cells and seeds look everywhere alike") {
     double chiSquare = 0;
     for (int count : axis) chiSquare += (count - draws / 8.0) * (count - draws / 8.0) / (draws / 8.0);
     CHECK(chiSquare < 24.3);  // 7 degrees of freedom: exceeded once in a thousand
+  }
+}
+
+TEST_CASE("Each way to choose a plane has a row, a name of its own and a policy") {
+  std::set<std::string> names;
+  for (int i = 0; i < static_cast<int>(divisionPlanes().size()); ++i) {
+    const DivisionPlaneKind& kind = kindOf(static_cast<DivisionPlane>(i));
+    INFO(kind.name);
+    CHECK(names.insert(kind.name).second);
+    const DivisionParameters p{kind.plane, {0, 2, 0}};
+    CHECK(norm(normalOf(p, 1, "AB")) == Approx(1).epsilon(1e-13));
+    CHECK(makeDivisionPolicy(p, 1)->findCut(KnownCell("AB", needle().position)).point ==
+          measureCentroid(needle().position));
+    CHECK((normalOf(p, 1, "AB") == normalOf(p, 2, "AB")) != kind.usesSeed);
   }
 }

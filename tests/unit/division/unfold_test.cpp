@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "division/cut.h"
 #include "folds.h"
+#include "through_mean.h"
 
 using namespace morula;
 
@@ -58,7 +59,7 @@ TEST_CASE("Daughters of a dented cell have no folded face") {
     const Body mother = shakenBody(mesh, 0, 0);
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const Vector normal = randomDirection({seed, {}, 0, Purpose::test});
-      const CutResult cut = cutBody(mother, mesh.faces, normal, 1.26);
+      const CutResult cut = cutBody(mother, mesh.faces, throughMean(mother, normal), 1.26);
       CAPTURE(depth, seed);
       REQUIRE(cut.failure == "");
       CHECK(foldsOf(cut.daughters.a, mother, mesh, normal, false) == 0);
@@ -76,7 +77,7 @@ TEST_CASE("Of a crater some folds may stay, but far fewer than projection makes"
   int left = 0, projected = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Vector normal = randomDirection({seed, {}, 0, Purpose::test});
-    const CutResult cut = cutBody(mother, mesh.faces, normal, 1.26);
+    const CutResult cut = cutBody(mother, mesh.faces, throughMean(mother, normal), 1.26);
     left += foldsOf(cut.daughters.a, mother, mesh, normal, false) +
             foldsOf(cut.daughters.b, mother, mesh, normal, true);
     projected += projectionFolds(mother, mesh, normal);

@@ -74,7 +74,7 @@ TEST_CASE("what is refused leaves the golden as it was") {
   refuses(exampleData(), {}, {"", "why"}, "who accepts");
   refuses(exampleData(), {rule("nothing abs 1 why \"w\"")}, {"A. Tester", "why"}, "matches no value");
   GoldenFacts broken = exampleFacts();
-  broken.end.volume = std::numeric_limits<double>::quiet_NaN();
+  broken.end["volume"] = std::numeric_limits<double>::quiet_NaN();
   refuses(makeGoldenData(broken), {}, {"A. Tester", "why"}, "a finite number");
 }
 

@@ -20,12 +20,12 @@ inline LineageEntry cell(const char* path, double born, std::uint64_t bornStep, 
 inline CellMeasures measures(const char* path, double volume) {
   CellMeasures m;
   m.path = CellPath::parse(path);
-  m.volume = volume;
-  m.area = 0.1 + 0.2;
-  m.pressure = 0.40625;
-  m.centroid = {-0.0, 1e-17, -0.25};
-  m.sphericity = 0.97;
-  m.neighbours = 1;
+  m["volume"] = volume;
+  m["area"] = 0.1 + 0.2;
+  m["pressure"] = 0.40625;
+  m["x"] = -0.0, m["y"] = 1e-17, m["z"] = -0.25;
+  m["sphericity"] = 0.97;
+  m["neighbours"] = 1;
   return m;
 }
 
@@ -47,14 +47,15 @@ inline GoldenFacts exampleFacts() {
   f.images = {{"organism", "painter-1", {4, 4}}};
   f.costs = {{"list_builds", 5}};
   f.mechanics = true;
-  f.end = {.time = 4,
-           .step = 1024,
-           .cells = 1,
-           .volume = 2,
-           .kineticEnergy = 1e-9,
-           .meanPressure = 0.5,
-           .shellFill = 0.5,
-           .outermost = 0.9};
+  f.end.time = 4;
+  f.end.step = 1024;
+  for (const auto& [name, value] : {std::pair("cells", 1.0),
+                                    {"volume", 2},
+                                    {"kinetic_energy", 1e-9},
+                                    {"mean_pressure", 0.5},
+                                    {"shell_fill", 0.5},
+                                    {"outermost", 0.9}})
+    f.end[name] = value;
   f.cells = {measures("A", 2)};
   WorldMeasures early = f.end;
   early.time = 0.5;

@@ -19,9 +19,9 @@ std::string valueOf(const GoldenData& data, const std::string& key) {
 TEST_CASE("values within tolerance stay byte for byte, others are new") {
   const Golden old = exampleGolden({rule("final/A/* rel 1e-9 why \"w\"")});
   GoldenFacts facts = exampleFacts();
-  facts.cells[0].volume = 2 + 1e-12;    // within
-  facts.cells[0].area = 0.4;            // beyond
-  facts.samples[0].volume = 2 + 1e-12;  // under no rule, so exact
+  facts.cells[0]["volume"] = 2 + 1e-12;    // within
+  facts.cells[0]["area"] = 0.4;            // beyond
+  facts.samples[0]["volume"] = 2 + 1e-12;  // under no rule, so exact
   const GoldenData kept = keepValuesWithinTolerance(makeGoldenData(facts), old);
   CHECK(valueOf(kept, "final/A/volume") == "2");
   CHECK(valueOf(kept, "final/A/area") == "0.4");
@@ -72,7 +72,7 @@ TEST_CASE("a reviewer sees what is gone, new and changed") {
   facts.samples.clear();
   facts.lineage[1].state = 0;
   facts.stateHash.low = 1;
-  facts.cells[0].volume = 3;
+  facts.cells[0]["volume"] = 3;
   facts.timeSteps.push_back({512, 2, 1});
   const std::string text = describeSuccession(golden, makeGoldenData(facts));
   CHECK_THAT(text, ContainsSubstring("6 removed\n  value 0.5/organism/cells"));

@@ -134,7 +134,7 @@ TEST_CASE("Contact areas name cells by number, and both meshes see the same cell
   const std::vector<ContactMeasures> areas = measureContacts(world);
   CHECK(areas.size() == 12);  // the edges of a cube
   for (const ContactMeasures& touch : areas) {
-    CHECK(touch.area > 0);
+    CHECK(touch.at("area") > 0);
     const double distance =
         norm(measureCentroid(cellVertices(world, touch.a)) - measureCentroid(cellVertices(world, touch.b)));
     CHECK(distance < 2.3);

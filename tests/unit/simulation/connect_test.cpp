@@ -51,11 +51,11 @@ struct Wish final : BiologicalUnit {
   explicit Wish(double w) : wish(w) {}
   StateId startState() const override { return 0; }
   double cycleLength(StateId) const override { return 1; }
-  StateId runCellCycle(const CellView&) override { return 0; }
-  bool wantsToDivide(const CellView&) const override { return false; }
-  bool wantsToDie(const CellView&) const override { return false; }
-  double wantsToGrow(const CellView&) const override { return 0; }
-  double wantsToConnect(const CellView&) const override { return wish; }
+  StateId runCellCycle(const CellContext&) override { return 0; }
+  bool wantsToDivide(const CellContext&) const override { return false; }
+  bool wantsToDie(const CellContext&) const override { return false; }
+  double wantsToGrow(const CellContext&) const override { return 0; }
+  double wantsToConnect(const CellContext&) const override { return wish; }
   StateId daughterState(StateId mother, bool) override { return mother; }
   std::string describe(StateId) const override { return ""; }
   double wish;
@@ -81,6 +81,39 @@ TEST_CASE("The plane decides: a connection goes to the daughter on the other cel
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA", "BA-BB"});
   CHECK(std::string(world.connections->history[0].cause) == "divided");
   CHECK(world.connections->history[0].released == world.lineage.entries[1].ended);
+}
+
+namespace {
+
+/// Cuts a small cap off, and gives it to one daughter or the other.
+struct CapOff final : DivisionPolicy {
+  explicit CapOff(bool toB) : normal{toB ? -1.0 : 1.0, 0, 0} {}
+  Cut findCut(const CellContext&) const override { return {{0.6, 0, 0}, normal}; }
+  Vector normal;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "The plane decides, not which daughter is nearer: a small one may be nearer than her large sister") {
+  const Mesh ball = makeIcosphere(3);
+  for (const bool bigOneIsA : {false, true}) {
+    Scene scene = connecting(scenes::everybodyDivides,
+                             withPolicy(MakeConnections::atDivision, ConnectionsOnDivision::plane));
+    scene.mechanics->mesh = ball;
+    Body mother = shakenBody(ball, 0, 0), other = mother;
+    for (Point& x : other.position) x += Vector{0.5, 2.1, 0};  // on the large side, beside the cap
+    mother.pressureConstant = other.pressureConstant = 200;
+    World world = worldOf(scene, {mother, other});
+    world.divisionPolicy = std::make_unique<CapOff>(bigOneIsA);
+    connect(*world.connections, CellPath::parse("A"), CellPath::parse("B"), 0);
+    changePopulation(world, Observation(world), {CellChange::divides, CellChange::none});
+    REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "B"});
+    const std::string big = bigOneIsA ? "AA" : "AB", small = bigOneIsA ? "AB" : "AA";
+    CHECK(norm(centreOf(world, small.c_str()) - centreOf(world, "B")) <
+          norm(centreOf(world, big.c_str()) - centreOf(world, "B")));
+    CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", big + "-B"});
+  }
 }
 
 TEST_CASE("Both keep: each daughter has every connection of her mother") {
@@ -146,19 +179,20 @@ TEST_CASE("By gene: a cell acts at its own cell cycle only") {
   using enum CellChange;
   World world = worldOf(scene, row, {Isa::scalar, 1}, std::make_unique<Wish>(1));
   REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA"});
-  connectByGene(world, {none, none, none});
+  connectByGene(world, Observation(world), {none, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{});
-  connectByGene(world, {none, none, cycled});
+  connectByGene(world, Observation(world), {none, none, cycled});
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
-  connectByGene(world, {divides, none, none});
+  connectByGene(world, Observation(world), {divides, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA"});
 
   static_cast<Wish&>(*world.biology).wish = -1;
-  connectByGene(world, {none, none, none});
+  connectByGene(world, Observation(world), {none, none, none});
   CHECK(pairsOf(world).size() == 2);
-  connectByGene(world, {cycled, none, none});
+  connectByGene(world, Observation(world), {cycled, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
-  connectByGene(world, {none, none, dies});  // it is released by its death, not by its wish
+  connectByGene(world, Observation(world),
+                {none, none, dies});  // it is released by its death, not by its wish
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
 }
 

@@ -121,14 +121,14 @@ TEST_CASE("Another biology may control the cells") {
   struct Once final : BiologicalUnit {
     StateId startState() const override { return 0; }
     double cycleLength(StateId) const override { return 0.5; }
-    StateId runCellCycle(const CellView& cell) override {
-      seesBody = cell.physical != nullptr && cell.physical->getVolume() > 0 && cell.physical->getMass() > 0;
+    StateId runCellCycle(const CellContext& cell) override {
+      seesBody = cell.physical() && cell.physical()->getVolume() > 0 && cell.physical()->getMass() > 0;
       return cell.state + 1;
     }
-    bool wantsToDivide(const CellView& cell) const override { return cell.state == 1; }
-    bool wantsToDie(const CellView& cell) const override { return cell.state == 3; }
-    double wantsToGrow(const CellView&) const override { return 0; }
-    double wantsToConnect(const CellView&) const override { return 0; }
+    bool wantsToDivide(const CellContext& cell) const override { return cell.state == 1; }
+    bool wantsToDie(const CellContext& cell) const override { return cell.state == 3; }
+    double wantsToGrow(const CellContext&) const override { return 0; }
+    double wantsToConnect(const CellContext&) const override { return 0; }
     StateId daughterState(StateId mother, bool) override { return mother; }
     std::string describe(StateId state) const override { return std::to_string(state); }
     bool seesBody = false;

@@ -1,8 +1,10 @@
 // What is read off a world is what its meshes say.
 #include <numbers>
+#include <set>
 
 #include "catch.h"
 #include "mesh/overlap.h"
+#include "simulation/body_measures.h"
 #include "worlds.h"
 
 using namespace morula;
@@ -20,28 +22,28 @@ TEST_CASE("Each cell's measures are those of its mesh") {
     CHECK(m.state == world.cells.state[i]);
     const auto x = cellVertices(world, m.path);
     const auto& faces = world.model.mechanics->mesh.faces;
-    CHECK(m.volume == Approx(measureVolume(x, faces)).epsilon(1e-14));
-    CHECK(m.volume == Approx(world.bodies->volume[i]).epsilon(1e-12));
-    CHECK(m.area == measureArea(x, faces));
-    CHECK(m.pressure == Approx(world.bodies->pressure[i]).epsilon(1e-9));
-    CHECK(m.sphericity == sphericity(m.volume, m.area));
-    CHECK(m.sphericity < 1);
-    CHECK(m.centroid == measureCentroid(x));
-    CHECK(m.neighbours >= 3);
-    total += m.volume;
-    pressures += m.pressure / 8;
+    CHECK(m.at("volume") == Approx(measureVolume(x, faces)).epsilon(1e-14));
+    CHECK(m.at("volume") == Approx(world.bodies->volume[i]).epsilon(1e-12));
+    CHECK(m.at("area") == measureArea(x, faces));
+    CHECK(m.at("pressure") == Approx(world.bodies->pressure[i]).epsilon(1e-9));
+    CHECK(m.at("sphericity") == sphericity(m.at("volume"), m.at("area")));
+    CHECK(m.at("sphericity") < 1);
+    CHECK(Point{m.at("x"), m.at("y"), m.at("z")} == measureCentroid(x));
+    CHECK(m.at("neighbours") >= 3);
+    total += m.at("volume");
+    pressures += m.at("pressure") / 8;
     for (const Point& p : x) outermost.see(norm(p));
   }
   const WorldMeasures w = measureWorld(world);
   CHECK(w.time == world.clock.time);
   CHECK(w.step == world.clock.step);
-  CHECK(w.cells == 8);
-  CHECK(w.volume.value() == Approx(total).epsilon(1e-12));
-  CHECK(w.meanPressure.value() == Approx(pressures).epsilon(1e-9));
-  CHECK(w.shellFill.value() == Approx(total / (4 * std::numbers::pi / 3)).epsilon(1e-12));
-  CHECK(w.shellFill.value() > 0.5);
-  CHECK(w.outermost.value() == Approx(outermost).epsilon(1e-14));
-  CHECK(w.outermost.value() <= 1 + 1e-12);
+  CHECK(w.at("cells") == 8);
+  CHECK(w.at("volume") == Approx(total).epsilon(1e-12));
+  CHECK(w.at("mean_pressure") == Approx(pressures).epsilon(1e-9));
+  CHECK(w.at("shell_fill") == Approx(total / (4 * std::numbers::pi / 3)).epsilon(1e-12));
+  CHECK(w.at("shell_fill") > 0.5);
+  CHECK(w.at("outermost") == Approx(outermost).epsilon(1e-14));
+  CHECK(w.at("outermost") <= 1 + 1e-12);
 }
 
 TEST_CASE("Contacts are by pairs of paths and agree with the neighbours counted") {
@@ -51,13 +53,13 @@ TEST_CASE("Contacts are by pairs of paths and agree with the neighbours counted"
   const auto contacts = measureContacts(world);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     CHECK(contacts[i].a < contacts[i].b);
-    CHECK(contacts[i].area > 0);
+    CHECK(contacts[i].at("area") > 0);
     if (i > 0)
       CHECK(std::pair(contacts[i - 1].a, contacts[i - 1].b) < std::pair(contacts[i].a, contacts[i].b));
     for (const CellPath& p : {contacts[i].a, contacts[i].b}) ++neighbours[slotOf(world, p.text().c_str())];
   }
   const auto cells = measureCells(world);
-  for (int i = 0; i < 8; ++i) CHECK(cells[i].neighbours == neighbours[i]);
+  for (int i = 0; i < 8; ++i) CHECK(cells[i].at("neighbours") == neighbours[i]);
 }
 
 TEST_CASE(
@@ -66,11 +68,11 @@ TEST_CASE(
   scene.mechanics->physics.shell = ShellParameters{{2, 1.5, 1.25}};
   World world = makeWorld(scene);
   for (int v = 0; v < world.bodies->vertexCount(); ++v) world.bodies->velocity[world.bodies->at(0, v)] = 3;
-  CHECK(measureWorld(world).kineticEnergy.value() == Approx(0.5 * 1 * 9).epsilon(1e-14));
+  CHECK(measureWorld(world).at("kinetic_energy") == Approx(0.5 * 1 * 9).epsilon(1e-14));
   Worst outermost;
   for (const Point& p : cellVertices(world, CellPath{}))
     outermost.see(std::sqrt(p.x * p.x / 4 + p.y * p.y / 2.25 + p.z * p.z / 1.5625));
-  CHECK(measureWorld(world).outermost.value() == Approx(outermost).epsilon(1e-14));
+  CHECK(measureWorld(world).at("outermost") == Approx(outermost).epsilon(1e-14));
 }
 
 TEST_CASE("Energy, volume and pressure are of all cells") {
@@ -85,9 +87,9 @@ TEST_CASE("Energy, volume and pressure are of all cells") {
   const World world = worldOf(scene, {left, right});
   const WorldMeasures m = measureWorld(world);
   const double volume = measureVolume(left.position, scene.mechanics->mesh.faces);
-  CHECK(m.kineticEnergy.value() == Approx(0.5 * 1 * 4 + 0.5 * 3 * 16).epsilon(1e-13));
-  CHECK(m.volume.value() == Approx(2 * volume).epsilon(1e-13));
-  CHECK(m.meanPressure.value() == Approx(150 / volume - 200 / volume).epsilon(1e-12));
+  CHECK(m.at("kinetic_energy") == Approx(0.5 * 1 * 4 + 0.5 * 3 * 16).epsilon(1e-13));
+  CHECK(m.at("volume") == Approx(2 * volume).epsilon(1e-13));
+  CHECK(m.at("mean_pressure") == Approx(150 / volume - 200 / volume).epsilon(1e-12));
 }
 
 TEST_CASE("The mean overlap of two balls is the lens they share") {
@@ -100,7 +102,7 @@ TEST_CASE("The mean overlap of two balls is the lens they share") {
     const World world = worldOf(scene, {left, moved});
     const double lens =
         distance < 2 ? std::numbers::pi * (4 + distance) * (2 - distance) * (2 - distance) / 12 : 0;
-    CHECK(measureMeanOverlap(world) == Approx(lens / (4 * std::numbers::pi / 3)).margin(0.01));
+    CHECK(measureMeanOverlap(*world.bodies) == Approx(lens / (4 * std::numbers::pi / 3)).margin(0.01));
   }
 }
 
@@ -108,4 +110,100 @@ TEST_CASE("A path that does not live has no vertices") {
   const World world = makeWorld(scenes::withBodies(scenes::uniqueFour, 1));
   CHECK(cellVertices(world, CellPath{}) == world.model.mechanics->mesh.vertices);
   CHECK(cellVertices(world, CellPath::parse("A")).empty());
+}
+
+namespace {
+
+template <class Of>
+void checkTable() {
+  std::set<std::string> names;
+  bool onDemand = false;
+  for (const Measure<Of>& m : measures<Of>()) {
+    INFO(m.name);
+    CHECK(names.insert(m.name).second);
+    CHECK(std::string(m.name).find_first_not_of("abcdefghijklmnopqrstuvwxyz_") ==
+          std::string::npos);                                                 // a column
+    CHECK(std::string(m.meaning).find_first_of("\n|") == std::string::npos);  // a cell of a table
+    onDemand |= m.taken == Taken::onDemand;
+    CHECK(onDemand == (m.taken == Taken::onDemand));  // those of samples first
+  }
+}
+
+double valueOf(const char* name, const World& world, int cell) {
+  const Observation now(world);
+  return *measure<CellContext>(name).get(ObservedCell(now, cell));
+}
+
+}  // namespace
+
+TEST_CASE("The tables of measures: names are columns, each once; those that samples hold stand first") {
+  checkTable<Observation>();
+  checkTable<CellContext>();
+  checkTable<Touch>();
+}
+
+TEST_CASE("A value that was not measured is absent, and asking for it regardless is a bug") {
+  CellMeasures m;
+  for (const auto& value : m.values) CHECK_FALSE(value);
+  CHECK_THROWS_AS(m.at("volume"), BugError);
+  CHECK_THROWS_AS(m["no such"], BugError);
+  CHECK_THROWS_AS(m["volume_over_rest"], BugError);  // on demand only
+  CHECK_THROWS_AS(measure<CellContext>("no such"), BugError);
+  m["volume"] = 2;
+  CHECK(m.at("volume") == 2);
+}
+
+TEST_CASE("Without bodies cells are counted and nothing is measured; without a shell nothing of a shell") {
+  const World lineage = makeWorld(scenes::lineageOnly(scenes::uniqueFour, 3));
+  const WorldMeasures m = measureWorld(lineage);
+  CHECK(m.at("cells") == 1);
+  for (const WorldMeasure& row : sampledMeasures<Observation>())
+    if (row.needs != Needs::nothing) CHECK_FALSE(m[row.name]);
+  const WorldMeasures open = measureWorld(makeWorld(scenes::withBodies(scenes::uniqueFour, 1)));
+  CHECK(open["volume"]);
+  CHECK_FALSE(open["shell_fill"]);
+  CHECK_FALSE(open["outermost"]);
+}
+
+TEST_CASE("Volume over rest and over the mesh: a body pressed to nine tenths, with half the egg's contents") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
+  scene.mechanics->physics.pressure.constant = 4;
+  Body body = shakenBody(scene.mechanics->mesh, 0, 0);
+  for (Point& x : body.position) x = 0.9 * x;
+  body.pressureConstant = 2;
+  body.restScale = 0.95;
+  const World world = worldOf(scene, {body});
+  CHECK(valueOf("volume_over_rest", world, 0) == Approx(0.729 / 0.5).epsilon(1e-12));
+  CHECK(valueOf("volume_over_mesh", world, 0) == Approx(0.729 / (0.95 * 0.95 * 0.95)).epsilon(1e-12));
+  scene.mechanics->physics.cell.model = CellModel::shapeMatching;  // no contents: its mesh is its rest
+  CHECK(valueOf("volume_over_rest", worldOf(scene, {body}), 0) ==
+        Approx(0.729 / (0.95 * 0.95 * 0.95)).epsilon(1e-12));
+}
+
+TEST_CASE("Inverted: nothing of a ball, all of one that is turned inside out") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(2));
+  Body body = shakenBody(scene.mechanics->mesh, 0, 0);
+  World world = worldOf(scene, {body});
+  CHECK(valueOf("inverted", world, 0) == 0);
+  for (int v = 0; v < world.bodies->vertexCount(); ++v)
+    world.bodies->write(world.bodies->position, 0, v, -world.bodies->vertex(0, v));
+  CHECK(valueOf("inverted", world, 0) == 1);
+}
+
+TEST_CASE("Extent and momentum: a ball that flies, far out") {
+  const Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
+  Body body = shakenBody(scene.mechanics->mesh, 0, 0);
+  for (Point& x : body.position) x += Vector{0, 10, 0};
+  for (Vector& u : body.velocity) u = {1, 2, -3};
+  body.mass = 4;
+  const World world = worldOf(scene, {body});
+  const Observation now(world);
+  const auto of = [&](const char* name) { return *measure<Observation>(name).get(now); };
+  Worst extent;
+  for (const Point& x : body.position) extent.see(norm(x));
+  CHECK(of("extent") == extent);
+  CHECK(of("momentum_x") == Approx(4).epsilon(1e-13));
+  CHECK(of("momentum_y") == Approx(8).epsilon(1e-13));
+  CHECK(of("momentum_z") == Approx(-12).epsilon(1e-13));
+  CHECK(of("energy") >= 0.5 * 4 * 14 * (1 - 1e-12));
 }

@@ -93,14 +93,15 @@ TEST_CASE("A sphere's medium, measures and surface are those of a ball") {
   while (world.clock.time < 0.5) step(world);
   CHECK(std::abs(velocityOf(world, 0).x - std::exp(-2.0)) < 2e-6);  // drag²·Δt²/… at second order: 16·2^-20/6
   const CellMeasures m = measureCells(world)[0];
-  CHECK(m.volume == Approx(4 * pi / 3 / 8).epsilon(1e-14));
-  CHECK(m.area == Approx(pi).epsilon(1e-14));
-  CHECK(m.sphericity == 1);
-  CHECK(m.pressure == 0);
+  CHECK(m.at("volume") == Approx(4 * pi / 3 / 8).epsilon(1e-14));
+  CHECK(m.at("area") == Approx(pi).epsilon(1e-14));
+  CHECK(m.at("sphericity") == 1);
+  CHECK_FALSE(m["pressure"]);
   const Mesh surface = cellMesh(world, world.cells.path[0]);
   REQUIRE(surface.vertices.size() == 42);
   // The mesh of these tests has radius 0.95; it is what the sphere is drawn as, at its scale.
-  for (const Point& x : surface.vertices) CHECK(std::abs(norm(x - m.centroid) - 0.475) < 1e-13);
+  for (const Point& x : surface.vertices)
+    CHECK(std::abs(norm(x - Point{m.at("x"), m.at("y"), m.at("z")}) - 0.475) < 1e-13);
 }
 
 TEST_CASE("Spheres divide into halves inside their outline, and part until they touch") {
@@ -143,9 +144,9 @@ TEST_CASE("Spheres touch over the disc in which their surfaces meet") {
   World world = makeWorld(loose({{.at = {0, 0, 0}}, {.at = {0, 1.2, 0}, .scale = 0.5}, {.at = {9, 0, 0}}}));
   const auto contacts = measureContacts(world);
   REQUIRE(contacts.size() == 1);
-  CHECK(contacts[0].area == Approx(pi * (1 - 0.9125 * 0.9125)).epsilon(1e-9));
+  CHECK(contacts[0].at("area") == Approx(pi * (1 - 0.9125 * 0.9125)).epsilon(1e-9));
   const auto cells = measureCells(world);
-  CHECK((cells[0].neighbours == 1 && cells[1].neighbours == 1 && cells[2].neighbours == 0));
+  CHECK((cells[0].at("neighbours") == 1 && cells[1].at("neighbours") == 1 && cells[2].at("neighbours") == 0));
 }
 
 TEST_CASE("Two spheres with one centre stay finite") {

@@ -61,7 +61,7 @@ TEST_CASE("Drag alone has a limit too: a cell in thick medium comes to rest, and
       World world = makeWorld(scene);
       CHECK(world.clock.timeStep * drag <= 0.8 * (integrator == Integrator::velocityVerlet ? 1 : 2));
       for (int i = 0; i < 2000; ++i) step(world);
-      CHECK(measureWorld(world).kineticEnergy.value() < 0.01);
+      CHECK(measureWorld(world).at("kinetic_energy") < 0.01);
       CHECK(std::abs(centreOf(world, "").x) < 2 / drag);
       scene.mechanics->physics.timeStep = 2.5 / drag;
       if (drag >= 1e3) CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("of its drag"));
@@ -292,7 +292,7 @@ TEST_CASE(
       } catch (const NumericalError&) {
         return INFINITY;  // thrown so fast that it is noticed
       }
-      largest.see(measureWorld(world).kineticEnergy.value());
+      largest.see(measureWorld(world).at("kinetic_energy"));
     }
     return largest;
   };

@@ -81,7 +81,7 @@ TEST_CASE("Two shells under a load share a disc on which their pressure bears it
   for (const double load : {0.6, 1.0, 2.0}) {
     World world = pressedTogether(CellModel::shell, 3, load, 300, 2.1);
     comeToRest(world, 1e-5);
-    const double pressure = world.bodies->pressure[0], surface = measureCells(world)[0].area;
+    const double pressure = world.bodies->pressure[0], surface = measureCells(world)[0].at("area");
     const auto radius = [](double area) { return std::sqrt(area / std::numbers::pi); };
     const double expected = radius(load / (pressure + load / surface)), found = radius(pushedArea(world));
     CAPTURE(load, pressure, surface, expected, found);

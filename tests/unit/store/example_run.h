@@ -40,27 +40,37 @@ inline RunResults exampleResults() {
                cell("B", 1.0 / 3, 683, Fate::died, 9, 0.1 + 0.2, 700)};
   r.names = {{CellPath::parse("A"), "AB"}};
   Sample start, later;
-  start.world = {.time = 0, .step = 0, .cells = 1, .volume = 4.1887902047863905};
+  start.world["cells"] = 1;
+  start.world["volume"] = 4.1887902047863905;
   start.cells.resize(1);
   start.cells[0].state = 3;
-  start.cells[0].volume = *start.world.volume;
-  later.world = {.time = 0.1 + 0.2,
-                 .step = 700,
-                 .cells = 1,
-                 .volume = std::numeric_limits<double>::denorm_min(),
-                 .kineticEnergy = 1e308,
-                 .meanPressure = -std::numeric_limits<double>::infinity(),
-                 .shellFill = 0.85,
-                 .outermost = 0.9999999999999999};
-  later.cells = {{.path = CellPath::parse("A"),
-                  .state = 7,
-                  .volume = 1.0 / 3,
-                  .area = std::numeric_limits<double>::max(),
-                  .pressure = -1e-320,
-                  .centroid = {0.1, -0.2, 1e-17},
-                  .sphericity = 1,
-                  .neighbours = 1}};
-  later.contacts = {{CellPath::parse("A"), CellPath::parse("B"), 0.7}};
+  start.cells[0]["volume"] = start.world["volume"];
+  start.cells[0]["neighbours"] = 0;
+  later.world.time = 0.1 + 0.2;
+  later.world.step = 700;
+  for (const auto& [name, value] : {std::pair("cells", 1.0),
+                                    {"volume", std::numeric_limits<double>::denorm_min()},
+                                    {"kinetic_energy", 1e308},
+                                    {"mean_pressure", -std::numeric_limits<double>::infinity()},
+                                    {"shell_fill", 0.85},
+                                    {"outermost", 0.9999999999999999}})
+    later.world[name] = value;
+  CellMeasures& cell = later.cells.emplace_back();
+  cell.path = CellPath::parse("A");
+  cell.state = 7;
+  for (const auto& [name, value] : {std::pair("volume", 1.0 / 3),
+                                    {"area", std::numeric_limits<double>::max()},
+                                    {"pressure", -1e-320},
+                                    {"x", 0.1},
+                                    {"y", -0.2},
+                                    {"z", 1e-17},
+                                    {"sphericity", 1},
+                                    {"neighbours", 1}})
+    cell[name] = value;
+  ContactMeasures& contact = later.contacts.emplace_back();
+  contact.a = CellPath::parse("A");
+  contact.b = CellPath::parse("B");
+  contact["area"] = 0.7;
   r.samples = {start, later};
   r.connections = {{CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, 0.1 + 0.2, "died"},
                    {CellPath::parse("A"), CellPath::parse("B"), 1.0 / 3, -1, ""}};

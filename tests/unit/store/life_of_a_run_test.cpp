@@ -242,10 +242,10 @@ TEST_CASE("Bullet's cells are kept beside a run's own, replaced by later ones, a
   sample.world.time = 0.5;
   sample.cells.resize(1);
   sample.cells[0].path = CellPath::parse("AB");
-  sample.cells[0].volume = 3, sample.cells[0].area = 7;
+  sample.cells[0]["volume"] = 3, sample.cells[0]["area"] = 7;
   CHECK_THROWS_AS(store.putBulletSamples("none", "b1", {sample}), StoreError);
   store.putBulletSamples(id, "b3", {sample});
-  sample.cells[0].volume = 4;
+  sample.cells[0]["volume"] = 4;
   store.putBulletSamples(id, "b1", {sample});
   Database db(folder / "runs.db", Database::Mode::existing, std::chrono::seconds(1));
   Statement row(db, "SELECT time, path, baseline, volume, area FROM bullet_sample");

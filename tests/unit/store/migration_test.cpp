@@ -1,4 +1,5 @@
 // Files of earlier versions are brought up to date, and keep what they hold.
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -70,4 +71,37 @@ TEST_CASE("a file that was brought up to date has the tables of a new one") {
   Statement check(db, "PRAGMA integrity_check");
   REQUIRE(check.next());
   CHECK(check.text(0) == "ok");
+}
+
+TEST_CASE(
+    "a file without a measure's column is read as if it had not been measured, and gets it with the next "
+    "run") {
+  TemporaryFolder folder;
+  const auto file = folder / "runs.db";
+  std::string id;
+  {
+    Store store = Store::openForWriting(file);
+    id = store.begin(exampleRecord());
+    store.finish(id, exampleEnd(), exampleResults());
+  }
+  Store::openForWriting(folder / "new.db");
+  {
+    Database db(file, Database::Mode::existing, 1s);
+    for (const char* column : {"sample DROP COLUMN shell_fill", "cell_sample DROP COLUMN sphericity",
+                               "bullet_sample DROP COLUMN z"})
+      db.execute(std::string("ALTER TABLE ") + column);
+  }
+  {
+    const auto samples = Store::openForReading(file).results(id).samples;
+    CHECK_FALSE(samples[1].world["shell_fill"]);
+    CHECK_FALSE(samples[1].cells[0]["sphericity"]);
+    CHECK(samples[1].world["volume"] == exampleResults().samples[1].world["volume"]);
+    CHECK(samples[1].cells[0]["neighbours"] == 1);
+  }
+  Store store = Store::openForWriting(file);
+  store.finish(store.begin(exampleRecord()), exampleEnd(), exampleResults());
+  CHECK(store.results(id).samples[1].cells[0]["sphericity"] == 1);
+  auto now = columnsOf(file), fresh = columnsOf(folder / "new.db");
+  std::ranges::sort(now), std::ranges::sort(fresh);
+  CHECK(now == fresh);
 }

@@ -71,7 +71,7 @@ TEST_CASE("samples are taken at the multiples and at the end") {
   }
   CHECK(results.samples.back().world.step == run.world.clock.step);
   for (const Sample& s : results.samples) {
-    CHECK(s.cells.size() == s.world.cells);
+    CHECK(s.cells.size() == s.world.at("cells"));
     for (const CellMeasures& c : s.cells) CHECK(results.stateTexts.contains(c.state));
   }
 }
@@ -132,8 +132,8 @@ TEST_CASE("cells that take many steps at once are seen at the same steps, and ar
       REQUIRE(many.samples.size() == single.samples.size());
       for (std::size_t k = 0; k < many.samples.size(); ++k) {
         CHECK(many.samples[k].world.step == single.samples[k].world.step);
-        CHECK(many.samples[k].world.kineticEnergy == single.samples[k].world.kineticEnergy);
-        CHECK(many.samples[k].world.volume == single.samples[k].world.volume);
+        CHECK(many.samples[k].world["kinetic_energy"] == single.samples[k].world["kinetic_energy"]);
+        CHECK(many.samples[k].world["volume"] == single.samples[k].world["volume"]);
       }
     }
 }

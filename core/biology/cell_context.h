@@ -1,0 +1,47 @@
+#pragma once
+// What a cell is and touches at one instant, as its biology, its division and the measures may know it. The
+// world stands still meanwhile, so the order in which cells are asked cannot matter.
+#include <span>
+#include <string>
+
+#include "base/cell_path.h"
+#include "biology/state.h"
+
+namespace morula {
+
+class CellContext;
+class PhysicalUnit;
+struct DivisionRecord;
+
+/// A cell that touches another one.
+struct Neighbour {
+  const CellContext* cell;
+  double area;  // [length²] of the contact, as ContactArea
+};
+
+class CellContext {
+ public:
+  virtual ~CellContext() = default;
+
+  // Known of every cell, at no cost
+  CellPath path;
+  StateId state = 0;
+  double time = 0;       // [time] now
+  double lastCycle = 0;  // [time] when its last cell cycle was due, or its mother's at its birth
+  double born = 0;       // [time]
+  double age() const { return time - born; }
+
+  // Found when it is first asked for, and kept. Here: what a cell has of which nothing more is known.
+  /// Its substances, sorted by name, separated by single spaces.
+  virtual std::string substances() const { return {}; }
+  /// Its body; null in a lineage-only scene.
+  virtual const PhysicalUnit* physical() const { return nullptr; }
+  /// The cells that it touches, by path; none in a scene without contact.
+  virtual std::span<const Neighbour> neighbours() const { return {}; }
+  /// The other daughter of its mother, while she lives; else null.
+  virtual const CellContext* sister() const { return nullptr; }
+  /// How its mother was cut; null for a cell that no division made, and in a lineage-only scene.
+  virtual const DivisionRecord* motherDivision() const { return nullptr; }
+};
+
+}  // namespace morula

@@ -1,0 +1,151 @@
+#include "simulation/body_measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/measures.h"
+#include "mesh/overlap.h"
+
+namespace morula {
+
+namespace {
+
+constexpr double ballArea = 12.566370614359172;  // 4π, over the square of the radius
+
+/// Every edge once: in one of its two faces it runs upwards.
+double membraneEnergy(const Bodies& b, int slot) {
+  const Mesh& rest = b.meshOf(slot).mesh;
+  double sum = 0;
+  for (const Face& face : rest.faces)
+    for (int k = 0; k < 3; ++k) {
+      const int i = face[k], j = face[(k + 1) % 3];
+      if (i > j) continue;
+      const double length = norm(b.vertex(slot, i) - b.vertex(slot, j));
+      const double off = length - b.restScale[slot] * norm(rest.vertices[i] - rest.vertices[j]);
+      sum += off * off;
+    }
+  return 0.5 * b.parameters.membrane.stiffness * sum;
+}
+
+double contentsEnergy(const Bodies& b, int slot) {
+  const double k = b.pressureConstant[slot], outside = b.parameters.pressure.outside;
+  if (k == 0) return outside * b.volume[slot];
+  const double r = outside * b.volume[slot] / k;
+  return k * (r - 1 - std::log(r));
+}
+
+}  // namespace
+
+BodyShape measureShape(const Bodies& b, int slot) {
+  Mesh surface = takeSurface(b, slot);
+  if (b.areSpheres()) {
+    const double radius = b.parameters.cell.radius * b.restScale[slot];
+    return {std::move(surface), b.vertex(slot, 0), b.volume[slot], ballArea * radius * radius, {}, true};
+  }
+  const auto& [vertices, faces] = surface;
+  BodyShape shape{
+      {}, measureCentroid(vertices), measureVolume(vertices, faces), measureArea(vertices, faces), {}, false};
+  if (b.parameters.cell.model == CellModel::shell)
+    shape.pressure = b.pressureConstant[slot] / shape.volume - b.parameters.pressure.outside;
+  shape.surface = std::move(surface);
+  return shape;
+}
+
+double measureMeshVolume(const Bodies& b, int coarseness) {
+  const double r = b.parameters.cell.radius;
+  const Mesh& mesh = b.meshAt(coarseness).mesh;
+  return b.areSpheres() ? ballArea / 3 * (r * r * r) : measureVolume(mesh.vertices, mesh.faces);
+}
+
+double measureRestVolume(const Bodies& b, int slot, double meshVolume) {
+  const double contents = b.parameters.pressure.constant, scale = b.restScale[slot];
+  if (b.parameters.cell.model == CellModel::shell && contents > 0)
+    return meshVolume * (b.pressureConstant[slot] / contents);
+  return meshVolume * scale * scale * scale;
+}
+
+double measureRestVolume(const Bodies& b, int slot) {
+  return measureRestVolume(b, slot, measureMeshVolume(b, b.blocks[slot / blockLanes].coarseness));
+}
+
+double measureKineticEnergy(const Bodies& b, int slot) {
+  double sum = 0;
+  for (int v = 0; v < b.vertexCount(slot); ++v) {
+    const Vector u = b.read(b.velocity, slot, v);
+    sum += dot(u, u);
+  }
+  return 0.5 * b.vertexMass[slot] * sum;
+}
+
+double measureEnergy(const Bodies& b) {
+  double sum = 0;
+  for (int slot : b.slots)
+    sum += measureKineticEnergy(b, slot) + membraneEnergy(b, slot) + contentsEnergy(b, slot);
+  return sum;
+}
+
+Vector measureMomentum(const Bodies& b) {
+  Vector sum;
+  for (int slot : b.slots)
+    for (int v = 0; v < b.vertexCount(slot); ++v) sum += b.vertexMass[slot] * b.read(b.velocity, slot, v);
+  return sum;
+}
+
+double measureOutermost(const Bodies& b, int slot) {
+  const double* a = b.parameters.shell->semiAxes;
+  const double radius = b.parameters.cell.radius * b.restScale[slot];
+  if (b.areSpheres() && a[0] == a[1] && a[1] == a[2]) return (norm(b.vertex(slot, 0)) + radius) / a[0];
+  double outermost = 0;
+  for (Point p : takeSurface(b, slot).vertices) {
+    if (b.areSpheres()) {  // in the same direction, on the ball
+      const Point centre = b.vertex(slot, 0);
+      const Vector way = p - centre;
+      p = centre + (radius / norm(way)) * way;
+    }
+    const Vector q{p.x / a[0], p.y / a[1], p.z / a[2]};
+    outermost = std::max(outermost, dot(q, q));
+  }
+  return std::sqrt(outermost);
+}
+
+double measureExtent(const Bodies& b) {
+  double extent = 0;
+  for (int slot : b.slots) {
+    const double around = b.areSpheres() ? b.parameters.cell.radius * b.restScale[slot] : 0;
+    for (int v = 0; v < b.vertexCount(slot); ++v) {
+      const double here = norm(b.vertex(slot, v)) + around;
+      if (std::isnan(here)) return here;  // std::max would pass over it
+      extent = std::max(extent, here);
+    }
+  }
+  return extent;
+}
+
+double measureInvertedShare(const BodyShape& shape) {
+  const Point centre = measureCentroid(shape.surface.vertices);
+  double all = 0, inverted = 0;
+  for (const auto& [a, b, c] : shape.surface.faces) {
+    const Point& corner = shape.surface.vertices[a];
+    const Vector normal = cross(shape.surface.vertices[b] - corner, shape.surface.vertices[c] - corner);
+    const double size = norm(normal);
+    all += size;
+    if (dot(normal, corner - centre) < 0) inverted += size;
+  }
+  return all > 0 ? inverted / all : 1;
+}
+
+double measureShellVolume(const Bodies& b) {
+  const double* a = b.parameters.shell->semiAxes;
+  return ballArea / 3 * a[0] * a[1] * a[2];
+}
+
+double measureMeanOverlap(const Bodies& b, int columns) {
+  if (b.count == 0) return 0;
+  std::vector<Mesh> surfaces;
+  for (int slot : b.slots) surfaces.push_back(takeSurface(b, slot));
+  std::vector<MeshView> meshes;
+  for (const Mesh& surface : surfaces) meshes.push_back({surface.vertices, surface.faces});
+  return measureOverlap(meshes, columns).meanShare();
+}
+
+}  // namespace morula

@@ -1,0 +1,40 @@
+#pragma once
+// What is measured of bodies, without asking how they came to be as they are. `slot`: Bodies::slots.
+#include "biology/physical_unit.h"
+#include "physics/bodies.h"
+
+namespace morula {
+
+BodyShape measureShape(const Bodies& bodies, int slot);
+
+/// [length³] Of one of the scene's meshes at rest, at rest scale 1; of a sphere the ball's.
+double measureMeshVolume(const Bodies& bodies, int coarseness);
+/// [length³] PhysicalUnit::getRestVolume; `meshVolume`: measureMeshVolume of its mesh.
+double measureRestVolume(const Bodies& bodies, int slot, double meshVolume);
+double measureRestVolume(const Bodies& bodies, int slot);
+
+/// [force·length] ½ Σ m v² over a cell's vertices.
+double measureKineticEnergy(const Bodies& bodies, int slot);
+/// [force·length] Of all cells: ½mv², ½k_s(l−l₀)² of every edge, and of the contents k_p (r − 1 − ln r) with
+/// r = P₀V/k_p: nothing where they are at rest. Not what contacts hold, nor connections.
+double measureEnergy(const Bodies& bodies);
+/// [mass·length/time] Of all cells.
+Vector measureMomentum(const Bodies& bodies);
+
+/// [shell radii] How far out a cell reaches: 1 on the shell, which there must be. A sphere's is that of the
+/// ball itself: the mesh that it is drawn with holds its volume, so that its vertices stand farther out.
+double measureOutermost(const Bodies& bodies, int slot);
+/// [length] The farthest that a vertex, or a ball's surface, is from the origin. NaN if a place is no number.
+double measureExtent(const Bodies& bodies);
+
+/// [1] Share of a surface's area whose outer side is turned to the mean of its vertices.
+double measureInvertedShare(const BodyShape& shape);
+
+/// [length³] What the scene's shell encloses.
+double measureShellVolume(const Bodies& bodies);
+
+/// [1] Mean over the cells of the share of a cell's volume that lies in another cell too, by scan lines
+/// through a grid of `columns` × `columns` columns; O(cells · faces).
+double measureMeanOverlap(const Bodies& bodies, int columns = 256);
+
+}  // namespace morula

@@ -1,0 +1,106 @@
+#pragma once
+// A world at one instant, as those who decide and those who measure see it. Made for a moment in which the
+// world stands still; what is asked for is measured once, and what nobody asks for is not measured. For one
+// thread at a time.
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "biology/cell_context.h"
+#include "biology/physical_unit.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+class ObservedCell;
+
+class Observation {
+ public:
+  /// `time` [time]: what cells take for now; it may lie a little before the clock's, where a step is longer
+  /// than the way to a cell cycle. The world outlives it.
+  Observation(const World& world, double time);
+  explicit Observation(const World& world);
+  Observation(const Observation&) = delete;
+  Observation& operator=(const Observation&) = delete;
+  ~Observation();
+
+  const World& world;
+  const double time;
+
+  /// A living cell by its number, as others see it: kept as long as this. For a look at each cell in turn, an
+  /// ObservedCell of one's own keeps no more than one cell's shape at a time.
+  const CellContext& cell(int number) const;
+
+  /// Cells that touch, by (a, b); none without contact.
+  const std::vector<ContactArea>& contacts() const;
+  struct Contact {
+    int cell;     // the other one
+    double area;  // [length²]
+  };
+  /// Those of one cell, by the other's number.
+  std::span<const Contact> contactsOf(int number) const;
+
+  /// [length³] Of one of the scene's meshes at rest, at rest scale 1.
+  double meshVolume(int coarseness) const;
+  /// Null if no division made daughters of this cell.
+  const DivisionRecord* divisionOf(const CellPath& mother) const;
+
+  /// How often something was measured, so far.
+  struct Counts {
+    int shapes = 0, contacts = 0;
+    friend bool operator==(const Counts&, const Counts&) = default;
+  };
+  const Counts& measured() const { return measured_; }
+
+ private:
+  friend class BodyUnit;
+  mutable Counts measured_;
+  mutable std::vector<std::unique_ptr<ObservedCell>> cells_;
+  mutable std::optional<std::vector<ContactArea>> contacts_;
+  mutable std::vector<int> firstContact_;  // [cell + 1] into contactsByCell_
+  mutable std::vector<Contact> contactsByCell_;
+  mutable std::vector<double> meshVolumes_;            // [coarseness]
+  mutable std::vector<std::uint32_t> divisionByPath_;  // places in world.divisions
+};
+
+/// A body as an observation sees it.
+class BodyUnit final : public PhysicalUnit {
+ public:
+  BodyUnit(const Observation& observation, int slot);
+  double getMass() const override { return bodies_.mass(slot_); }
+  double getVolume() const override { return bodies_.volume[slot_]; }
+  double getPressure() const override { return bodies_.pressure[slot_]; }
+  double getRestVolume() const override;
+  double getMeshVolume() const override;
+  const BodyShape& getShape() const override;
+
+ private:
+  const Observation& observation_;
+  const Bodies& bodies_;
+  int slot_;
+  mutable std::optional<BodyShape> shape_;
+};
+
+/// One of an observation's cells.
+class ObservedCell final : public CellContext {
+ public:
+  ObservedCell(const Observation& observation, int number);
+  std::string substances() const override;
+  const PhysicalUnit* physical() const override;
+  std::span<const Neighbour> neighbours() const override;
+  const CellContext* sister() const override;
+  const DivisionRecord* motherDivision() const override;
+
+  /// Its number among the living, and where its body is, if it has one.
+  int number() const { return number_; }
+  int slot() const { return observation_.world.bodies->slots[number_]; }
+
+ private:
+  const Observation& observation_;
+  int number_;
+  mutable std::optional<BodyUnit> body_;
+  mutable std::optional<std::vector<Neighbour>> neighbours_;
+};
+
+}  // namespace morula
