@@ -16,10 +16,10 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
 #include "cli/simulate.h"
 #include "cli/verb.h"
 #include "files/folders.h"
+#include "pictures/pictures.h"
 #include "process/child_process.h"
 #include "simulation/world.h"
 

@@ -14,9 +14,9 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
 #include "cli/verb.h"
 #include "files/folders.h"
+#include "pictures/pictures.h"
 #include "store/machine_info.h"
 
 namespace morula::cli {

@@ -7,11 +7,11 @@
 #include "base/hash.h"
 #include "baseline/worker.h"
 #include "cli/console.h"
-#include "cli/pictures.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
+#include "pictures/pictures.h"
 #include "simulation/world.h"
 #include "store/build_info.h"
 

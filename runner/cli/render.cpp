@@ -8,10 +8,10 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
 #include "cli/simulate.h"
 #include "cli/stored.h"
 #include "cli/verb.h"
+#include "pictures/pictures.h"
 
 namespace morula::cli {
 
