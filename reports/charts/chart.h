@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/canvas.h"
-#include "image/image.h"
+#include "drawing/axis.h"
 
 namespace morula {
 
@@ -24,16 +23,14 @@ struct ChartMark {
 };
 
 struct Chart {
-  enum class Scale { powersOfTwo, decades };
   std::string title, caption, xLabel, yLabel;
   std::vector<ChartLine> lines;
   std::vector<ChartMark> marks;
-  Scale xScale = Scale::powersOfTwo;
-  int width = 1100, height = 760;
+  Axis::Scale xScale = Axis::Scale::powersOfTwo;
+  int width = 1100, height = 760;  // [pixel]
 };
 
-/// y runs over 1, 2, 5, 10, …, or over powers of ten alone where there are many; so does x on decades. Each
-/// line's label stands at its right end.
-Image drawChart(const Chart& chart);
+/// y is on decades. Each line's label stands at its right end. Without points: the words alone.
+Drawing drawChart(const Chart& chart);
 
 }  // namespace morula

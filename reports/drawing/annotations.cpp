@@ -1,14 +1,11 @@
 #include "drawing/annotations.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "drawing/text.h"
+#include "drawing/palette.h"
 
 namespace morula {
 namespace {
-
-constexpr Colour titleInk{0x1b, 0x1f, 0x24}, captionInk{0x5c, 0x63, 0x6b};
 
 struct LegendPlace {
   double x;
@@ -36,12 +33,6 @@ std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, dou
   return places;
 }
 
-void drawSwatch(Image& image, double x, double y, double side, Colour colour) {
-  const int left = int(std::lround(x)), top = int(std::lround(y)),
-            length = std::max(3, int(std::lround(side)));
-  paste(image, Image(length, length, colour), left, top);
-}
-
 }  // namespace
 
 double textSizeFor(int width, int height) { return std::clamp(std::min(width, height) / 56.0, 10.0, 40.0); }
@@ -59,29 +50,29 @@ Bands bandsFor(const Annotations& annotations, int width, int height) {
   return {int(std::min(top, height / 4.0)), int(std::min(bottom, height / 4.0))};
 }
 
-void annotate(Image& image, const Annotations& annotations) {
-  const double size = textSizeFor(image.width, image.height), left = 1.5 * size;
-  const Bands bands = bandsFor(annotations, image.width, image.height);
-  const double room = image.width - 2 * left;
+void annotate(Drawing& drawing, const Annotations& annotations) {
+  const double size = textSizeFor(drawing.width(), drawing.height()), left = 1.5 * size;
+  const Bands bands = bandsFor(annotations, drawing.width(), drawing.height());
+  const double room = drawing.width() - 2 * left;
   double y = 0.9 * size;
   if (!annotations.title.empty()) {
-    const TextStyle style{.size = 1.45 * size, .colour = titleInk, .bold = true};
-    drawText(image, left, y += 1.5 * size, shortened(annotations.title, style, room), style);
+    const TextStyle style{.size = 1.45 * size, .colour = ink, .bold = true};
+    drawing.text({left, y += 1.5 * size}, shortened(annotations.title, style, room), style);
     y += 0.5 * size;
   }
   if (!annotations.caption.empty()) {
-    const TextStyle style{.size = size, .colour = captionInk};
-    drawText(image, left, y + size, shortened(annotations.caption, style, room), style);
+    const TextStyle style{.size = size, .colour = quietInk};
+    drawing.text({left, y + size}, shortened(annotations.caption, style, room), style);
   }
   if (annotations.legend.empty()) return;
   const auto places = placeLegend(annotations.legend, size, room);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double x = left + places[i].x;
-    const double baseline = image.height - bands.bottom + (places[i].row + 1) * 1.6 * size;
-    if (baseline > image.height) break;
-    drawSwatch(image, x, baseline - 0.78 * size, swatch(size), annotations.legend[i].colour);
-    drawText(image, x + swatch(size) + 0.45 * size, baseline, legendText(annotations.legend[i], size, room),
-             {.size = size, .colour = captionInk});
+    const double baseline = drawing.height() - bands.bottom + (places[i].row + 1) * 1.6 * size;
+    if (baseline > drawing.height()) break;
+    drawing.box({x, baseline - 0.78 * size}, swatch(size), swatch(size), annotations.legend[i].colour);
+    drawing.text({x + swatch(size) + 0.45 * size, baseline}, legendText(annotations.legend[i], size, room),
+                 {.size = size, .colour = quietInk});
   }
 }
 

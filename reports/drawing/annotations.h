@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "image/image.h"
+#include "drawing/drawing.h"
 
 namespace morula {
 
@@ -13,7 +13,7 @@ struct LegendEntry {
 };
 
 struct Annotations {
-  std::string title, caption;
+  std::string title, caption;  // UTF-8, one line each
   std::vector<LegendEntry> legend;
 };
 
@@ -25,8 +25,8 @@ struct Bands {
 /// middle loses more than half of the height.
 Bands bandsFor(const Annotations& annotations, int width, int height);
 
-/// Draws the words into the bands of an image.
-void annotate(Image& image, const Annotations& annotations);
+/// Draws the words into the bands of a drawing.
+void annotate(Drawing& drawing, const Annotations& annotations);
 
 /// [pixel] of ordinary text on a picture of this size.
 double textSizeFor(int width, int height);

@@ -1,177 +1,131 @@
 #include "drawing/text.h"
 
-#include <ft2build.h>
+#include <cairo-ft.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <vector>
-#include FT_FREETYPE_H
-#include FT_OUTLINE_H
+#include <array>
+#include <memory>
+#include <numbers>
 
-#include "files/folders.h"
+#include "base/utf8.h"
+#include "drawing/cairo.h"
 
 namespace morula {
 namespace {
 
-/// One thread's fonts: FreeType's objects are not to be shared between threads.
-class Typefaces {
- public:
-  Typefaces() {
-    if (FT_Init_FreeType(&library_)) return;
-    for (const bool bold : {false, true}) {
-      const std::string file = findFont(bold);
-      if (!file.empty() && FT_New_Face(library_, file.c_str(), 0, &faces_[bold])) faces_[bold] = nullptr;
-    }
-  }
-  ~Typefaces() {
-    if (library_) FT_Done_FreeType(library_);  // takes the faces with it
-  }
-  Typefaces(const Typefaces&) = delete;
-  Typefaces& operator=(const Typefaces&) = delete;
+using Face = CairoPointer<cairo_font_face_t, cairo_font_face_destroy>;
+using ScaledFont = CairoPointer<cairo_scaled_font_t, cairo_scaled_font_destroy>;
+using FontOptions = CairoPointer<cairo_font_options_t, cairo_font_options_destroy>;
 
-  /// At the style's size; null if there is no font.
-  FT_Face of(const TextStyle& style) const {
-    const FT_Face face = style.bold && faces_[1] ? faces_[1] : faces_[0];
-    if (!face || FT_Set_Char_Size(face, 0, FT_F26Dot6(std::lround(style.size * 64)), 72, 72)) return nullptr;
-    return face;
-  }
+const cairo_font_options_t* unhinted() {
+  static const FontOptions options = [] {
+    FontOptions o(cairo_font_options_create());
+    cairo_font_options_set_hint_style(o.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(o.get(), CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(o.get(), CAIRO_ANTIALIAS_GRAY);
+    return o;
+  }();
+  return options.get();
+}
 
- private:
-  FT_Library library_ = nullptr;
-  FT_Face faces_[2] = {nullptr, nullptr};
+ScaledFont scaled(cairo_font_face_t* face, double size) {
+  cairo_matrix_t asIs, sized;
+  cairo_matrix_init_identity(&asIs);
+  cairo_matrix_init_scale(&sized, size, size);
+  return ScaledFont(cairo_scaled_font_create(face, &sized, &asIs, unhinted()));
+}
+
+/// The font's file where systems keep it: by name fontconfig would read its settings, and perhaps write a
+/// cache into the user's home directory.
+Face findFace(bool bold) {
+  for (const std::string folder : {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/",
+                                   "/usr/share/fonts/dejavu/", "/usr/share/fonts/TTF/",
+                                   "/usr/share/fonts/ttf-dejavu/", "/usr/local/share/fonts/dejavu/"}) {
+    const std::string file = folder + (bold ? "DejaVuSans-Bold.ttf" : "DejaVuSans.ttf");
+    FcPattern* pattern = FcPatternCreate();
+    FcPatternAddString(pattern, FC_FILE, reinterpret_cast<const FcChar8*>(file.c_str()));
+    Face face(cairo_ft_font_face_create_for_pattern(pattern));
+    FcPatternDestroy(pattern);
+    if (cairo_scaled_font_status(scaled(face.get(), 10).get()) == CAIRO_STATUS_SUCCESS) return face;
+  }
+  return Face(cairo_toy_font_face_create("sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL));
+}
+
+cairo_font_face_t* face(bool bold) {
+  static const std::array<Face, 2> faces{findFace(false), findFace(true)};
+  return faces[bold].get();
+}
+
+struct Letters {
+  std::string text;                 // valid UTF-8 without NUL
+  std::vector<std::size_t> starts;  // of its letters in `text`, and its end
 };
 
-const Typefaces& typefaces() {
-  static thread_local const Typefaces mine;
-  return mine;
-}
-
-/// Takes the first character off a text that is not empty; what is not UTF-8 is U+FFFD, a byte at a time.
-char32_t takeUtf8(std::string_view& text) {
-  const unsigned char lead = text[0];
-  const std::size_t length = lead < 0x80       ? 1
-                             : lead >> 5 == 6  ? 2
-                             : lead >> 4 == 14 ? 3
-                             : lead >> 3 == 30 ? 4
-                                               : 0;
-  char32_t code = length == 1 ? lead : lead & (0x7F >> length);
-  bool good = length > 0 && length <= text.size();
-  for (std::size_t k = 1; good && k < length; ++k) {
-    const unsigned char next = text[k];
-    good = next >> 6 == 2;
-    code = code << 6 | (next & 0x3F);
+/// What is not UTF-8 is U+FFFD, a byte at a time.
+Letters lettersOf(std::string_view text) {
+  Letters letters;
+  while (!text.empty() && letters.starts.size() < mostLetters) {
+    const int length = text[0] == 0 ? 0 : utf8Length(text);
+    letters.starts.push_back(letters.text.size());
+    letters.text += length > 0 ? text.substr(0, length) : "\uFFFD";
+    text.remove_prefix(std::max(1, length));
   }
-  text.remove_prefix(good ? length : 1);
-  return good ? code : U'\uFFFD';
+  letters.starts.push_back(letters.text.size());
+  return letters;
 }
 
-/// Calls `visit(pen position)` with each glyph loaded and `after(pen position behind it)`, which says whether
-/// to go on; returns where the line ends. Unhinted, so that text scales evenly.
-template <class Visit, class After>
-double walk(FT_Face face, std::string_view& text, const Visit& visit, const After& after) {
-  double pen = 0;
-  FT_UInt previous = 0;
-  while (!text.empty()) {
-    const FT_UInt glyph = FT_Get_Char_Index(face, takeUtf8(text));
-    FT_Vector kern{};
-    if (previous && glyph && !FT_Get_Kerning(face, previous, glyph, FT_KERNING_UNFITTED, &kern))
-      pen += kern.x / 64.0;
-    if (FT_Load_Glyph(face, glyph, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP)) continue;
-    const double advance = face->glyph->linearHoriAdvance / 65536.0;
-    visit(pen);
-    pen += advance;
-    previous = glyph;
-    if (!after(pen)) break;
-  }
-  return pen;
-}
+constexpr const char* ellipsis = "…";
 
-constexpr auto always = [](double) { return true; };
-
-void blend(Colour& under, Colour over, int cover) {
-  const auto mix = [cover](std::uint8_t a, std::uint8_t b) {
-    return std::uint8_t((a * (255 - cover) + b * cover + 127) / 255);
-  };
-  under = {mix(under.r, over.r), mix(under.g, over.g), mix(under.b, over.b)};
-}
-
-/// Draws the glyph that is loaded, its origin at (x, y); fractions of a pixel count.
-void stamp(Image& image, FT_GlyphSlot slot, double x, double y, const TextStyle& style) {
-  const int left = int(std::floor(x)), top = int(std::ceil(y));
-  if (style.upward) {
-    const FT_Matrix turn{0, -0x10000, 0x10000, 0};
-    FT_Outline_Transform(&slot->outline, &turn);
-  }
-  FT_Outline_Translate(&slot->outline, FT_Pos(std::lround((x - left) * 64)),
-                       FT_Pos(std::lround((top - y) * 64)));
-  if (FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL)) return;
-  const FT_Bitmap& bitmap = slot->bitmap;
-  for (int row = 0; row < int(bitmap.rows); ++row)
-    for (int column = 0; column < int(bitmap.width); ++column) {
-      const int px = left + slot->bitmap_left + column, py = top - slot->bitmap_top + row;
-      if (px < 0 || py < 0 || px >= image.width || py >= image.height) continue;
-      blend(image.at(px, py), style.colour, bitmap.buffer[row * bitmap.pitch + column]);
-    }
+/// [pixel] Where each letter begins, and where the last one ends.
+std::vector<double> edgesOf(const Letters& letters, const TextStyle& style) {
+  const ScaledFont font = scaled(face(style.bold), style.size);
+  cairo_glyph_t* glyphs = nullptr;
+  int count = 0;
+  const std::string text = letters.text + ellipsis;  // begins where the text ends
+  const auto status = cairo_scaled_font_text_to_glyphs(font.get(), 0, 0, text.data(), int(text.size()),
+                                                       &glyphs, &count, nullptr, nullptr, nullptr);
+  const std::unique_ptr<cairo_glyph_t, decltype(&cairo_glyph_free)> owned(glyphs, cairo_glyph_free);
+  requireSuccess(status);
+  std::vector<double> edges;
+  for (int i = 0; i < count; ++i) edges.push_back(glyphs[i].x);
+  return edges;
 }
 
 }  // namespace
 
-std::string findFont(bool bold) {
-  const std::string name = bold ? "DejaVuSans-Bold.ttf" : "DejaVuSans.ttf";
-  for (const char* folder : {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/",
-                             "/usr/share/fonts/dejavu/", "/usr/share/fonts/TTF/",
-                             "/usr/share/fonts/ttf-dejavu/", "/usr/local/share/fonts/dejavu/"}) {
-    if (fileExists(folder + name)) return folder + name;
-  }
-  return "";
-}
-
 double textWidth(std::string_view text, const TextStyle& style) {
-  const FT_Face face = typefaces().of(style);
-  return face ? walk(
-                    face, text, [](double) {}, always)
-              : 0;
-}
-
-void drawText(Image& image, double x, double y, std::string_view text, const TextStyle& style) {
-  const FT_Face face = typefaces().of(style);
-  if (!face) return;
-  double back = 0;
-  if (style.anchor != Anchor::left)
-    back = textWidth(text, style) * (style.anchor == Anchor::centre ? 0.5 : 1);
-  walk(
-      face, text,
-      [&](double pen) {
-        const double along = pen - back;
-        stamp(image, face->glyph, style.upward ? x : x + along, style.upward ? y - along : y, style);
-      },
-      always);
-}
-
-std::string_view beginningWiderThan(std::string_view text, const TextStyle& style, double width) {
-  const FT_Face face = typefaces().of(style);
-  if (!face) return text;
-  // An em more than asked for: the next letter may stand closer to the last one, never by so much.
-  std::string_view rest = text;
-  walk(
-      face, rest, [](double) {}, [&](double pen) { return pen <= width + style.size; });
-  return text.substr(0, text.size() - rest.size());
+  return edgesOf(lettersOf(text), style).back();
 }
 
 std::string shortened(std::string_view text, const TextStyle& style, double width) {
-  const std::string_view beginning = beginningWiderThan(text, style, width);
-  if (beginning.size() == text.size() && textWidth(text, style) <= width) return std::string(text);
-  text = beginning;  // from here down there are as many letters as fit into the width, and a few more
-  while (!text.empty()) {
-    std::size_t end = text.size() - 1;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-      --end;  // not inside a character
-    text = text.substr(0, end);
-    const std::string candidate = std::string(text) + "…";
-    if (!text.empty() && textWidth(candidate, style) <= width) return candidate;
-  }
-  return "";
+  const Letters letters = lettersOf(text);
+  const std::vector<double> edges = edgesOf(letters, style);
+  if (edges.back() <= width && letters.starts.size() <= mostLetters) return letters.text;
+  const double dots = textWidth(ellipsis, style);
+  std::size_t kept = edges.size() - 1;
+  while (kept > 0 && !(edges[kept] + dots <= width)) --kept;
+  return kept == 0 ? "" : letters.text.substr(0, letters.starts[kept]) + ellipsis;
+}
+
+void showText(cairo_t* target, double x, double y, const std::string& text, const TextStyle& style) {
+  const std::string shown = lettersOf(text).text;
+  const double back =
+      style.anchor == Anchor::left ? 0 : textWidth(shown, style) * (style.anchor == Anchor::centre ? 0.5 : 1);
+  cairo_save(target);
+  cairo_translate(target, x, y);
+  if (style.upward) cairo_rotate(target, -std::numbers::pi / 2);
+  cairo_move_to(target, -back, 0);
+  cairo_set_font_face(target, face(style.bold));
+  cairo_set_font_options(target, unhinted());
+  cairo_set_font_size(target, style.size);
+  setColour(target, style.colour);
+  if (cairo_surface_get_type(cairo_get_target(target)) == CAIRO_SURFACE_TYPE_IMAGE) {
+    // As shapes: glyphs would be moved to whole pixels, and letters stand unevenly.
+    cairo_text_path(target, shown.c_str());
+    cairo_fill(target);
+  } else cairo_show_text(target, shown.c_str());
+  cairo_restore(target);
 }
 
 }  // namespace morula

@@ -1,9 +1,14 @@
 #pragma once
-// Words in pictures (the only user of FreeType). Without a font there are no words, and nothing else changes.
+// Words in drawings: how wide they are and how they are shortened. The font is DejaVu Sans, or without it
+// whatever the system calls sans-serif. Letters are not hinted, so that text scales evenly; there is no
+// kerning.
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "image/image.h"
+#include "image/colour.h"
+
+typedef struct _cairo cairo_t;
 
 namespace morula {
 
@@ -17,22 +22,17 @@ struct TextStyle {
   bool upward = false;  // reads from bottom to top
 };
 
-/// Draws UTF-8 text on one line with its baseline through (x, y) [pixel from the top left]. Bytes that are
-/// not UTF-8 appear as U+FFFD. What falls outside the image is cut off.
-void drawText(Image& image, double x, double y, std::string_view text, const TextStyle& style);
+/// Of a text, however long it is, no more than this is looked at: no picture has room for it.
+inline constexpr std::size_t mostLetters = 8192;
 
-/// How far the text runs. [pixel] 0 without a font.
+/// How far the text runs. [pixel]
 double textWidth(std::string_view text, const TextStyle& style);
 
-/// So many of its letters that they run a little farther than `width` pixels, or all: what there is to
-/// measure of a text, however long it is.
-std::string_view beginningWiderThan(std::string_view text, const TextStyle& style, double width);
-
-/// The text, shortened with an ellipsis if it would run farther than `width` pixels; empty if not even that
-/// fits.
+/// The text, shortened with an ellipsis to the most letters that fit if it would run farther than `width`
+/// pixels; empty if not even one and the ellipsis fit.
 std::string shortened(std::string_view text, const TextStyle& style, double width);
 
-/// The file of DejaVu Sans, from the places where systems keep it; "" if it is not there.
-std::string findFont(bool bold);
+/// For drawing.cpp: the text with its baseline through (x, y).
+void showText(cairo_t* target, double x, double y, const std::string& text, const TextStyle& style);
 
 }  // namespace morula

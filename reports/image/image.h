@@ -1,12 +1,14 @@
 #pragma once
-// Pictures in memory and on disk.
+// Pictures as pixels, in memory.
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "image/colour.h"
 
 namespace morula {
+
+/// Throws InputError unless both sides of a picture are 1 to 16384 pixels.
+void checkSides(int width, int height);
 
 /// Opaque pixels, row by row from the top left.
 struct Image {
@@ -14,7 +16,7 @@ struct Image {
   std::vector<Colour> pixels;
 
   Image() = default;
-  /// Throws InputError unless both sides are 1 to 16384.
+  /// Throws InputError as checkSides does.
   Image(int width, int height, Colour fill);
 
   Colour& at(int x, int y) { return pixels[std::size_t(y) * width + x]; }
@@ -24,22 +26,5 @@ struct Image {
 
 /// What pictures are drawn on: near white, so that light cells still stand out against it.
 inline constexpr Colour paper{0xfa, 0xfa, 0xf8};
-
-/// Copies `source` into `target` with its top left corner at (x, y); what falls outside is cut off.
-void paste(Image& target, const Image& source, int x, int y);
-
-/// All images as tiles in rows of `columns` (0: as square as possible), with a gap of `gap` pixels. Tiles are
-/// as large as the largest image; smaller ones stand centred. Throws InputError for no image.
-Image contactSheet(const std::vector<Image>& images, int columns = 0, int gap = 8);
-
-/// Writes an 8-bit RGB PNG, which says that Morula made it. Equal images give equal files on one libpng.
-/// Replaces a picture, but no file of another kind. Throws FileError; no half-written file stays.
-void writePng(const Image& image, const std::string& file);
-
-/// True for a PNG that writePng wrote, by what it says of itself.
-bool isOwnPng(const std::string& file);
-
-/// Reads any PNG as opaque 8-bit RGB (transparent parts over white). Throws FileError.
-Image readPng(const std::string& file);
 
 }  // namespace morula

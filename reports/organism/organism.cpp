@@ -110,13 +110,13 @@ Image compose(const OrganismPicture& picture, const std::vector<Style>& styles) 
   const int width = picture.width * int(styles.size()), height = sceneHeight(picture, width);
   const Framing framing =
       picture.camera.framing ? *picture.camera.framing : framingOf(extent(picture), picture, width);
-  Image image(width, picture.height, paper);
+  Drawing drawing(width, picture.height);
   const int top = bandsFor(wordsOf(picture), width, picture.height).top;
   for (std::size_t i = 0; i < styles.size(); ++i)
-    paste(image, rendererOfThisThread().draw(picture, styles[i], framing, picture.width, height),
-          picture.width * int(i), top);
-  annotate(image, wordsOf(picture));
-  return image;
+    drawing.image(picture.width * int(i), top,
+                  rendererOfThisThread().draw(picture, styles[i], framing, picture.width, height));
+  annotate(drawing, wordsOf(picture));
+  return drawing.pixels();
 }
 
 }  // namespace

@@ -30,6 +30,6 @@ inline constexpr std::size_t maxLabelledLeaves = 40;
 
 /// Throws InputError for sizes out of range, paths with other letters than A and B, a path that appears
 /// twice, and times that are not finite or run backward.
-Image drawLineage(const TreePicture& picture);
+Drawing drawLineage(const TreePicture& picture);
 
 }  // namespace morula

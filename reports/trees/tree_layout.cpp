@@ -60,17 +60,4 @@ TreeLayout layoutTree(const std::vector<LineageNode>& nodes) {
   return layout;
 }
 
-std::vector<double> axisTicks(double low, double high, int wanted) {
-  if (!(high > low) || wanted < 1) return {low};
-  const double rough = (high - low) / wanted;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  double step = 10 * power;
-  for (const double factor : {5.0, 2.0, 1.0})
-    if (factor * power >= rough * (1 - 1e-9)) step = factor * power;
-  std::vector<double> ticks;
-  const double first = std::ceil(low / step - 1e-9);
-  for (int i = 0; (first + i) * step <= high + 1e-9 * (high - low); ++i) ticks.push_back((first + i) * step);
-  return ticks;
-}
-
 }  // namespace morula

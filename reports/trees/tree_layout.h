@@ -29,7 +29,4 @@ struct TreeLayout {
 /// does.
 TreeLayout layoutTree(const std::vector<LineageNode>& nodes);
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) from low to high, about `wanted` of them.
-std::vector<double> axisTicks(double low, double high, int wanted);
-
 }  // namespace morula

@@ -72,8 +72,7 @@ void putPending(const Scenario& scenario, const Simulation& run, const GoldenDat
     tell(std::string(error.what()) + "; the result is not kept for a review", quiet);
     return;
   }
-  if (run.world.bodies)
-    writePng(drawOrganism(pictureOf(run.world, scenario)), pendingPicture(scenario).string());
+  if (run.world.bodies) writePicture(drawOrganism(pictureOf(run.world, scenario)), pendingPicture(scenario));
   tell("kept for `morula review`: " + file.string(), quiet);
 }
 

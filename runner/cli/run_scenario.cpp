@@ -68,7 +68,7 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
   if (!settings.draw) return;
   const FolderLock lock(settings.folder);
   outcome.pictures.push_back((settings.folder / "bullet.png").string());
-  writePng(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
+  writePicture(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
 }
 
 /// Where the longest extent decides, and hardly differs from the next one.

@@ -7,6 +7,8 @@
 #include "base/error.h"
 #include "base/multiples.h"
 #include "files/folders.h"
+#include "files/read_file.h"
+#include "files/write_file.h"
 #include "pictures/frame_file.h"
 #include "simulation/measures.h"
 
@@ -80,20 +82,29 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
   return picture;
 }
 
-TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
+TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
+                             const std::function<std::string(StateId)>& describe, double end,
+                             const Scenario& scenario) {
   Palette palette(scenario);
   TreePicture picture;
-  for (const auto& entry : world.lineage.entries) {
-    const auto substances = world.biology->describe(entry.state);
-    picture.nodes.push_back({entry.path.text(), entry.born,
-                             entry.fate == Fate::alive ? world.clock.time : entry.ended, entry.fate,
+  std::size_t alive = 0;
+  for (const auto& cell : cells) {
+    const auto substances = describe(cell.state);
+    const bool lives = cell.fate == Fate::alive;
+    alive += lives;
+    picture.nodes.push_back({cell.path.text(), cell.born, lives ? end : cell.ended, cell.fate,
                              palette.colourOf(substances), substances});
   }
   picture.title = scenario.scene.name;
-  picture.caption = fmt::format("{} cells, {} of them alive at time {:.4g}", world.lineage.entries.size(),
-                                world.cells.path.size(), world.clock.time);
+  picture.caption = fmt::format("{} cells, {} of them alive at time {:.4g}", cells.size(), alive, end);
   picture.legend = palette.legend();
   return picture;
+}
+
+TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
+  return lineagePictureOf(
+      world.lineage.entries, [&](StateId state) { return world.biology->describe(state); }, world.clock.time,
+      scenario);
 }
 
 void FrameCollector::observe(const World& world) {
@@ -124,18 +135,35 @@ std::optional<std::size_t> frameNumber(const fs::path& name) {
 void removeFramesFrom(const fs::path& folder, std::size_t first) {
   for (const fs::path& name : namesIn(folder)) {
     const auto number = frameNumber(name);
-    if (number && *number >= first && isOwnPng(folder / name)) removeFile(folder / name);
+    if (number && *number >= first && isOwnPng(readHead(folder / name, 64))) removeFile(folder / name);
   }
 }
 
 }  // namespace
 
+void writePicture(const Drawing& drawing, const fs::path& file) {
+  writeFile(file, drawing.file(pictureFormat(file).value()), Content::picture);
+}
+
+void writePicture(const Image& image, const fs::path& file) {
+  writeFile(file, pngFile(image), Content::picture);
+}
+
+std::optional<PictureFormat> pictureFormat(const fs::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (ending == ".svg") return PictureFormat::svg;
+  if (ending == ".pdf") return PictureFormat::pdf;
+  return ending.empty() || ending == ".png" ? std::optional(PictureFormat::png) : std::nullopt;
+}
+
 std::vector<std::string> writePictures(const World& world, const Scenario& scenario,
                                        FrameCollector& collector, const fs::path& folder) {
   std::vector<std::string> files;
-  const auto write = [&](const Image& image, const fs::path& name) {
+  const auto write = [&](const auto& picture, const fs::path& name) {
     files.push_back((folder / name).string());
-    writePng(image, files.back());
+    writePicture(picture, files.back());
   };
   if (world.bodies) {
     const auto picture = pictureOf(world, scenario);

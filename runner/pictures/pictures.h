@@ -1,7 +1,9 @@
 #pragma once
 // From worlds to pictures: which colour a cell has, what stands beside it, which files are written.
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,11 @@ class Palette {
 
 /// The organism as it is now. The world has bodies.
 OrganismPicture pictureOf(const World& world, const Scenario& scenario);
-/// The lineage as far as it has come.
+/// The lineage as far as it has come. `describe` gives a state's substances, `end` [time] is when the living
+/// are seen.
+TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
+                             const std::function<std::string(StateId)>& describe, double end,
+                             const Scenario& scenario);
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
 
 /// Keeps the organism's shape at 0, every, 2·every, … for a sequence of pictures.
@@ -50,6 +56,14 @@ class FrameCollector {
   std::uint64_t next_ = 0;  // number of the next due frame: due at time next_·every
   std::vector<OrganismPicture> frames_;
 };
+
+/// Writes a picture in the format that the file's name asks for by its ending (pictureFormat), pixels as PNG.
+/// Replaces a picture, but no file of another kind. Throws FileError; no half-written file stays.
+void writePicture(const Drawing& drawing, const std::filesystem::path& file);
+void writePicture(const Image& image, const std::filesystem::path& file);
+
+/// By the ending, in capitals or not: ".svg", ".pdf"; PNG for ".png" and without any. Others: absent.
+std::optional<PictureFormat> pictureFormat(const std::filesystem::path& file);
 
 /// Writes organism.png, wireframe.png (with bodies), lineage.png and sequence/0000.png … into the folder.
 /// Returns the files. Pictures that an earlier, longer run left in the sequence are removed; other files

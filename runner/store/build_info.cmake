@@ -10,7 +10,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   pkg_check_modules(XXHASH QUIET libxxhash)
   set(libraries "")
   foreach(library IN ITEMS "Bullet=${BULLET_VERSION}" "CLI11=${CLI11_VERSION}" "Eigen=${Eigen3_VERSION}"
-          "FreeType=${FREETYPE_VERSION}" "OSMesa=${OSMESA_VERSION}" "SQLite=${SQLite3_VERSION}" "fmt=${fmt_VERSION}" "libpng=${PNG_VERSION_STRING}"
+          "OSMesa=${OSMESA_VERSION}" "SQLite=${SQLite3_VERSION}" "cairo=${CAIRO_cairo-pdf_VERSION}" "fmt=${fmt_VERSION}"
           "nlohmann_json=${nlohmann_json_VERSION}" "oneTBB=${TBB_VERSION}" "xxHash=${XXHASH_VERSION}"
           "yaml-cpp=${yaml-cpp_VERSION}")
     string(REPLACE "=" "\", \"" pair "${library}")

@@ -220,10 +220,10 @@ TEST_CASE("solid and wireframe stand side by side", "[organism]") {
   const OrganismPicture p = picture({ball("", {0, 0, 0}, 1, red)});
   const Image both = drawSolidAndWireframe(p);
   REQUIRE(both.width == 240);
-  Image joined(240, 120, paper);
-  paste(joined, drawOrganism(p, Style::solid), 0, 0);
-  paste(joined, drawOrganism(p, Style::wireframe), 120, 0);
-  REQUIRE(both == joined);
+  Drawing joined(240, 120);
+  joined.image(0, 0, drawOrganism(p, Style::solid));
+  joined.image(120, 0, drawOrganism(p, Style::wireframe));
+  REQUIRE(both == joined.pixels());
 }
 
 TEST_CASE("one framing holds a whole sequence", "[organism]") {

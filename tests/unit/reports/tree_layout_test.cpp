@@ -93,23 +93,4 @@ TEST_CASE("trees that cannot be are refused", "[tree]") {
   refused({cell("A", 0, INFINITY)}, "not finite");
 }
 
-TEST_CASE("axis ticks are round, evenly spaced and inside", "[tree]") {
-  REQUIRE(axisTicks(0, 6, 6) == std::vector<double>{0, 1, 2, 3, 4, 5, 6});
-  for (const double low : {0.0, -3.7, 0.013})
-    for (const double span : {0.02, 1.0, 7.3, 128.0, 99999.0})
-      for (const int wanted : {2, 5, 10}) {
-        const std::vector<double> ticks = axisTicks(low, low + span, wanted);
-        REQUIRE(ticks.size() <= std::size_t(wanted) + 1);
-        REQUIRE(double(ticks.size()) >= wanted / 2.5 - 1);
-        REQUIRE(ticks.front() >= low - 1e-9 * span);
-        REQUIRE(ticks.back() <= low + span * (1 + 1e-9));
-        if (ticks.size() < 2) continue;
-        const double step = ticks[1] - ticks[0];
-        const double mantissa = step / std::pow(10.0, std::floor(std::log10(step * (1 + 1e-9))));
-        REQUIRE((std::abs(mantissa - 1) < 1e-6 || std::abs(mantissa - 2) < 1e-6 ||
-                 std::abs(mantissa - 5) < 1e-6));
-      }
-  REQUIRE(axisTicks(2, 2, 5) == std::vector<double>{2});
-}
-
 }  // namespace morula
