@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "bench/chart.h"
+#include "drawing/palette.h"
 
 namespace morula {
 
@@ -14,7 +14,7 @@ Colour colourOf(const std::string& line) {
   static const std::map<std::string, Colour> colours{
       {"morula scalar", {0x9e, 0xb9, 0xd4}}, {"morula narrow", {0x6a, 0x9c, 0xc9}},
       {"morula avx2", {0x2f, 0x78, 0xb5}},   {"morula avx512", {0x0b, 0x3c, 0x6f}},
-      {"bullet-b1", {0xc0, 0x39, 0x2b}},     {"bullet-b2", {0xe0, 0x8a, 0x3c}},
+      {"bullet-b1", seriesColour(1)},        {"bullet-b2", seriesColour(4)},
   };
   const auto found = colours.find(line);
   return found == colours.end() ? Colour{0x55, 0x55, 0x55} : found->second;
@@ -22,7 +22,7 @@ Colour colourOf(const std::string& line) {
 
 }  // namespace
 
-Image drawBench(const BenchReport& report) {
+Drawing drawBench(const BenchReport& report) {
   Chart chart;
   chart.title = "Cost of a step";
   chart.caption =
@@ -48,7 +48,7 @@ Image drawBench(const BenchReport& report) {
       ordinary.points.push_back({double(row.cells), row.nsPerVertexStep});
   if (!ordinary.points.empty()) chart.lines.push_back(ordinary);
   if (const BenchRow* eight = find(report.rows, "packed", "morula", Stage::step, 8, vertices, widest)) {
-    ChartLine thesis{"thesis' table 5.1, scaled", {0x5c, 0x8a, 0x3a}, {}, true};
+    ChartLine thesis{"thesis' table 5.1, scaled", seriesColour(2), {}, true};
     for (const ThesisRow& row : thesisTable)
       thesis.points.push_back(
           {double(row.cells), eight->nsPerVertexStep * row.msPerCell / thesisTable[0].msPerCell});

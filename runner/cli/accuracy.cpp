@@ -9,6 +9,7 @@
 
 #include "accuracy/picture.h"
 #include "accuracy/table.h"
+#include "base/error.h"
 #include "base/number_text.h"
 #include "cli/accuracy_golden.h"
 #include "cli/accuracy_json.h"
@@ -16,10 +17,11 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
+#include "cli/picture_name.h"
 #include "cli/simulate.h"
 #include "cli/verb.h"
 #include "files/folders.h"
+#include "pictures/pictures.h"
 #include "process/child_process.h"
 #include "simulation/world.h"
 
@@ -28,7 +30,7 @@ namespace morula::cli {
 namespace {
 
 struct AccuracyWords {
-  std::string until, target, halvings = "4", rounds = "3", budget = "120", out = "results";
+  std::string until, target, halvings = "4", rounds = "3", budget = "120", out = "results", picture;
   std::vector<std::string> scenarios, integrators, levels;
   bool only = false, intoGolden = false, bullet = false;
   InputOptions input;
@@ -112,8 +114,9 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   makeFolder(folder);
   const auto report = measureAccuracy(read, options);
 
-  const auto picture = options.brief ? "" : (folder / (report.scenario + ".png")).string();
-  if (!options.brief) writePng(drawAccuracy(report), picture);
+  auto picture = words.picture;
+  if (picture.empty() && !options.brief) picture = (folder / (report.scenario + ".png")).string();
+  if (!picture.empty()) writePicture(drawAccuracy(report), picture);
   if (words.intoGolden) writeIntoGolden(scenario, report);
   Json json = words.output.json ? toJson(report, picture) : Json();
   std::string text = words.output.json ? "" : describe(report);
@@ -154,6 +157,9 @@ int actOnAll(const AccuracyWords& words) {
 }
 
 int act(const AccuracyWords& words) {
+  checkPictureName("accuracy", words.picture, true);
+  if (words.intoGolden && !words.picture.empty())
+    throw UsageError("--into-golden: nothing is drawn; remove --output");
   if (words.intoGolden && (!words.scene.set.empty() || !words.scene.seed.empty()))
     throw UsageError("--into-golden: it is of the scenario as it is; remove --set and --seed");
   if (words.intoGolden && !words.target.empty())
@@ -190,6 +196,8 @@ void addAccuracy(CLI::App& app, Action& action) {
   verb.takes("--halvings", words->halvings, "N", "Of the longest time step, twice the scenario's smallest");
   verb.takes("--rounds", words->rounds, "N", "Runs of each, for the CPU time");
   verb.takes("--out", words->out, "FOLDER", "Folder for results");
+  verb.takes("-o,--output", words->picture, "FILE",
+             "The chart, a .png, .svg or .pdf; default: the scenario's name in the folder");
   add(verb, words->input);
   add(verb, words->scene);
   add(verb, words->execution);

@@ -14,9 +14,10 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
+#include "cli/picture_name.h"
 #include "cli/verb.h"
 #include "files/folders.h"
+#include "pictures/pictures.h"
 #include "store/machine_info.h"
 
 namespace morula::cli {
@@ -25,7 +26,7 @@ namespace {
 
 struct BenchWords {
   std::vector<std::string> cells, vertices, isas, threads, stages;
-  std::string out = "results";
+  std::string out = "results", picture;
   bool quick = false, full = false, noBullet = false;
   OutputOptions output;
 };
@@ -173,11 +174,12 @@ Json toJson(const BenchReport& report, const std::string& picture) {
 }
 
 int act(const BenchWords& words) {
+  checkPictureName("bench", words.picture, true);
   const auto options = meant(words);
   const auto report = runBench(options);
   makeFolder(options.folder);
-  const auto picture = (options.folder / "bench.png").string();
-  writePng(drawBench(report), picture);
+  const auto picture = words.picture.empty() ? (options.folder / "bench.png").string() : words.picture;
+  writePicture(drawBench(report), picture);
   if (words.output.json) printJson(toJson(report, picture));
   else print(describe(report) + "\npicture  " + picture + "\n");
   return fine;
@@ -198,6 +200,8 @@ void addBench(CLI::App& app, Action& action) {
   verb.takes("--full", words->full, "Up to 4096 cells");
   verb.takes("--no-bullet", words->noBullet, "Without Bullet, which is slow");
   verb.takes("--out", words->out, "FOLDER", "Folder for results");
+  verb.takes("-o,--output", words->picture, "FILE",
+             "The chart, a .png, .svg or .pdf; default: bench.png in the folder");
   add(verb, words->output);
   verb.does([words] { return act(*words); });
 }

@@ -2,11 +2,11 @@
 
 #include "base/error.h"
 #include "cli/git_text.h"
-#include "cli/pictures.h"
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/observe.h"
-#include "render/renderer_name.h"
+#include "organism/renderer_name.h"
+#include "pictures/pictures.h"
 #include "scenario/deciding_values.h"
 #include "scenario/numbers.h"
 #include "simulation/measures.h"

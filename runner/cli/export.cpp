@@ -8,9 +8,8 @@
 #include "base/error.h"
 #include "cli/console.h"
 #include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/pictures.h"
 #include "cli/license.h"
+#include "cli/options.h"
 #include "cli/ro_crate.h"
 #include "cli/stored.h"
 #include "cli/verb.h"
@@ -18,6 +17,7 @@
 #include "files/folders.h"
 #include "files/safe_name.h"
 #include "golden/accept.h"
+#include "pictures/pictures.h"
 
 namespace morula::cli {
 

@@ -1,4 +1,4 @@
-// morula lineage: the tree of cells as text.
+// morula lineage: the tree of cells as text, and as a picture.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +7,11 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
+#include "cli/picture_name.h"
 #include "cli/simulate.h"
 #include "cli/stored.h"
 #include "cli/verb.h"
+#include "pictures/pictures.h"
 #include "store/store.h"
 
 namespace morula::cli {
@@ -17,7 +19,7 @@ namespace morula::cli {
 namespace {
 
 struct LineageOptions {
-  std::string file, run;
+  std::string file, run, picture;
   InputOptions input;
   OutputOptions output;
 };
@@ -32,6 +34,14 @@ Tree stored(const LineageOptions& options) {
   auto store = Store::openForReading(options.file);
   const auto run = store.find(options.run);
   return {run.record.scenario, run.time, store.lineage(run.id)};
+}
+
+/// The tree as a picture, in the scenario's colours.
+void draw(const Tree& tree, const LineageOptions& options) {
+  const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
+  const auto describe = [&](StateId state) { return tree.results.stateTexts.at(state); };
+  writePicture(drawLineage(lineagePictureOf(tree.results.lineage, describe, tree.end, scenario)),
+               options.picture);
 }
 
 /// What the genes alone prescribe: without bodies a thousand cells take a moment.
@@ -52,7 +62,9 @@ std::string line(const LineageEntry& cell, const std::string& states) {
 }
 
 int act(const LineageOptions& options) {
+  checkPictureName("lineage", options.picture, true);
   auto tree = isDatabase(options.file) ? stored(options) : prescribed(options);
+  if (!options.picture.empty()) draw(tree, options);
   auto& cells = tree.results.lineage;
   // By path: a mother stands before her daughters, and a subtree is one block of lines.
   std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
@@ -70,7 +82,10 @@ int act(const LineageOptions& options) {
                     {"fate", name(cell.fate)},
                     {"state", state}});
   }
-  if (options.output.json) printJson({{"scenario", tree.scenario}, {"time", tree.end}, {"cells", list}});
+  if (!options.output.json) return fine;
+  Json json{{"scenario", tree.scenario}, {"time", tree.end}, {"cells", list}};
+  if (!options.picture.empty()) json["pictures"] = {options.picture};
+  printJson(json);
   return fine;
 }
 
@@ -83,6 +98,7 @@ void addLineage(CLI::App& app, Action& action) {
             "run's end");
   verb.needs("file", options->file, "FILE", "A scenario or a database");
   verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
+  verb.takes("-o,--output", options->picture, "FILE", "Also draw it: a .png, .svg or .pdf");
   add(verb, options->input);
   add(verb, options->output);
   verb.does([options] { return act(*options); });

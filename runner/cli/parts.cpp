@@ -9,11 +9,11 @@
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
 #include "cli/simulate.h"
 #include "cli/verb.h"
 #include "files/folders.h"
 #include "parts/forecast.h"
+#include "pictures/pictures.h"
 
 namespace morula::cli {
 

@@ -7,11 +7,11 @@
 #include "base/hash.h"
 #include "baseline/worker.h"
 #include "cli/console.h"
-#include "cli/pictures.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
+#include "pictures/pictures.h"
 #include "simulation/world.h"
 #include "store/build_info.h"
 
@@ -72,8 +72,7 @@ void putPending(const Scenario& scenario, const Simulation& run, const GoldenDat
     tell(std::string(error.what()) + "; the result is not kept for a review", quiet);
     return;
   }
-  if (run.world.bodies)
-    writePng(drawOrganism(pictureOf(run.world, scenario)), pendingPicture(scenario).string());
+  if (run.world.bodies) writePicture(drawOrganism(pictureOf(run.world, scenario)), pendingPicture(scenario));
   tell("kept for `morula review`: " + file.string(), quiet);
 }
 

@@ -1,17 +1,17 @@
 // morula render: one picture of a scenario, or of a stored run, at any time of its life.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "base/error.h"
 #include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
+#include "cli/picture_name.h"
 #include "cli/simulate.h"
 #include "cli/stored.h"
 #include "cli/verb.h"
+#include "pictures/pictures.h"
 
 namespace morula::cli {
 
@@ -24,27 +24,18 @@ struct RenderOptions {
   OutputOptions messages;
 };
 
-Image draw(const World& world, const Scenario& scenario, const RenderOptions& options) {
+void draw(const World& world, const Scenario& scenario, const RenderOptions& options,
+          const std::string& file) {
   const int size = static_cast<int>(naturalOption("--size", options.size, 64, 8192));
   if (options.style == "lineage") {
     auto tree = lineagePictureOf(world, scenario);
     if (options.size != "900") tree.width = size;
-    return drawLineage(tree);
+    return writePicture(drawLineage(tree), file);
   }
   auto picture = pictureOf(world, scenario);
   picture.width = picture.height = size;
-  if (options.style == "both") return drawSolidAndWireframe(picture);
-  return drawOrganism(picture, options.style == "wireframe" ? Style::wireframe : Style::solid);
-}
-
-/// A PNG is what this verb writes, so no name may promise anything else.
-void checkEnding(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (!ending.empty() && ending != ".png")
-    throw UsageError("--output: '" + file + "' ends in " + ending +
-                     ", which render cannot write; needs a name that ends in .png (shapes: morula export)");
+  if (options.style == "both") return writePicture(drawSolidAndWireframe(picture), file);
+  writePicture(drawOrganism(picture, options.style == "wireframe" ? Style::wireframe : Style::solid), file);
 }
 
 [[noreturn]] void failAfterEnd(const std::string& time, double end) {
@@ -57,7 +48,7 @@ int act(const RenderOptions& options) {
   if (std::find(styles.begin(), styles.end(), options.style) == styles.end())
     throw UsageError("--style: '" + options.style +
                      "' is not known; needs solid, wireframe, both or lineage");
-  checkEnding(options.output);
+  checkPictureName("render", options.output, options.style == "lineage");
   // Positions are not stored: the same bits come out of running again.
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   if (!scenario.scene.mechanics && options.style != "lineage")
@@ -78,7 +69,7 @@ int act(const RenderOptions& options) {
   // A run may end before its planned end: by its number of cells, or when all have died.
   if (time && run.world.bodies && run.end.time < *time * (1 - 1e-9)) failAfterEnd(options.time, run.end.time);
   const auto file = options.output.empty() ? scenario.scene.name + ".png" : options.output;
-  writePng(draw(run.world, scenario, options), file);
+  draw(run.world, scenario, options, file);
   if (options.messages.json)
     printJson({{"scenario", scenario.scene.name}, {"time", run.end.time}, {"pictures", {file}}});
   else print(file + "\n");
@@ -95,7 +86,8 @@ void addRender(CLI::App& app, Action& action) {
   verb.takes("--time", options->time, "TIME", "When; default: at the end");
   verb.takes("--style", options->style, "NAME", "solid, wireframe, both or lineage");
   verb.takes("--size", options->size, "N", "Width in pixels");
-  verb.takes("-o,--output", options->output, "FILE", "The PNG; default: the scenario's name");
+  verb.takes("-o,--output", options->output, "FILE",
+             "The PNG, and of a lineage also .svg or .pdf; default: the scenario's name");
   add(verb, options->input);
   add(verb, options->execution);
   add(verb, options->messages);

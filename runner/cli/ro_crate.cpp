@@ -5,11 +5,11 @@
 #include <set>
 
 #include "cli/console.h"
-#include "cli/pictures.h"
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
+#include "pictures/pictures.h"
 
 namespace morula::cli {
 

@@ -5,18 +5,18 @@
 #include <algorithm>
 
 #include "cli/bullet_check.h"
-#include "cli/bullet_picture.h"
 #include "cli/check_run.h"
 #include "cli/exit_codes.h"
 #include "cli/folder_lock.h"
-#include "cli/frame_file.h"
-#include "cli/pictures.h"
 #include "cli/resume.h"
 #include "cli/sanity.h"
 #include "cli/verbs.h"
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "parts/parts.h"
+#include "pictures/bullet_picture.h"
+#include "pictures/frame_file.h"
+#include "pictures/pictures.h"
 #include "simulation/checkpoint.h"
 #include "store/store.h"
 
@@ -68,7 +68,7 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
   if (!settings.draw) return;
   const FolderLock lock(settings.folder);
   outcome.pictures.push_back((settings.folder / "bullet.png").string());
-  writePng(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
+  writePicture(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
 }
 
 /// Where the longest extent decides, and hardly differs from the next one.

@@ -18,7 +18,8 @@ bool hasLine(std::string_view text, std::string_view beginning) {
 
 Content contentOf(std::string_view head) {
   if (head.empty()) return Content::empty;
-  if (head.starts_with("\x89PNG\r\n\x1a\n")) return Content::picture;
+  for (const auto picture : {pngBeginning, svgBeginning, pdfBeginning})
+    if (head.starts_with(picture)) return Content::picture;
   if (head.starts_with(std::string_view("SQLite format 3\0", 16))) return Content::database;
   for (const auto report : {junitBeginning, summaryBeginning, jsonBeginning})
     if (head.starts_with(report)) return Content::report;
@@ -36,7 +37,7 @@ const char* name(Content content) {
     case Content::empty:
       return "empty";
     case Content::picture:
-      return "a picture (PNG)";
+      return "a picture";
     case Content::database:
       return "a database";
     case Content::golden:

@@ -11,8 +11,15 @@ enum class Content { empty, picture, database, golden, scenario, dna, report, ot
 /// From the first bytes of a file; 4096 are enough.
 Content contentOf(std::string_view head);
 Content contentOfFile(const std::filesystem::path& file);
-/// For messages: "a picture (PNG)", "a scenario", …
+/// For messages: "a picture", "a scenario", …
 const char* name(Content content);
+
+/// How pictures begin: any PNG, but only an SVG that says it is Morula's, and a PDF made by cairo, as ours
+/// are. Drawings and documents of others are files of another kind.
+inline constexpr std::string_view pngBeginning = "\x89PNG\r\n\x1a\n";
+inline constexpr std::string_view svgBeginning =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Morula -->\n<svg";
+inline constexpr std::string_view pdfBeginning = "%PDF-1.5\n%\xb5\xed\xae\xfb\n";
 
 /// How the files begin that `morula check --reports` writes. The same texts in writer and reader.
 inline constexpr std::string_view junitBeginning =

@@ -3,12 +3,12 @@
 #include <set>
 
 #include "bench/bench.h"
-#include "bench/chart.h"
 #include "bench/picture.h"
 #include "bench/ratios.h"
 #include "bench/table.h"
 #include "bench/work.h"
 #include "catch.h"
+#include "drawing/palette.h"
 
 using namespace morula;
 
@@ -27,7 +27,8 @@ const BenchRatio* find(const std::vector<BenchRatio>& ratios, const std::string&
   return nullptr;
 }
 
-int countPixels(const Image& image, Colour colour) {
+int countPixels(const Drawing& drawing, Colour colour) {
+  const Image image = drawing.pixels();
   return static_cast<int>(std::count(image.pixels.begin(), image.pixels.end(), colour));
 }
 
@@ -129,26 +130,10 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
   for (const BenchRow& r : runBench(options).rows) CHECK(r.stage == Stage::internal);
 }
 
-TEST_CASE("A chart shows its lines, and draws nothing of nothing") {
-  const Colour red{200, 0, 0}, blue{0, 0, 200};
-  Chart chart;
-  chart.title = "title";
-  chart.lines = {{"one", red, {{8, 10}, {64, 100}}}, {"two", blue, {{8, 20}, {64, 30}}, true}};
-  const Image image = drawChart(chart);
-  CHECK(image.width == chart.width);
-  CHECK(countPixels(image, red) > 500);
-  CHECK(countPixels(image, blue) > 200);
-  CHECK(countPixels(image, blue) < countPixels(image, red));
-  chart.lines = {{"one", red, {{8, 10}}}};  // a single point
-  CHECK(countPixels(drawChart(chart), red) > 10);
-  chart.lines.clear();
-  CHECK(countPixels(drawChart(chart), red) == 0);
-}
-
 TEST_CASE("The picture of a bench holds the thesis' line only beside our own 8 cells") {
   BenchReport report;
   report.rows = {row("morula", Stage::step, 64, 40), row("morula", Stage::step, 128, 44)};
-  const Colour green{0x5c, 0x8a, 0x3a};
+  const Colour green = seriesColour(2);
   CHECK(countPixels(drawBench(report), green) == 0);
   report.rows.push_back(row("morula", Stage::step, 8, 30));
   CHECK(countPixels(drawBench(report), green) > 100);

@@ -1,0 +1,14 @@
+#pragma once
+// UTF-8 [RFC 3629].
+#include <string_view>
+
+namespace morula {
+
+/// The length in bytes of the UTF-8 character at the start of `text`; 0 if there is none: overlong forms,
+/// surrogates and what lies beyond U+10FFFF are no characters.
+int utf8Length(std::string_view text);
+
+/// The code point of the first `length` bytes, which utf8Length has found to be a character.
+char32_t utf8Value(std::string_view text, int length);
+
+}  // namespace morula

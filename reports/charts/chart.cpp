@@ -1,0 +1,156 @@
+#include "charts/chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "drawing/annotations.h"
+#include "drawing/palette.h"
+
+namespace morula {
+namespace {
+
+struct Sheet {
+  ChartFrame frame;
+  Axis x, y;
+  Spot place(const Spot& p) const { return {x.place(p.x), y.place(p.y)}; }
+};
+
+std::vector<Spot> allPoints(const Chart& chart) {
+  std::vector<Spot> points;
+  for (const ChartLine& line : chart.lines)
+    points.insert(points.end(), line.points.begin(), line.points.end());
+  for (const ChartMark& mark : chart.marks) points.push_back(mark.at);
+  return points;
+}
+
+double widestLabel(const Chart& chart, double size) {
+  double widest = 0;
+  for (const ChartLine& line : chart.lines) widest = std::max(widest, textWidth(line.label, {.size = size}));
+  return widest;
+}
+
+Sheet makeSheet(const Chart& chart, const Annotations& words) {
+  const Bands bands = bandsFor(words, chart.width, chart.height);
+  const double size = textSizeFor(chart.width, chart.height);
+  Range x, y;
+  for (const Spot& p : allPoints(chart)) x.see(p.x), y.see(p.y);
+  if (chart.xScale == Axis::Scale::decades) x.low *= 0.8, x.high *= 1.25;
+  if (!(x.low < x.high)) x.low /= 2, x.high *= 2;
+  Sheet sheet{.frame = {.left = 0,
+                        .top = bands.top + size,
+                        .right = chart.width - widestLabel(chart, size) - 2.5 * size,
+                        .bottom = chart.height - bands.bottom - roomForLevelAxis(size),
+                        .textSize = size},
+              .x = {.scale = chart.xScale, .low = x.low, .high = x.high},
+              .y = {.scale = Axis::Scale::decades, .low = 0.8 * y.low, .high = 1.25 * y.high}};
+  sheet.frame.left = roomForUprightAxis(sheet.y, size);
+  sheet.x.from = sheet.frame.left, sheet.x.to = sheet.frame.right;
+  sheet.y.from = sheet.frame.bottom, sheet.y.to = sheet.frame.top;
+  return sheet;
+}
+
+struct Box {
+  double left, top, right, bottom;
+  bool touches(const Box& b) const {
+    return left < b.right && b.left < right && top < b.bottom && b.top < bottom;
+  }
+};
+
+Box around(Spot p, double reach) { return {p.x - reach, p.y - reach, p.x + reach, p.y + reach}; }
+
+/// Labels beside their points, each at the nearest place of a few where it covers no point, no other label
+/// and as little as can be of lines.
+class PointLabels {
+ public:
+  PointLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart) : drawing_(drawing), sheet_(sheet) {
+    for (const Spot& point : allPoints(chart)) taken_.push_back(around(sheet.place(point), 4));
+    for (const ChartLine& line : chart.lines)
+      for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const Spot a = sheet.place(line.points[i - 1]), b = sheet.place(line.points[i]);
+        const int steps = 1 + int(std::hypot(b.x - a.x, b.y - a.y) / 4);
+        for (int k = 0; k <= steps; ++k)
+          lines_.push_back(around({a.x + (b.x - a.x) * k / steps, a.y + (b.y - a.y) * k / steps}, 1));
+      }
+  }
+
+  void add(const Spot& point, const std::string& label, Colour colour) {
+    const double textSize = sheet_.frame.textSize, gap = 0.5 * textSize;
+    const TextStyle style{.size = 0.75 * textSize, .colour = colour};
+    const Spot p = sheet_.place(point);
+    const double wide = textWidth(label, style);
+    const auto at = [&](int turn) {
+      const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;  // right or left of the point,
+      const double y = p.y + (turn / 2 % 2 == 0 ? -1 : 1) * (0.35 + turn / 4) * textSize;  // above or below
+      return Box{x, y - style.size, x + wide, y + 0.25 * style.size};
+    };
+    Box box = at(0);
+    std::ptrdiff_t least = PTRDIFF_MAX;
+    for (int turn = 0; turn < 12; ++turn) {
+      const Box other = at(turn);
+      if (other.right > sheet_.frame.right || other.left < sheet_.frame.left) continue;
+      const auto covered = [&](const std::vector<Box>& boxes) {
+        return std::count_if(boxes.begin(), boxes.end(), [&](const Box& b) { return b.touches(other); });
+      };
+      if (const auto cost = 1000 * covered(taken_) + covered(lines_); cost < least) least = cost, box = other;
+    }
+    taken_.push_back(box);
+    drawing_.text({box.left, box.top + style.size}, label, style);
+  }
+
+ private:
+  Drawing& drawing_;
+  const Sheet& sheet_;
+  std::vector<Box> taken_, lines_;
+};
+
+/// Labels beside the ends of their lines, moved apart where they would touch.
+void drawLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart) {
+  struct Label {
+    const ChartLine* line;
+    double y;
+  };
+  std::vector<Label> labels;
+  for (const ChartLine& line : chart.lines)
+    if (!line.points.empty()) labels.push_back({&line, sheet.place(line.points.back()).y});
+  std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
+  const double size = sheet.frame.textSize, pitch = 1.25 * size;
+  for (int turn = 0; turn < 200; ++turn)
+    for (std::size_t i = 1; i < labels.size(); ++i)
+      if (const double missing = pitch - (labels[i].y - labels[i - 1].y); missing > 0)
+        labels[i - 1].y -= 0.5 * missing, labels[i].y += 0.5 * missing;
+  for (const Label& label : labels)
+    drawing.text({sheet.frame.right + 0.8 * size, label.y + 0.36 * size}, label.line->label,
+                 {.size = size, .colour = label.line->colour});
+}
+
+}  // namespace
+
+Drawing drawChart(const Chart& chart) {
+  const Annotations words{chart.title, chart.caption, {}};
+  Drawing drawing(chart.width, chart.height);
+  annotate(drawing, words);
+  if (allPoints(chart).empty()) return drawing;
+  const Sheet sheet = makeSheet(chart, words);
+  drawLevelAxis(drawing, sheet.frame, sheet.x, chart.xLabel);
+  drawUprightAxis(drawing, sheet.frame, sheet.y, chart.yLabel);
+  for (const ChartLine& line : chart.lines) {
+    std::vector<Spot> places;
+    for (const Spot& p : line.points) places.push_back(sheet.place(p));
+    drawing.line(places, {.width = 2.2, .colour = line.colour, .dashed = line.dashed});
+    for (const Spot& p : places) drawing.disc(p, 3.6, line.colour);
+  }
+  for (const ChartMark& mark : chart.marks) {
+    drawing.disc(sheet.place(mark.at), 4.4, mark.colour);
+    drawing.disc(sheet.place(mark.at), 2.8, paper);
+  }
+  PointLabels labels(drawing, sheet, chart);
+  for (const ChartLine& line : chart.lines)
+    for (std::size_t i = 0; i < line.pointLabels.size(); ++i)
+      labels.add(line.points[i], line.pointLabels[i], line.colour);
+  for (const ChartMark& mark : chart.marks) labels.add(mark.at, mark.label, mark.colour);
+  drawLabels(drawing, sheet, chart);
+  return drawing;
+}
+
+}  // namespace morula

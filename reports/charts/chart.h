@@ -1,0 +1,36 @@
+#pragma once
+// Lines over two logarithmic axes.
+#include <string>
+#include <vector>
+
+#include "drawing/axis.h"
+
+namespace morula {
+
+struct ChartLine {
+  std::string label;
+  Colour colour;
+  std::vector<Spot> points;  // by x; both > 0
+  bool dashed = false;
+  std::vector<std::string> pointLabels = {};  // one for each point, or none at all
+};
+
+/// A point that no line goes through: a hollow one.
+struct ChartMark {
+  Spot at;  // both > 0
+  Colour colour;
+  std::string label;
+};
+
+struct Chart {
+  std::string title, caption, xLabel, yLabel;
+  std::vector<ChartLine> lines;
+  std::vector<ChartMark> marks;
+  Axis::Scale xScale = Axis::Scale::powersOfTwo;
+  int width = 1100, height = 760;  // [pixel]
+};
+
+/// y is on decades. Each line's label stands at its right end. Without points: the words alone.
+Drawing drawChart(const Chart& chart);
+
+}  // namespace morula

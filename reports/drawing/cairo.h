@@ -1,0 +1,36 @@
+#pragma once
+// What the files of this room share of cairo.
+#include <cairo.h>
+
+#include <memory>
+#include <string>
+
+#include "base/error.h"
+#include "image/colour.h"
+
+namespace morula {
+
+template <auto destroy>
+struct CairoDestroy {
+  template <class T>
+  void operator()(T* object) const {
+    destroy(object);
+  }
+};
+template <class T, auto destroy>
+using CairoPointer = std::unique_ptr<T, CairoDestroy<destroy>>;
+
+using Surface = CairoPointer<cairo_surface_t, cairo_surface_destroy>;
+using Context = CairoPointer<cairo_t, cairo_destroy>;
+
+/// cairo fails on what we have checked only by a bug of ours or for want of memory. Throws BugError.
+inline void requireSuccess(cairo_status_t status) {
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  if (status != CAIRO_STATUS_SUCCESS) throw BugError(std::string("cairo: ") + cairo_status_to_string(status));
+}
+
+inline void setColour(cairo_t* target, Colour c) {
+  cairo_set_source_rgb(target, c.r / 255.0, c.g / 255.0, c.b / 255.0);
+}
+
+}  // namespace morula

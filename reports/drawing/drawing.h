@@ -1,0 +1,73 @@
+#pragma once
+// Lines, discs, words and pixels on paper, kept as what is drawn: one drawing becomes pixels, PNG, SVG or
+// PDF. By cairo. Coordinates in pixels from the top left corner, y downwards; pixel (0, 0) covers 0 to 1. In
+// SVG a pixel is a px, in PDF a point (1/72 inch).
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawing/text.h"
+#include "image/image.h"
+
+typedef struct _cairo cairo_t;
+
+namespace morula {
+
+struct Spot {
+  double x = 0, y = 0;
+};
+
+struct Stroke {
+  double width = 1;  // [pixel] thinner than 1: that share of a pixel's ink
+  Colour colour;
+  bool dashed = false;
+  double rounding = 0;  // [pixel] from a corner to where the line bends, at most half of its sides
+};
+
+enum class PictureFormat { png, svg, pdf };
+
+class Drawing {
+ public:
+  /// Empty paper. Throws InputError as checkSides does.
+  Drawing(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  // Each lies on top of those before it; what falls outside of the paper is cut off.
+
+  /// Through the points, with round ends and joints. Where it meets itself it is not darker.
+  void line(const std::vector<Spot>& points, const Stroke& stroke);
+  void disc(Spot centre, double radius, Colour colour);
+  void box(Spot topLeft, double width, double height, Colour colour);
+  /// UTF-8 on one line, its baseline through the spot. Bytes that are not UTF-8 appear as U+FFFD.
+  void text(Spot baseline, std::string_view text, const TextStyle& style);
+  /// The image's own pixels, top left corner at (x, y).
+  void image(int x, int y, const Image& image);
+
+  Image pixels() const;
+
+  /// The content of a file. Equal drawings give equal bytes on one machine: there is no date in them. In PDF
+  /// words can be searched and marked; in SVG they are shapes, so that they look the same without the font.
+  std::string file(PictureFormat format) const;
+
+ private:
+  void replay(cairo_t* target) const;
+
+  int width_, height_;
+  std::vector<std::function<void(cairo_t*)>> marks_;
+};
+
+/// The content of a PNG file, 8-bit RGB, which says that Morula made it. Equal images give equal bytes on one
+/// libpng.
+std::string pngFile(const Image& image);
+
+/// Whether a file that begins so is a PNG that pngFile made; the first 64 bytes are enough.
+bool isOwnPng(std::string_view head);
+
+/// Of a horizontal or vertical line one pixel wide: through the middle of a row or column, so that it is
+/// crisp.
+double crisp(double place);
+
+}  // namespace morula

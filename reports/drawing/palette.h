@@ -1,0 +1,24 @@
+#pragma once
+// The colours of charts, trees and maps, in one place.
+#include <cstddef>
+
+#include "image/colour.h"
+
+namespace morula {
+
+inline constexpr Colour ink{0x1b, 0x1f, 0x24};       // titles, marks
+inline constexpr Colour quietInk{0x5c, 0x63, 0x6b};  // axes, captions, legends
+inline constexpr Colour gridInk{0xe6, 0xe6, 0xe2};
+
+/// Of series number i, counted from 0. No two of the first `manySeries` are alike. The first `fewSeries` are
+/// told apart also by people who do not tell red from green, or blue from yellow [Okabe & Ito 2008, without
+/// their yellow, which is too faint on paper]; draw those beyond them in another way as well, such as dashed.
+Colour seriesColour(std::size_t i);
+inline constexpr std::size_t fewSeries = 7, manySeries = 24;
+
+/// Of a quantity: `share` 0 (its least value) to 1 (its greatest); beyond, the colour of the nearer end.
+/// Lightness rises with the share, so that order is seen in grey and by any eyes (after viridis [van der Walt
+/// & Smith 2015]).
+Colour scaleColour(double share);
+
+}  // namespace morula

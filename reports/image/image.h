@@ -1,0 +1,30 @@
+#pragma once
+// Pictures as pixels, in memory.
+#include <string>
+#include <vector>
+
+#include "image/colour.h"
+
+namespace morula {
+
+/// Throws InputError unless both sides of a picture are 1 to 16384 pixels.
+void checkSides(int width, int height);
+
+/// Opaque pixels, row by row from the top left.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<Colour> pixels;
+
+  Image() = default;
+  /// Throws InputError as checkSides does.
+  Image(int width, int height, Colour fill);
+
+  Colour& at(int x, int y) { return pixels[std::size_t(y) * width + x]; }
+  const Colour& at(int x, int y) const { return pixels[std::size_t(y) * width + x]; }
+  friend bool operator==(const Image&, const Image&) = default;
+};
+
+/// What pictures are drawn on: near white, so that light cells still stand out against it.
+inline constexpr Colour paper{0xfa, 0xfa, 0xf8};
+
+}  // namespace morula

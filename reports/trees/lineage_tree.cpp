@@ -1,0 +1,147 @@
+#include "trees/lineage_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "drawing/axis.h"
+#include "drawing/palette.h"
+#include "trees/tree_layout.h"
+
+namespace morula {
+namespace {
+
+constexpr std::size_t maxLabelledTree = 12;  // leaves up to which inner cells are labelled too
+
+/// Where tree units lie in the picture, and how thick things are there.
+struct Sheet {
+  ChartFrame frame;
+  Axis time;     // downwards
+  double pitch;  // [pixel] between leaves
+  double line;   // [pixel] width of a cell's line
+  bool upward;   // leaf labels read upward because they are too wide
+
+  double x(double leafUnits) const { return frame.left + 0.5 * frame.textSize + pitch * leafUnits; }
+  double y(double when) const { return time.place(when); }
+  /// Lines taper from the egg to the leaves, as branches do: a crowded tree keeps strong limbs.
+  double width(const TreePlace& place) const {
+    return std::min(0.28 * frame.textSize, line * std::sqrt(double(place.leaves)));
+  }
+};
+
+void settleSize(TreePicture& picture, const TreeLayout& layout) {
+  const double leaves = double(layout.leaves);
+  const double perLeaf = layout.leaves <= maxLabelledTree ? 120 : layout.leaves <= maxLabelledLeaves ? 40 : 8;
+  std::size_t depth = 0;
+  for (const TreePlace& place : layout.places) depth = std::max(depth, place.node->path.size());
+  if (picture.width == 0) picture.width = int(std::clamp(160 + perLeaf * leaves, 900.0, 2000.0));
+  if (picture.height == 0) picture.height = int(std::clamp(420 + 70.0 * double(depth), 640.0, 1100.0));
+  for (const int side : {picture.width, picture.height})
+    if (side < 64 || side > 16384)
+      throw InputError("a lineage tree of " + std::to_string(picture.width) + " x " +
+                       std::to_string(picture.height) +
+                       " pixels cannot be drawn; width and height must be 64 to 16384, or 0 for what suits");
+}
+
+double widestLabel(const TreeLayout& layout, double size) {
+  double widest = 0;
+  for (const TreePlace& place : layout.places)
+    if (place.isLeaf()) widest = std::max(widest, textWidth(place.node->label, {.size = size}));
+  return widest;
+}
+
+Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Annotations& words) {
+  const Bands bands = bandsFor(words, picture.width, picture.height);
+  const double size = textSizeFor(picture.width, picture.height);
+  Sheet sheet{};
+  sheet.time = {.low = layout.begin, .high = layout.end};
+  sheet.frame = {.left = roomForUprightAxis(sheet.time, size),
+                 .top = bands.top + 1.5 * size,
+                 .right = picture.width - 1.5 * size,
+                 .bottom = 0,
+                 .textSize = size};
+  sheet.pitch = (sheet.frame.right - sheet.x(0)) / std::max(1.0, double(layout.leaves));
+  sheet.line = std::clamp(0.25 * sheet.pitch, 1.0, 0.2 * size);
+  double below = 1.2 * size;
+  if (layout.leaves <= maxLabelledLeaves) {
+    const double widest = widestLabel(layout, size);
+    sheet.upward = widest > sheet.pitch - 0.6 * size;
+    below += sheet.upward ? std::min(widest + size, 0.25 * picture.height) : 1.2 * size;
+  }
+  sheet.frame.bottom = std::max(sheet.frame.top + 8, picture.height - bands.bottom - below);
+  sheet.time.from = sheet.frame.top, sheet.time.to = sheet.frame.bottom;
+  return sheet;
+}
+
+/// From the mother's line sideways, round the corner and down to the end.
+void drawCell(Drawing& drawing, const Sheet& sheet, const TreeLayout& layout, const TreePlace& place) {
+  const Spot birth{sheet.x(place.x), sheet.y(place.node->born)}, end{birth.x, sheet.y(place.node->ended)};
+  std::vector<Spot> points{birth, end};
+  if (place.mother >= 0) points.insert(points.begin(), {sheet.x(layout.places[place.mother].x), birth.y});
+  drawing.line(points, {sheet.width(place), place.node->colour, false, 0.6 * sheet.frame.textSize});
+}
+
+void drawEnd(Drawing& drawing, const Sheet& sheet, const TreePlace& place) {
+  const Spot end{sheet.x(place.x), sheet.y(place.node->ended)};
+  if (place.node->fate == Fate::died) {
+    const double arm = std::clamp(0.4 * sheet.pitch, 1.6, 0.4 * sheet.frame.textSize);
+    const Stroke stroke{std::clamp(0.4 * arm, 0.8, 2.2), ink};
+    drawing.line({{end.x - arm, end.y - arm}, {end.x + arm, end.y + arm}}, stroke);
+    drawing.line({{end.x - arm, end.y + arm}, {end.x + arm, end.y - arm}}, stroke);
+  } else if (place.node->fate == Fate::alive && sheet.pitch >= 3 * sheet.line) {
+    drawing.disc(end, 1.6 * sheet.line, place.node->colour);
+  }
+}
+
+void drawLeafLabel(Drawing& drawing, const Sheet& sheet, const TreePlace& place) {
+  const double size = sheet.frame.textSize;
+  const Spot below{sheet.x(place.x), sheet.y(place.node->ended) + 0.9 * size};
+  if (!sheet.upward) {
+    drawing.text({below.x, below.y + 0.75 * size}, place.node->label,
+                 {.size = size, .colour = ink, .anchor = Anchor::centre});
+    return;
+  }
+  const TextStyle style{.size = size, .colour = ink, .anchor = Anchor::right, .upward = true};
+  drawing.text({below.x + 0.36 * size, below.y},
+               shortened(place.node->label, style, 0.25 * drawing.height() - size), style);
+}
+
+/// The state beside the line, and at the corner the letter that the division gave.
+void drawInnerLabels(Drawing& drawing, const Sheet& sheet, const TreePlace& place) {
+  const double x = sheet.x(place.x), size = 0.9 * sheet.frame.textSize, width = sheet.width(place);
+  if (!place.isLeaf()) {
+    const TextStyle style{.size = size, .colour = quietInk};
+    const double middle = 0.5 * (sheet.y(place.node->born) + sheet.y(place.node->ended));
+    drawing.text({x + width + 0.3 * size, middle + 0.36 * size},
+                 shortened(place.node->label, style, 0.9 * sheet.pitch - width), style);
+  }
+  if (place.mother < 0) return;
+  const bool b = place.node->path.back() == 'B';
+  drawing.text({x, sheet.y(place.node->born) - width - 0.2 * size}, b ? "B" : "A",
+               {.size = 0.8 * size, .colour = quietInk, .anchor = b ? Anchor::right : Anchor::left});
+}
+
+}  // namespace
+
+Drawing drawLineage(const TreePicture& asked) {
+  TreePicture picture = asked;
+  const TreeLayout layout = layoutTree(picture.nodes);
+  settleSize(picture, layout);
+  const Annotations words{picture.title, picture.caption, picture.legend};
+  Drawing drawing(picture.width, picture.height);
+  annotate(drawing, words);
+  if (layout.places.empty()) return drawing;
+  const Sheet sheet = makeSheet(picture, layout, words);
+  drawUprightAxis(drawing, sheet.frame, sheet.time, "time");
+  // From the leaves up, so that at a division the mother lies on top.
+  for (auto place = layout.places.rbegin(); place != layout.places.rend(); ++place)
+    drawCell(drawing, sheet, layout, *place);
+  for (const TreePlace& place : layout.places) {
+    if (place.isLeaf()) drawEnd(drawing, sheet, place);
+    if (place.isLeaf() && layout.leaves <= maxLabelledLeaves) drawLeafLabel(drawing, sheet, place);
+    if (layout.leaves <= maxLabelledTree) drawInnerLabels(drawing, sheet, place);
+  }
+  return drawing;
+}
+
+}  // namespace morula

@@ -1,0 +1,16 @@
+#include "cli/picture_name.h"
+
+#include "cli/exit_codes.h"
+#include "pictures/pictures.h"
+
+namespace morula::cli {
+
+void checkPictureName(const std::string& verb, const std::string& file, bool drawing) {
+  const auto format = pictureFormat(file);
+  if (format && (drawing || *format == PictureFormat::png)) return;
+  throw UsageError("--output: '" + file + "' ends in " + std::filesystem::path(file).extension().string() +
+                   ", which " + verb + " cannot write; needs a name that ends in " +
+                   (drawing ? ".png, .svg or .pdf" : ".png (shapes: morula export)"));
+}
+
+}  // namespace morula::cli

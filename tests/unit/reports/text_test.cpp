@@ -1,0 +1,110 @@
+// How far words run, where they stand, and how much is left of long ones.
+#include "drawing/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "catch.h"
+#include "drawing/drawing.h"
+
+namespace morula {
+namespace {
+
+/// The first and last column and row with ink.
+std::array<int, 4> inkBox(const std::string& text, const TextStyle& style) {
+  Drawing drawing(200, 200);
+  drawing.text({100, 100}, text, style);
+  const Image image = drawing.pixels();
+  int left = 200, right = -1, top = 200, bottom = -1;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x)
+      if (image.at(x, y) != paper)
+        left = std::min(left, x), right = std::max(right, x), top = std::min(top, y),
+        bottom = std::max(bottom, y);
+  return {left, right, top, bottom};
+}
+
+}  // namespace
+
+TEST_CASE("text runs as far as it says and stays on its line", "[text]") {
+  const TextStyle style{.size = 20};
+  const double width = textWidth("Morula", style);
+  CHECK(width > 40);
+  CHECK(width < 90);
+  CHECK(textWidth("MorulaMorula", style) == Approx(2 * width));
+  CHECK(textWidth("Morula", {.size = 40}) == Approx(2 * width));
+  const auto [left, right, top, bottom] = inkBox("Morula", style);
+  CHECK(left >= 100);
+  CHECK(right > 95 + width);
+  CHECK(right < 101 + width);
+  CHECK(top > 80);
+  CHECK(bottom <= 100);
+}
+
+TEST_CASE("bold letters are wider", "[text]") { CHECK(textWidth("n", {.bold = true}) > textWidth("n", {})); }
+
+TEST_CASE("anchors move text by its width, and upward text is the same turned", "[text]") {
+  const auto fromLeft = inkBox("AVm", {.size = 24});
+  CHECK(fromLeft[0] >= 99);
+  CHECK(inkBox("AVm", {.size = 24, .anchor = Anchor::right})[1] <= 100);
+  const auto centred = inkBox("AVm", {.size = 24, .anchor = Anchor::centre});
+  CHECK(std::abs(centred[0] + centred[1] - 200) <= 4);
+  const auto upward = inkBox("AVm", {.size = 24, .upward = true});
+  CHECK(upward[3] <= 100);
+  CHECK(std::abs((upward[3] - upward[2]) - (fromLeft[1] - fromLeft[0])) <= 2);
+  CHECK(upward[1] <= 101);
+}
+
+TEST_CASE("letters are not moved to whole pixels", "[text]") {
+  // Half a pixel to the right is another picture, a whole one the same picture moved.
+  const auto drawn = [](double x) {
+    Drawing drawing(60, 30);
+    drawing.text({x, 20}, "in", {.size = 13});
+    return drawing.pixels();
+  };
+  const Image here = drawn(10), half = drawn(10.5), one = drawn(11);
+  CHECK(half != here);
+  bool moved = true;
+  for (int y = 0; y < 30; ++y)
+    for (int x = 1; x < 60; ++x) moved = moved && one.at(x, y) == here.at(x - 1, y);
+  CHECK(moved);
+}
+
+TEST_CASE("what is not UTF-8 does no harm and is seen", "[text]") {
+  const TextStyle style{.size = 12};
+  CHECK(textWidth("\xff", style) == textWidth("\uFFFD", style));
+  CHECK(shortened("a\xff\xc3\x28\xe2\x82", style, 1000) == "a\uFFFD\uFFFD(\uFFFD\uFFFD");
+  CHECK(shortened(std::string("a\0b", 3), style, 1000) == "a\uFFFDb");
+  for (const PictureFormat format : {PictureFormat::png, PictureFormat::svg, PictureFormat::pdf}) {
+    Drawing drawing(100, 30);
+    drawing.text({5, 20}, "\xff\xc3\x28\xe2\x82 \x01\n", style);
+    CHECK_NOTHROW(drawing.file(format));
+  }
+}
+
+TEST_CASE("a text is shortened to the most letters that fit, whatever its length", "[text]") {
+  const TextStyle style{.size = 14};
+  for (const std::string letter : {"n", "ä", "AV", "i"}) {
+    std::string word, longer;
+    for (int i = 0; i < 40; ++i) word += letter;
+    for (int i = 0; i < 1'000'000; ++i) longer += letter;
+    for (const double width : {0.0, 5.0, 60.0, 200.0}) {
+      CAPTURE(letter, width);
+      const std::string few = shortened(word, style, width);
+      CHECK(textWidth(few, style) <= width);
+      CHECK((few.empty() || few == word || few.ends_with("…")));
+      if (textWidth(word, style) <= width) {
+        CHECK(few == word);
+        continue;
+      }
+      CHECK(shortened(longer, style, width) == few);
+      const std::string more =
+          word.substr(0, few.size() < 3 ? letter.size() : few.size() - 3 + letter.size()) + "…";
+      CHECK(textWidth(more, style) > width);
+    }
+  }
+}
+
+}  // namespace morula
