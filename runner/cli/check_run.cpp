@@ -45,6 +45,14 @@ Hash hashOf(const Image& image) {
   return hasher.add(bytes).digest();
 }
 
+/// Without words: glyphs are another library's.
+GoldenImage imageOf(const Simulation& run, const Scenario& scenario) {
+  OrganismPicture picture = pictureOf(run.world, scenario);
+  picture.title = picture.caption = "";
+  picture.legend.clear();
+  return {"organism", rendererName(), hashOf(drawOrganism(picture))};
+}
+
 CheckResult goldenMissing(const std::filesystem::path& file) {
   return failedCheck("golden", "SETUP", "a golden file", "none",
                      file.string() + " is not there; accept one: morula review --accept --why \"…\"");
@@ -59,8 +67,7 @@ GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPic
     for (const auto& sample : run.results.samples) context.samples.push_back(sample.world);
   context.chain = run.results.chain;
   if (withPicture && run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
-    context.images.push_back(
-        {"organism", rendererName(), hashOf(drawOrganism(pictureOf(run.world, scenario)))});
+    context.images.push_back(imageOf(run, scenario));
   GoldenData data = observeGolden(run.world, context);
   data.parameters = decidingValues(scenario);
   return data;

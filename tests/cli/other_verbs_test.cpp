@@ -90,6 +90,25 @@ TEST_CASE("lineage: the same tree from the scenario and from the database") {
   CHECK(jsonOf({"lineage", "scenarios/thesis/elegans-1024.yaml", "--json"})["cells"].size() == 2047);
 }
 
+TEST_CASE("lineage draws the tree as its file's ending says, from the scenario and from the database") {
+  const TemporaryFolder folder;
+  REQUIRE(launch({"run", four, "--db", folder / "four.db", "--no-pictures"}).code == 0);
+  const std::pair<std::string, std::string> endings[] = {
+      {".png", "\x89PNG"}, {".SVG", "<?xml"}, {".pdf", "%PDF-"}};
+  for (const auto& [ending, beginning] : endings) {
+    const auto file = folder / "a" + ending, other = folder / "b" + ending;
+    const auto json = jsonOf({"lineage", four, "--json", "-o", file});
+    CHECK(json["cells"].size() == 7);
+    CHECK(json["pictures"][0] == file);
+    CHECK(readWhole(file).starts_with(beginning));
+    REQUIRE(launch({"lineage", folder / "four.db", "-o", other}).code == 0);
+    CHECK(readWhole(other) == readWhole(file));
+    // What stands there is its own picture, and may be replaced.
+    CHECK(launch({"render", four, "--style", "lineage", "-o", other}).code == 0);
+    CHECK(readWhole(other) == readWhole(file));
+  }
+}
+
 TEST_CASE("render draws a scenario and a stored run alike") {
   const TemporaryFolder folder;
   REQUIRE(launch({"run", four, "--db", folder / "four.db", "--no-pictures"}).code == 0);

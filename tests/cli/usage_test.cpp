@@ -31,6 +31,18 @@ TEST_CASE("help and version are data") {
   CHECK(run.out.find("--set") != std::string::npos);
 }
 
+TEST_CASE("a chart or tree is refused under a name that it cannot have, before anything is measured") {
+  for (const std::string ending : {".mp4", ".jpg", ".svgz", "."})
+    for (const auto& arguments : std::vector<std::vector<std::string>>{
+             {"bench"}, {"accuracy", four}, {"lineage", four}, {"render", four, "--style", "lineage"}}) {
+      auto all = arguments;
+      all.insert(all.end(), {"-o", "/nowhere/x" + ending});
+      INFO(arguments[0]);
+      refused(all, 2, "needs a name that ends in .png, .svg or .pdf");
+    }
+  refused({"accuracy", four, "--into-golden", "-o", "x.png"}, 2, "remove --output");
+}
+
 TEST_CASE("every verb that help lists is there") {
   for (const auto* verb : {"run", "check", "accuracy", "review", "validate", "schema", "init", "render",
                            "lineage", "replay", "export"}) {

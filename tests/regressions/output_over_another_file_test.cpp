@@ -26,6 +26,17 @@ TEST_CASE("a picture does not replace a file of another kind") {
     CHECK(run.err.find("would replace") != std::string::npos);
     CHECK(readWhole(file) == before);
   }
+  // Drawings and papers of somebody else.
+  const std::string svg =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n";
+  writeWhole(folder / "mine.svg", svg);
+  writeWhole(folder / "paper.pdf", "%PDF-1.5\n%\xd0\xd4\xc5\xd8\n");
+  for (const auto& file : {folder / "mine.svg", folder / "paper.pdf"}) {
+    CAPTURE(file);
+    const auto before = readWhole(file);
+    CHECK(launch({"lineage", "--quiet", "-o", file, scenario}).code == 6);
+    CHECK(readWhole(file) == before);
+  }
   // By its ending it is no picture.
   writeWhole(folder / "letter.txt", "Dear all\n");
   CHECK(launch({"render", "--quiet", "--style", "lineage", "-o", folder / "letter.txt", scenario}).code == 2);

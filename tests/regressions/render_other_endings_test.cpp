@@ -1,5 +1,5 @@
 // `render -o x.mp4` and `-o x.obj` wrote PNGs under these names. What is no PNG's name is a usage error that
-// says what can be written, before anything is computed or written.
+// says what can be written, before anything is computed or written; lineages can be SVG and PDF, too.
 #include <filesystem>
 
 #include "catch.h"
