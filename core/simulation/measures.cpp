@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "division/principal_axis.h"
 #include "mesh/measures.h"
 #include "simulation/body_measures.h"
 
@@ -135,6 +136,16 @@ constexpr CellMeasure ofCell[] = {
          [](const CellContext& cell) {
            const BodyShape& shape = shapeOf(cell);
            return std::optional(shape.isBall ? 1.0 : sphericity(shape.volume, shape.area));
+         }},
+    {.name = "elongation",
+     .unit = "",
+     .meaning = "Largest over second largest extent, root mean square distances of its vertices from their "
+                "mean along "
+                "the principal axes: 1 for a ball and a disc",
+     .get =
+         [](const CellContext& cell) {
+           const BodyShape& shape = shapeOf(cell);
+           return std::optional(shape.isBall ? 1.0 : extentRatio(shape.surface.vertices));
          }},
     {.name = "neighbours",
      .unit = "",

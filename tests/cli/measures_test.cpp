@@ -6,7 +6,6 @@
 #include "golden/facts.h"
 #include "launch.h"
 #include "store/database.h"
-#include "temporary_folder.h"
 
 using namespace morula;
 using namespace morula::test;

@@ -40,7 +40,7 @@ const CellChange noChange = CellChange::none;
 void change(World& w, std::size_t cell, CellChange what) {
   std::vector<CellChange> changes(w.cells.path.size(), noChange);
   changes[cell] = what;
-  changePopulation(w, changes);
+  changePopulation(w, Observation(w), changes);
 }
 
 /// The largest number along x that a cell has in an array: a change of it does not get lost in rounding.

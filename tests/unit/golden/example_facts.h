@@ -64,7 +64,19 @@ inline GoldenFacts exampleFacts() {
   return f;
 }
 
-inline GoldenData exampleData() { return makeGoldenData(exampleFacts()); }
+/// As before further measures joined the table: texts of the example stay as they are.
+inline GoldenData dataOf(const GoldenFacts& facts) {
+  GoldenData data = makeGoldenData(facts);
+  const std::string known =
+      " cells volume kinetic_energy mean_pressure shell_fill outermost area pressure x y z sphericity "
+      "neighbours ";
+  std::erase_if(data.items, [&](const GoldenItem& i) {
+    return i.kind == "value" && known.find(' ' + i.key.substr(i.key.rfind('/') + 1) + ' ') == known.npos;
+  });
+  return data;
+}
+
+inline GoldenData exampleData() { return dataOf(exampleFacts()); }
 
 inline Golden exampleGolden(std::vector<ToleranceRule> rules = {}) {
   return {exampleData(), "A. Tester", "first result", std::move(rules), "example.golden"};

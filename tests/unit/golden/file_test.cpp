@@ -174,7 +174,7 @@ TEST_CASE("the order of birth does not matter, the order of the file is by path"
   GoldenFacts facts = exampleFacts();
   std::swap(facts.lineage[0], facts.lineage[2]);
   Golden golden = exampleGolden();
-  golden.data = makeGoldenData(facts);
+  golden.data = dataOf(facts);
   CHECK(writeGolden(golden) == writeGolden(exampleGolden()));
 }
 

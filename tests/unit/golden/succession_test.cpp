@@ -22,7 +22,7 @@ TEST_CASE("values within tolerance stay byte for byte, others are new") {
   facts.cells[0]["volume"] = 2 + 1e-12;    // within
   facts.cells[0]["area"] = 0.4;            // beyond
   facts.samples[0]["volume"] = 2 + 1e-12;  // under no rule, so exact
-  const GoldenData kept = keepValuesWithinTolerance(makeGoldenData(facts), old);
+  const GoldenData kept = keepValuesWithinTolerance(dataOf(facts), old);
   CHECK(valueOf(kept, "final/A/volume") == "2");
   CHECK(valueOf(kept, "final/A/area") == "0.4");
   CHECK(valueOf(kept, "0.5/organism/volume") == "2.000000000001");
@@ -68,13 +68,13 @@ TEST_CASE("what became looser is told with the rule that did it") {
 TEST_CASE("a reviewer sees what is gone, new and changed") {
   const Golden golden = exampleGolden();
   GoldenFacts facts = exampleFacts();
-  CHECK(describeSuccession(golden, makeGoldenData(facts)).empty());
+  CHECK(describeSuccession(golden, dataOf(facts)).empty());
   facts.samples.clear();
   facts.lineage[1].state = 0;
   facts.stateHash.low = 1;
   facts.cells[0]["volume"] = 3;
   facts.timeSteps.push_back({512, 2, 1});
-  const std::string text = describeSuccession(golden, makeGoldenData(facts));
+  const std::string text = describeSuccession(golden, dataOf(facts));
   CHECK_THAT(text, ContainsSubstring("6 removed\n  value 0.5/organism/cells"));
   CHECK_THAT(text, ContainsSubstring("1 new\n  time_step 512 2 1\n"));
   CHECK_THAT(text, ContainsSubstring("1 changed in the lineage\n  cell A"));

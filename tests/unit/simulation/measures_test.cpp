@@ -190,6 +190,22 @@ TEST_CASE("Inverted: nothing of a ball, all of one that is turned inside out") {
   CHECK(valueOf("inverted", world, 0) == 1);
 }
 
+TEST_CASE("Elongation: a ball and a disc have none, twice as long is 2, whatever the size and the direction") {
+  Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(2));
+  for (const auto& [stretch, expected] : {std::pair(Vector{1, 1, 1}, 1.0),
+                                          {Vector{0.4, 1, 1}, 1.0},
+                                          {Vector{1, 2, 1}, 2.0},
+                                          {Vector{0.5, 1, 1.5}, 1.5}}) {
+    Body body = shakenBody(scene.mechanics->mesh, 0, 0);
+    for (Point& x : body.position) {
+      x = Point{stretch.x * x.x, stretch.y * x.y, stretch.z * x.z};
+      x = 3 * Point{0.6 * x.x - 0.8 * x.y, 0.8 * x.x + 0.6 * x.y, x.z} + Vector{1, 2, 3};
+    }
+    CHECK(valueOf("elongation", worldOf(scene, {body}), 0) == Approx(expected).epsilon(1e-6));
+  }
+  CHECK(valueOf("elongation", makeWorld(scenes::spheres()), 0) == 1);
+}
+
 TEST_CASE("Extent and momentum: a ball that flies, far out") {
   const Scene scene = scenes::withBodies(scenes::uniqueFour, 1);
   Body body = shakenBody(scene.mechanics->mesh, 0, 0);
