@@ -32,9 +32,9 @@ std::string misspelt(const std::string& name) {
 
 class EffectCheck {
  public:
-  EffectCheck(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints,
-              Complaints& warnings)
-      : lines_(lines), surroundings_(surroundings), complaints_(complaints), warnings_(warnings) {
+  EffectCheck(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics,
+              Diagnostics& warnings)
+      : lines_(lines), surroundings_(surroundings), diagnostics_(diagnostics), warnings_(warnings) {
     // Lines that could not be read may have said anything.
     read_ = lines.unreadableWords;
     for (const GeneLine& gene : lines.genes)
@@ -70,7 +70,7 @@ class EffectCheck {
     if (isActing(name)) {
       if (!surroundings_) return;
       if (const auto found = surroundings_->inert.find(name); found != surroundings_->inert.end())
-        complaints_.add(word.place, quoted(name) + " does nothing here: " + found->second);
+        diagnostics_.add(word.place, quoted(name) + " does nothing here: " + found->second);
       return;
     }
     if (isReadOutside(name) && !isCase(name)) return;
@@ -79,7 +79,7 @@ class EffectCheck {
     const std::string text = quoted(name) + " does nothing; did you mean " + quoted(meant) + "?";
     // `grown` or `divided` may be a name for what has become of the cell.
     if (name.starts_with(meant)) warnings_.add(word.place, text);
-    else complaints_.add(word.place, text);
+    else diagnostics_.add(word.place, text);
   }
 
   /// `Divide`, which is wrong even where a gene reads it.
@@ -100,8 +100,8 @@ class EffectCheck {
                                     ", so cells neither divide nor change; add a gene such as g1(divide|" +
                                     name + ")");
     else
-      complaints_.add(word.place, "no gene reads " + quoted(name) +
-                                      ", so it does nothing; remove it, or write a gene that reads it");
+      diagnostics_.add(word.place, "no gene reads " + quoted(name) +
+                                       ", so it does nothing; remove it, or write a gene that reads it");
   }
 
   /// A cell can come to hold this; so it can hold what genes make of it.
@@ -117,7 +117,7 @@ class EffectCheck {
     }
   }
 
-  /// Genes whose inputs are all produced, and yet never present. One complaint for each substance that would
+  /// Genes whose inputs are all produced, and yet never present. One diagnostic for each substance that would
   /// wake others up.
   void checkReach() {
     std::set<std::string> produced;
@@ -136,7 +136,7 @@ class EffectCheck {
     for (const GeneLine& gene : lines_.genes)
       for (const Word& input : gene.inputs) {
         if (reachable_.contains(input.text)) continue;
-        complaints_.add(input.place, whyAbsent(input.text, gene));
+        diagnostics_.add(input.place, whyAbsent(input.text, gene));
         reach(input.text);
       }
   }
@@ -155,8 +155,8 @@ class EffectCheck {
 
   const Lines& lines_;
   const DnaSurroundings* surroundings_;
-  Complaints& complaints_;
-  Complaints& warnings_;
+  Diagnostics& diagnostics_;
+  Diagnostics& warnings_;
   std::set<std::string> read_;                       // by genes
   std::set<std::string> reachable_;                  // a cell can come to hold it
   std::multimap<std::string, std::size_t> readers_;  // genes by their inputs
@@ -165,9 +165,9 @@ class EffectCheck {
 
 }  // namespace
 
-void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints,
-                 Complaints& warnings) {
-  EffectCheck(lines, surroundings, complaints, warnings).check();
+void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics,
+                 Diagnostics& warnings) {
+  EffectCheck(lines, surroundings, diagnostics, warnings).check();
 }
 
 }  // namespace morula::dna_text

@@ -1,5 +1,5 @@
 #pragma once
-// What can be read off one closed triangle mesh. Pure functions; sums run in the order of the faces, so their
+// Measures of one closed triangle mesh. Pure functions; sums run in the order of the faces, so their
 // bits are the same everywhere. Lengths are in the scene's unit.
 #include <span>
 
@@ -49,7 +49,7 @@ struct Quality {
 Quality measureQuality(Points vertices, Faces faces);
 
 /// The number of faces whose inner side is not turned to `centre`: 0 for a mesh that is star-shaped about it,
-/// as every convex one is about any point inside. A cell that was healthy and has many is turning inside out.
+/// as every convex one is about any point inside. A convex cell that comes to have many is turning inside out.
 int countFacesTurnedInward(Points vertices, Faces faces, const Point& centre);
 
 /// True if the closed mesh winds around the point, from the crossings of the half line upwards (+z) from it.

@@ -27,7 +27,7 @@ struct ShortenedShell {
     const Lanes r = p.radius * load(b.restScale + lane);
     for (int i = 0; i < 3; ++i) {
       // A sphere as large as the shell stands in its middle.
-      const Lanes axis = larger(p.semiAxes[i] - r, Lanes(1e-9 * p.semiAxes[i]));
+      const Lanes axis = max(p.semiAxes[i] - r, Lanes(1e-9 * p.semiAxes[i]));
       inverseSquare[i] = 1.0 / (axis * axis);
     }
   }

@@ -28,14 +28,14 @@ Division divide(const World& world, std::size_t i) {
     return {halveSphere(mother, world.bodies->parameters.cell.radius * mother.restScale, normal), record};
   record.extentRatio = extentRatio(mother.position);
   CutResult cut = cutBody(mother, world.bodies->meshOf(slot).mesh.faces, normal,
-                          world.bodies->parameters.membrane.production);
+                          world.bodies->parameters.membrane.areaFactor);
   if (!cut.failure.empty())
     throw NumericalError(
         world.cells.path[i].text(), world.clock.step, "it cannot divide: " + cut.failure,
         "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
   auto& [a, b] = cut.daughters;
-  record.share = a.mass / mother.mass;                                  // mass goes by volume
-  if (world.bodies->parameters.cell.model == CellModel::shapeMatching)  // a volume at rest, and no membrane
+  record.share = a.mass / mother.mass;     // mass goes by volume
+  if (world.bodies->model().hasRestShape)  // a volume at rest, and no membrane
     for (Body* daughter : {&a, &b})
       daughter->restScale = mother.restScale * cubeRoot(daughter->mass / mother.mass);
   return {{coarsen(*world.bodies, std::move(a)), coarsen(*world.bodies, std::move(b))}, record};

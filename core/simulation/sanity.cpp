@@ -55,8 +55,7 @@ double volumeAtRest(const Bodies& b, const Mesh& egg) {
 
 double restVolume(const Bodies& b, int slot, double egg) {
   const double contents = b.parameters.pressure.constant, scale = b.restScale[slot];
-  if (b.parameters.cell.model == CellModel::shell && contents > 0)
-    return egg * (b.pressureConstant[slot] / contents);
+  if (b.model().hasMembrane && contents > 0) return egg * (b.pressureConstant[slot] / contents);
   return egg * scale * scale * scale;
 }
 
@@ -219,7 +218,7 @@ std::vector<SanityMeasure> measureSanity(const World& world) {
   double largest = 0;
   for (int cell = 0; cell < b.count; ++cell) {
     const int slot = b.slots[cell];
-    const double rest = restVolume(b, slot, eggs[b.blocks[slot / blockLanes].coarseness]);
+    const double rest = restVolume(b, slot, eggs[b.blocks[slot / blockLanes].meshLevel]);
     least.lower(b.volume[slot] / rest, cell);
     most.raise(b.volume[slot] / rest, cell);
     inverted.raise(invertedShare(surfaces[cell]), cell);

@@ -203,8 +203,8 @@ class Experiment {
       Setting s = usual_;
       s.model = {model, matchShell(m.physics, m.mesh)};
       if (s.substeps) s.substeps = 1;
-      if (s.integrator == Integrator::xpbd) s.integrator = Integrator::velocityVerlet;
-      if (s.law && model == CellModel::sphere) s.law = ContactLaw::pair;
+      if (kindOf(s.integrator).solvesForces) s.integrator = Integrator::velocityVerlet;
+      if (s.law && !kindOf(model).hasMesh) s.law = ContactLaw::pair;
       addSeries(list, s);
     }
   }

@@ -117,7 +117,7 @@ void Invariants::observeVolumes(const World& world) {
     const int slot = b.slots[cell];
     const double scale = b.restScale[slot];
     const double volume =
-        b.volume[slot] / (rest[b.blocks[slot / blockLanes].coarseness] * scale * scale * scale);
+        b.volume[slot] / (rest[b.blocks[slot / blockLanes].meshLevel] * scale * scale * scale);
     lower(leastVolume_, volume, world, world.cells.path[cell]);
     raise(mostVolume_, volume, world, world.cells.path[cell]);
   }

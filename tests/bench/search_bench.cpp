@@ -111,10 +111,10 @@ void printStages(World& world) {
   };
   const double internal =
       eachBlock([&](const BlockView& block, int) { advance(world.stages, bodies, block, 0); });
-  movePhysics(world, 0);
+  evaluateForces(world);
   const double law = eachBlock(
       [&](const BlockView&, int i) { addContactForces(contacts, bodies, i, world.clock.timeStep); });
-  movePhysics(world, 0);
+  evaluateForces(world);
   const auto steps = world.clock.step, rebuilds = contacts.rebuilds;
   const double start = now();
   for (int i = 0; i < 300; ++i) step(world);
@@ -139,7 +139,7 @@ int main(int argc, char** argv) {
   printHead();
   for (const World& world : worlds)
     for (double skinShare : {0.15, 0.0})
-      for (ContactSearch method : allContactSearches())
+      for (ContactSearch method : valuesOf<ContactSearch>())
         if (method != ContactSearch::bruteForce || (skinShare == 0 && world.bodies->count <= 256))
           printSearch(world, method, skinShare, isa);
 
