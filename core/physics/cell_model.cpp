@@ -2,6 +2,8 @@
 
 namespace morula {
 
+extern const CellModelKind shellCells, shapeMatchingCells, sphereCells;
+
 const CellModelKind& kindOf(CellModel model) {
   switch (model) {
     case CellModel::shell:

@@ -26,7 +26,4 @@ struct CellModelKind {
 
 const CellModelKind& kindOf(CellModel model);
 
-// The rows.
-extern const CellModelKind shellCells, shapeMatchingCells, sphereCells;
-
 }  // namespace morula

@@ -29,6 +29,7 @@ StabilityLimits limits(const Bodies& b, int) {
 
 }  // namespace
 
+extern const CellModelKind shapeMatchingCells;
 const CellModelKind shapeMatchingCells{
     .hasRestShape = true, .limitedBy = "shape-matching", .chooseForces = chooseForces, .limits = limits};
 

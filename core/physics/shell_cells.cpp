@@ -57,6 +57,7 @@ StabilityLimits limits(const Bodies& b, int slot) {
 
 }  // namespace
 
+extern const CellModelKind shellCells;
 const CellModelKind shellCells{
     .hasMembrane = true, .limitedBy = "springs", .chooseForces = chooseForces, .limits = limits};
 

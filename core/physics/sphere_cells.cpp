@@ -17,6 +17,7 @@ StabilityLimits limits(const Bodies&, int) { return {INFINITY, INFINITY}; }
 
 }  // namespace
 
+extern const CellModelKind sphereCells;
 const CellModelKind sphereCells{
     .hasMesh = false, .limitedBy = "", .chooseForces = chooseForces, .limits = limits};
 

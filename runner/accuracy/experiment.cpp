@@ -10,6 +10,7 @@
 #include "accuracy/reference.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "physics/integrator.h"
 #include "simulation/stages.h"
 
 namespace morula {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "accuracy/accuracy.h"
+#include "physics/integrator.h"
 
 namespace morula {
 

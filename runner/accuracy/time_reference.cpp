@@ -7,6 +7,7 @@
 #include "accuracy/reference.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "physics/integrator.h"
 
 namespace morula {
 

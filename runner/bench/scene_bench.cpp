@@ -79,7 +79,7 @@ void SceneBench::measureSearches() {
     if (method == ContactSearch::grid) continue;
     if (method == ContactSearch::bruteForce && subject_.vertices() > mostBruteForceVertices) continue;
     const Isa isa = isas_.back();
-    series("morula", Stage::rebuild, name(isa), 1, false, name(method))
+    series("morula", Stage::rebuild, name(isa), 1, false, nameOf(method))
         .samples.push_back(subject_.timeRebuild(isa, method));
   }
 }

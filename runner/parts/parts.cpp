@@ -1,4 +1,5 @@
 #include "parts/parts.h"
+#include "physics/integrator.h"
 
 #include <fmt/format.h>
 

@@ -64,7 +64,7 @@ void addContact(Isa isa, double friction) {
 
 void addSearch(Isa isa, ContactSearch method) {
   benchmark::RegisterBenchmark(
-      (std::string("search by ") + name(method) + "/" + name(isa)).c_str(), [=](benchmark::State& state) {
+      (std::string("search by ") + nameOf(method) + "/" + name(isa)).c_str(), [=](benchmark::State& state) {
         const Bodies& bodies = *packed().bodies;
         Contacts c = makeContacts(packed().contacts->parameters, isa, {.method = method});
         resetContacts(c, bodies);

@@ -90,7 +90,7 @@ void printSearch(const World& world, ContactSearch method, double skinShare, Isa
   const double n = vertices * static_cast<double>(c.searches - before.searches);
   const auto per = [&](std::uint64_t now, std::uint64_t then) { return static_cast<double>(now - then) / n; };
   std::printf("| %d | %s | %.2f | %.0f | %.3f | %.1f | %.0f | %.0f | %.2f | %.1f |\n", bodies.count,
-              name(method), skinShare, ns / vertices, ns / bodies.count / 1e6, per(c.pairs, before.pairs),
+              nameOf(method), skinShare, ns / vertices, ns / bodies.count / 1e6, per(c.pairs, before.pairs),
               per(c.distanceTests, before.distanceTests), per(c.binVisits, before.binVisits),
               per(c.rootTests, before.rootTests), per(c.boxTests, before.boxTests));
   std::fflush(stdout);
