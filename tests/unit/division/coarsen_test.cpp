@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "division/cut.h"
 #include "division/principal_axis.h"
+#include "mesh_oracles.h"
 #include "unit/physics/lab.h"
 
 using namespace morula;
