@@ -1,4 +1,4 @@
-// What is well written, could work, and yet has no effect. A slip of the pen must not become an organism that
+// What is well written, could work, and yet has no effect. A misspelling must not become an organism that
 // silently does less than it should. What may be meant as it stands is a warning.
 #include <algorithm>
 #include <map>
@@ -21,7 +21,7 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-/// The acting substance that a name which nothing reads was probably meant to be, or "". Two slips in a short
+/// The acting substance that a name which nothing reads was probably meant to be, or "". With two edits a short
 /// word could be any other word.
 std::string misspelt(const std::string& name) {
   if (name.size() > 10) return "";  // longer than any of them by more than two letters
@@ -47,7 +47,7 @@ class EffectCheck {
     if (!surroundings_) return;
     // A line that could not be read may have been a gene that reads anything.
     if (!lines_.unreadableWords.empty()) return;
-    std::set<std::string> seen;  // what stands there twice has been complained about
+    std::set<std::string> seen;  // what is there twice has been reported
     for (const Word& word : lines_.start)
       if (seen.insert(word.text).second) checkStart(word);
     if (lines_.hasStartLine) checkReach();
@@ -130,7 +130,7 @@ class EffectCheck {
     }
     for (const std::string& name : surroundings_->given) reach(name);
     for (const Word& word : lines_.start) reach(word.text);
-    // Divisions give A and B, and inputs that nothing produces have been complained about.
+    // Divisions give A and B, and inputs that nothing produces have been reported.
     for (const std::string& name : read_)
       if (!produced.contains(name)) reach(name);
     for (const GeneLine& gene : lines_.genes)

@@ -66,7 +66,7 @@ class Cursor {
     return true;
   }
 
-  /// Takes a name, or complains that `what` is missing.
+  /// Takes a name, or reports that `what` is missing.
   Word word(const std::string& what) {
     if (!atWord()) {
       if (isDigit(next()) || next() == '_')
@@ -87,7 +87,7 @@ class Cursor {
 
   [[noreturn]] void fail(const std::string& text) const { throw Unreadable{place(), text}; }
 
-  /// Complains about the next character itself if no line of DNA could hold it, else with `text` and the
+  /// Reports the next character itself if no line of DNA could hold it, else with `text` and the
   /// example.
   [[noreturn]] void failUnexpected(const std::string& text) const {
     if (!atEnd() && !isPunctuation(next()) && !isWordPart(next()))

@@ -1,5 +1,5 @@
-// What is well written but cannot work. A misspelling must not give an
-// organism that silently does nothing, so a name that nothing can ever produce, or a gene that can never be active, is an error.
+// What is well written but cannot work. A misspelling must not give an organism that silently does nothing, so a
+// name that nothing can ever produce, or a gene that can never be active, is an error.
 #include <algorithm>
 #include <map>
 
@@ -15,8 +15,7 @@ namespace {
 
 std::string atLine(const Place& place) { return "line " + std::to_string(place.line); }
 
-/// All names that a cell can come to hold; those of lines that could not be read get the benefit of the
-/// doubt.
+/// All names that a cell can come to hold; those of lines that could not be read count as possible.
 std::set<std::string> possibleSubstances(const Lines& lines) {
   std::set<std::string> names = lines.unreadableWords;
   names.insert({substance::a, substance::b});
@@ -117,7 +116,7 @@ void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Diagn
   std::set<std::string> possible = possibleSubstances(lines);
   if (surroundings) possible.insert(surroundings->given.begin(), surroundings->given.end());
   const std::set<std::string> read = inputsOfAllGenes(lines);
-  // Without all of START everything would seem unproduced: one complaint is enough.
+  // Without all of START everything would seem unproduced: one diagnostic is enough.
   if (!lines.hasStartLine || !lines.isStartReadable) possible.insert(read.begin(), read.end());
   for (const GeneLine& gene : lines.genes) {
     checkProduct(gene.product, diagnostics);

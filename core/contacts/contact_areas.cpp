@@ -1,4 +1,4 @@
-// Who touches whom, and over which area. For measures and decisions, once in a while: not on the hot path.
+// Which cells touch, and over which area. For measures and decisions, once in a while, not in each step.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
