@@ -16,7 +16,8 @@ CellMeasures measureMesh(const Bodies& b, int slot) {
   CellMeasures m;
   m.volume = measureVolume(vertices, faces);
   m.area = measureArea(vertices, faces);
-  if (b.model().hasMembrane) m.pressure = b.pressureConstant[slot] / m.volume - b.parameters.pressure.outside;
+  if (b.parameters.cell.model == CellModel::shell)
+    m.pressure = b.pressureConstant[slot] / m.volume - b.parameters.pressure.outside;
   m.centroid = measureCentroid(vertices);
   m.sphericity = sphericity(m.volume, m.area);
   return m;

@@ -55,7 +55,8 @@ double volumeAtRest(const Bodies& b, const Mesh& egg) {
 
 double restVolume(const Bodies& b, int slot, double egg) {
   const double contents = b.parameters.pressure.constant, scale = b.restScale[slot];
-  if (b.model().hasMembrane && contents > 0) return egg * (b.pressureConstant[slot] / contents);
+  if (b.parameters.cell.model == CellModel::shell && contents > 0)
+    return egg * (b.pressureConstant[slot] / contents);
   return egg * scale * scale * scale;
 }
 
