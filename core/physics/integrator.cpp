@@ -46,74 +46,59 @@ double rungeKuttaLimit(double k, double c, double m) {
   return low;
 }
 
-constexpr IntegratorKind velocityVerlet{.title = "velocity Verlet",
-                                        .order = 2,
-                                        .oscillatorLimit = verletLimit<2>,
-                                        .movement = [](const PhysicsKernels& k, int shell, bool) -> Movement {
-                                          return {k.driftVelocityVerlet[shell], {}, k.kickVelocityVerlet};
-                                        }};
+using Kernels = const PhysicsKernels&;
+Movement moveByVelocityVerlet(Kernels k, int s, bool) {
+  return {k.driftVelocityVerlet[s], {}, k.kickVelocityVerlet};
+}
+Movement moveByThesisVerlet(Kernels k, int s, bool) { return {k.driftThesisVerlet[s], {}, k.endEvaluation}; }
+Movement moveByExplicitEuler(Kernels k, int s, bool) {
+  return {k.driftExplicitEuler[s], {}, k.endEvaluation};
+}
+Movement moveBySymplecticEuler(Kernels k, int s, bool) {
+  return {k.driftSymplecticEuler[s], {}, k.kickSymplecticEuler};
+}
+Movement moveByRungeKutta(Kernels k, int s, bool) {
+  return {k.driftRungeKutta[s][0], std::span(k.driftRungeKutta[s]).subspan(1), k.endEvaluation};
+}
+Movement moveByXpbd(Kernels k, int s, bool damped) { return {k.driftXpbd[damped][s], {}, k.endEvaluation}; }
 
-constexpr IntegratorKind thesisVerlet{.title = "the thesis' Verlet",
-                                      .order = 1,
-                                      .oscillatorLimit = verletLimit<1>,
-                                      .movement = [](const PhysicsKernels& k, int shell, bool) -> Movement {
-                                        return {k.driftThesisVerlet[shell], {}, k.endEvaluation};
-                                      }};
-
-constexpr IntegratorKind explicitEuler{.title = "explicit Euler",
-                                       .order = 1,
-                                       .needsDrag = true,
-                                       .oscillatorLimit = rungeKuttaLimit<1>,
-                                       .undampedLimit = 0,
-                                       .movement = [](const PhysicsKernels& k, int shell, bool) -> Movement {
-                                         return {k.driftExplicitEuler[shell], {}, k.endEvaluation};
-                                       }};
-
-constexpr IntegratorKind symplecticEuler{
-    .title = "symplectic Euler",
-    .order = 1,
-    .oscillatorLimit = verletLimit<1>,
-    .movement = [](const PhysicsKernels& k, int shell, bool) -> Movement {
-      return {k.driftSymplecticEuler[shell], {}, k.kickSymplecticEuler};
-    }};
-
-constexpr IntegratorKind rungeKutta4{.title = "Runge-Kutta of fourth order",
-                                     .order = 4,
-                                     .evaluations = 4,
-                                     .oscillatorLimit = rungeKuttaLimit<4>,
-                                     .undampedLimit = 2.8284271247461903,  // √8
-                                     .movement = [](const PhysicsKernels& k, int shell, bool) -> Movement {
-                                       const auto& drifts = k.driftRungeKutta[shell];
-                                       return {drifts[0], std::span(drifts).subspan(1), k.endEvaluation};
-                                     }};
-
-/// Contact forces it takes once per time step, whatever its sub-steps, as symplectic Euler does.
-constexpr IntegratorKind xpbd{.title = "position-based dynamics",
-                              .order = 1,
-                              .solvesForces = true,
-                              .oscillatorLimit = verletLimit<1>,
-                              .movement = [](const PhysicsKernels& k, int shell, bool damped) -> Movement {
-                                return {k.driftXpbd[damped][shell], {}, k.endEvaluation};
-                              }};
+// In the order of the enumeration's values.
+constexpr IntegratorKind kinds[] = {
+    {.title = "velocity Verlet",
+     .order = 2,
+     .oscillatorLimit = verletLimit<2>,
+     .movement = moveByVelocityVerlet},
+    {.title = "the thesis' Verlet",
+     .order = 1,
+     .oscillatorLimit = verletLimit<1>,
+     .movement = moveByThesisVerlet},
+    {.title = "explicit Euler",
+     .order = 1,
+     .needsDrag = true,
+     .oscillatorLimit = rungeKuttaLimit<1>,
+     .undampedLimit = 0,
+     .movement = moveByExplicitEuler},
+    {.title = "symplectic Euler",
+     .order = 1,
+     .oscillatorLimit = verletLimit<1>,
+     .movement = moveBySymplecticEuler},
+    {.title = "Runge-Kutta of fourth order",
+     .order = 4,
+     .evaluations = 4,
+     .oscillatorLimit = rungeKuttaLimit<4>,
+     .undampedLimit = 2.8284271247461903,  // √8
+     .movement = moveByRungeKutta},
+    // Takes contact forces once per time step, whatever its sub-steps, as symplectic Euler does.
+    {.title = "position-based dynamics",
+     .order = 1,
+     .solvesForces = true,
+     .oscillatorLimit = verletLimit<1>,
+     .movement = moveByXpbd},
+};
+static_assert(std::size(kinds) == choices<Integrator>.size());
 
 }  // namespace
 
-const IntegratorKind& kindOf(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::velocityVerlet:
-      return velocityVerlet;
-    case Integrator::thesisVerlet:
-      return thesisVerlet;
-    case Integrator::explicitEuler:
-      return explicitEuler;
-    case Integrator::symplecticEuler:
-      return symplecticEuler;
-    case Integrator::rungeKutta4:
-      return rungeKutta4;
-    case Integrator::xpbd:
-      return xpbd;
-  }
-  return velocityVerlet;
-}
+const IntegratorKind& kindOf(Integrator integrator) { return kinds[static_cast<int>(integrator)]; }
 
 }  // namespace morula

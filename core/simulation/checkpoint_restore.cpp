@@ -81,9 +81,8 @@ class StateReader {
 
   void operator()(const char* table, Cells& cells) {
     for (const std::string& text : in_.texts("states")) states_.push_back(biology_.stateOf(text));
-    visitFields(cells, [&]<class Member>(const Field& field, const Member& member) {
-      const std::size_t rows = read(columnName(table, field), const_cast<Member&>(member));
-      demandLength(rows, cells.path.size(), table);
+    visitFields(cells, [&](const Field& field, auto&& member) {
+      demandLength(read(columnName(table, field), member), cells.path.size(), table);
     });
   }
 
@@ -148,7 +147,7 @@ class StateReader {
     for (std::size_t i = 0; i < column.size(); ++i) take(column, i, member[i]);
     return column.size();
   }
-  std::size_t read(const std::string& name, StateNumbers<std::vector<StateId>>& member) {
+  std::size_t read(const std::string& name, StateNumbers<std::vector<StateId>> member) {
     const Numbers places = in_.numbers(name);
     member.of.resize(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) take(places, i, StateNumbers{member.of[i]});
