@@ -5,8 +5,8 @@
 
 namespace morula {
 
-/// Memory from a cache line on, to be given back with as many bytes. Large arrays lie in huge pages where the
-/// system has some: what is read here and there then hardly waits for an address. Throws std::bad_alloc.
+/// Memory that starts on a cache line; freeLines wants the same number of bytes. Large arrays lie in huge pages
+/// where the system has some, so that random reads miss the address cache (TLB) less. Throws std::bad_alloc.
 void* allocateLines(std::size_t bytes);
 void freeLines(void* memory, std::size_t bytes);
 

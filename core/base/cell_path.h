@@ -10,7 +10,7 @@ namespace morula {
 
 class CellPath {
  public:
-  static constexpr int maxDepth = 120;  // divisions on one line of descent; 2^120 cells are enough for anyone
+  static constexpr int maxDepth = 120;  // divisions on one line of descent
 
   constexpr CellPath() = default;
 

@@ -14,7 +14,7 @@ int editDistance(std::string_view a, std::string_view b);
 bool equalButForCase(std::string_view a, std::string_view b);
 
 /// The candidate that was probably meant: equal but for case, or closest by edits and no farther than a third
-/// of the word. Digits must agree, for a10 is no slip of the pen for a11. Ties go to the earlier candidate.
+/// of the word. Digits must agree: a10 and a11 are two names, not a misspelling. Ties go to the earlier candidate.
 /// Empty if none is near.
 std::string closest(std::string_view word, std::span<const std::string> candidates);
 

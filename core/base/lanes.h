@@ -43,7 +43,7 @@ using Lanes = double;
 using Mask = bool;
 MORULA_INLINE Lanes load(const double* p) { return *p; }
 MORULA_INLINE void store(double* p, Lanes a) { *p = a; }
-MORULA_INLINE Lanes squareRoot(Lanes a) { return __builtin_sqrt(a); }
+MORULA_INLINE Lanes sqrt(Lanes a) { return __builtin_sqrt(a); }
 MORULA_INLINE Lanes select(Mask m, Lanes a, Lanes b) { return m ? a : b; }
 MORULA_INLINE bool any(Mask m) { return m; }
 MORULA_INLINE unsigned bits(Mask m) { return m; }
@@ -96,7 +96,7 @@ MORULA_INLINE void store(double* p, Lanes a) {
 }
 #endif
 
-MORULA_INLINE Lanes squareRoot(Lanes a) {
+MORULA_INLINE Lanes sqrt(Lanes a) {
 #if defined(MORULA_SINGLE)
 #if defined(__x86_64__) && MORULA_WIDTH == 4
   return (RawLanes)_mm_sqrt_ps((__m128)a.v);
@@ -147,12 +147,12 @@ MORULA_INLINE bool any(Mask m) { return bits(m) != 0; }
 
 #endif
 
-/// Keeps quotients finite where a length is 0, and is below rounding else.
-constexpr double nothing = single ? 1e-30 : 1e-280;
+/// Added to a divisor: keeps quotients finite where a length is 0, and is below rounding everywhere else.
+constexpr double tiny = single ? 1e-30 : 1e-280;
 
 /// The smaller one; b where they do not compare (as x86's minpd).
-MORULA_INLINE Lanes smaller(Lanes a, Lanes b) { return select(a < b, a, b); }
+MORULA_INLINE Lanes min(Lanes a, Lanes b) { return select(a < b, a, b); }
 /// The larger one; b where they do not compare (as x86's maxpd).
-MORULA_INLINE Lanes larger(Lanes a, Lanes b) { return select(a > b, a, b); }
+MORULA_INLINE Lanes max(Lanes a, Lanes b) { return select(a > b, a, b); }
 
 }  // namespace morula::MORULA_ISA

@@ -6,7 +6,7 @@
 
 namespace morula {
 
-/// Where numbers lie whose type only the kernel knows that takes them.
+/// A pointer to floats or doubles; the kernel that takes it was compiled for one of the two.
 struct RealPointer {
   void* place;
   template <class Real>

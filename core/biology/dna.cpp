@@ -42,11 +42,11 @@ Dna compose(const Lines& lines, std::string_view text) {
 
 Dna parseDna(std::string_view text, const std::string& file, int firstLine, int firstColumn,
              const std::string& path, const DnaSurroundings* surroundings) {
-  Complaints complaints, warnings;
-  const Lines lines = readLines(text, {firstLine, firstColumn}, complaints);
-  checkMeaning(lines, surroundings, complaints);
-  checkEffect(lines, surroundings, complaints, warnings);
-  complaints.report(file, path);
+  Diagnostics diagnostics, warnings;
+  const Lines lines = readLines(text, {firstLine, firstColumn}, diagnostics);
+  checkMeaning(lines, surroundings, diagnostics);
+  checkEffect(lines, surroundings, diagnostics, warnings);
+  diagnostics.report(file, path);
   Dna dna = compose(lines, text);
   dna.warnings = warnings.lines(file, path);
   return dna;

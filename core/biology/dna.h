@@ -27,12 +27,11 @@ struct Gene {
 };
 
 struct Dna {
-  std::vector<std::string>
-      substances;  // every name that occurs, and A and B; sorted: a SubstanceId is a place here
-  std::vector<SubstanceId> start;     // what the egg holds; sorted
-  std::vector<Gene> genes;            // as written
-  std::string source;                 // the text that this was read from
-  std::vector<std::string> warnings;  // what works, but may not be meant; each as a line of an InputError
+  std::vector<std::string> substances;  // all names, and A and B; sorted: a SubstanceId is a place here
+  std::vector<SubstanceId> start;       // what the egg holds; sorted
+  std::vector<Gene> genes;              // as written
+  std::string source;                   // the text that this was read from
+  std::vector<std::string> warnings;    // what works, but may not be meant; each as a line of an InputError
 };
 
 /// What a scene does with substances outside its DNA.
@@ -45,8 +44,8 @@ struct DnaSurroundings {
 
 /// Reads DNA in the syntax above. `file` and `path` only name the place in messages; `firstLine` and
 /// `firstColumn` (from 1) tell where the text begins in the file, for DNA inside a YAML block, where every
-/// line is indented alike. Throws InputError with all that is wrong, one line each: "file:line:column: [path:
-/// ]what is wrong; what would be right". Wrong is also what could never have an effect, such as an input that
+/// line is indented alike. Throws InputError with all that is wrong, one line each:
+/// "file:line:column: [path: ]what is wrong; what would be right". Wrong is also what could never have an effect, such as an input that
 /// no gene produces. Without `surroundings` (null) only what no scene could make work is wrong.
 Dna parseDna(std::string_view text, const std::string& file, int firstLine = 1, int firstColumn = 1,
              const std::string& path = "", const DnaSurroundings* surroundings = nullptr);

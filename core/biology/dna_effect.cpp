@@ -1,4 +1,4 @@
-// What is well written, could work, and yet has no effect. A slip of the pen must not become an organism that
+// What is well written, could work, and yet has no effect. A misspelling must not become an organism that
 // silently does less than it should. What may be meant as it stands is a warning.
 #include <algorithm>
 #include <map>
@@ -21,7 +21,7 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-/// The acting substance that a name which nothing reads was probably meant to be, or "". Two slips in a short
+/// The acting substance that a name which nothing reads was probably meant to be, or "". With two edits a short
 /// word could be any other word.
 std::string misspelt(const std::string& name) {
   if (name.size() > 10) return "";  // longer than any of them by more than two letters
@@ -32,9 +32,9 @@ std::string misspelt(const std::string& name) {
 
 class EffectCheck {
  public:
-  EffectCheck(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints,
-              Complaints& warnings)
-      : lines_(lines), surroundings_(surroundings), complaints_(complaints), warnings_(warnings) {
+  EffectCheck(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics,
+              Diagnostics& warnings)
+      : lines_(lines), surroundings_(surroundings), diagnostics_(diagnostics), warnings_(warnings) {
     // Lines that could not be read may have said anything.
     read_ = lines.unreadableWords;
     for (const GeneLine& gene : lines.genes)
@@ -48,7 +48,7 @@ class EffectCheck {
     if (!surroundings_) return;
     // A line that could not be read may have been a gene that reads anything.
     if (!lines_.unreadableWords.empty()) return;
-    std::set<std::string> seen;  // what stands there twice has been complained about
+    std::set<std::string> seen;  // what is there twice has been reported
     for (const Word& word : lines_.start)
       if (seen.insert(word.text).second) checkStart(word);
     if (lines_.hasStartLine) checkReach();
@@ -71,7 +71,7 @@ class EffectCheck {
     if (isActing(name)) {
       if (!surroundings_) return;
       if (const auto found = surroundings_->inert.find(name); found != surroundings_->inert.end())
-        complaints_.add(word.place, quoted(name) + " does nothing here: " + found->second);
+        diagnostics_.add(word.place, quoted(name) + " does nothing here: " + found->second);
       return;
     }
     if (isReadOutside(name) && !isCase(name)) return;
@@ -80,7 +80,7 @@ class EffectCheck {
     const std::string text = quoted(name) + " does nothing; did you mean " + quoted(meant) + "?";
     // `grown` or `divided` may be a name for what has become of the cell.
     if (name.starts_with(meant)) warnings_.add(word.place, text);
-    else complaints_.add(word.place, text);
+    else diagnostics_.add(word.place, text);
   }
 
   /// `Divide`, which is wrong even where a gene reads it.
@@ -101,8 +101,8 @@ class EffectCheck {
                                     ", so cells neither divide nor change; add a gene such as g1(divide|" +
                                     name + ")");
     else
-      complaints_.add(word.place, "no gene reads " + quoted(name) +
-                                      ", so it does nothing; remove it, or write a gene that reads it");
+      diagnostics_.add(word.place, "no gene reads " + quoted(name) +
+                                       ", so it does nothing; remove it, or write a gene that reads it");
   }
 
   /// A cell can come to hold this; so it can hold what genes make of it. What represses them may be absent.
@@ -118,7 +118,7 @@ class EffectCheck {
     }
   }
 
-  /// Genes whose inputs are all produced, and yet never present. One complaint for each substance that would
+  /// Genes whose inputs are all produced, and yet never present. One diagnostic for each substance that would
   /// wake others up.
   void checkReach() {
     std::set<std::string> produced;
@@ -131,13 +131,13 @@ class EffectCheck {
     }
     for (const std::string& name : surroundings_->given) reach(name);
     for (const Word& word : lines_.start) reach(word.text);
-    // Divisions give A and B, and inputs that nothing produces have been complained about.
+    // Divisions give A and B, and inputs that nothing produces have been reported.
     for (const std::string& name : read_)
       if (!produced.contains(name)) reach(name);
     for (const GeneLine& gene : lines_.genes)
       for (const Word& input : gene.inputs) {
         if (reachable_.contains(input.text)) continue;
-        complaints_.add(input.place, whyAbsent(input.text, gene));
+        diagnostics_.add(input.place, whyAbsent(input.text, gene));
         reach(input.text);
       }
   }
@@ -156,8 +156,8 @@ class EffectCheck {
 
   const Lines& lines_;
   const DnaSurroundings* surroundings_;
-  Complaints& complaints_;
-  Complaints& warnings_;
+  Diagnostics& diagnostics_;
+  Diagnostics& warnings_;
   std::set<std::string> read_;                       // by genes
   std::set<std::string> reachable_;                  // a cell can come to hold it
   std::multimap<std::string, std::size_t> readers_;  // genes by their inputs
@@ -166,9 +166,9 @@ class EffectCheck {
 
 }  // namespace
 
-void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints,
-                 Complaints& warnings) {
-  EffectCheck(lines, surroundings, complaints, warnings).check();
+void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics,
+                 Diagnostics& warnings) {
+  EffectCheck(lines, surroundings, diagnostics, warnings).check();
 }
 
 }  // namespace morula::dna_text

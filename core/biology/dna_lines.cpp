@@ -1,4 +1,4 @@
-// The grammar of DNA text. A line that cannot be read yields one complaint, at the first place where it goes
+// The grammar of DNA text. A line that cannot be read yields one diagnostic, at the first place where it goes
 // wrong.
 #include <algorithm>
 #include <utility>
@@ -66,7 +66,7 @@ class Cursor {
     return true;
   }
 
-  /// Takes a name, or complains that `what` is missing.
+  /// Takes a name, or reports that `what` is missing.
   Word word(const std::string& what) {
     if (!atWord()) {
       if (isDigit(next()) || next() == '_')
@@ -87,7 +87,7 @@ class Cursor {
 
   [[noreturn]] void fail(const std::string& text) const { throw Unreadable{place(), text}; }
 
-  /// Complains about the next character itself if no line of DNA could hold it, else with `text` and the
+  /// Reports the next character itself if no line of DNA could hold it, else with `text` and the
   /// example.
   [[noreturn]] void failUnexpected(const std::string& text) const {
     if (!atEnd() && !isPunctuation(next()) && !isWordPart(next()))
@@ -189,7 +189,7 @@ void rememberWords(std::string_view line, std::set<std::string>& words) {
 
 }  // namespace
 
-Lines readLines(std::string_view text, Place begin, Complaints& complaints) {
+Lines readLines(std::string_view text, Place begin, Diagnostics& diagnostics) {
   Lines lines;
   lines.begin = begin;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // some editors' mark for UTF-8
@@ -200,25 +200,25 @@ Lines readLines(std::string_view text, Place begin, Complaints& complaints) {
     try {
       readLine(cursor, lines);
     } catch (const Unreadable& problem) {
-      complaints.add(problem.place, problem.text);
+      diagnostics.add(problem.place, problem.text);
       rememberWords(line.substr(0, line.find('#')), lines.unreadableWords);
     }
   }
   return lines;
 }
 
-std::vector<std::string> Complaints::lines(const std::string& file, const std::string& path) {
-  std::ranges::stable_sort(list_, [](const Complaint& a, const Complaint& b) {
+std::vector<std::string> Diagnostics::lines(const std::string& file, const std::string& path) {
+  std::ranges::stable_sort(list_, [](const Diagnostic& a, const Diagnostic& b) {
     return a.place.line != b.place.line ? a.place.line < b.place.line : a.place.column < b.place.column;
   });
   std::vector<std::string> lines;
-  for (const Complaint& c : list_)
+  for (const Diagnostic& c : list_)
     lines.push_back(file + ":" + std::to_string(c.place.line) + ":" + std::to_string(c.place.column) + ": " +
                     (path.empty() ? "" : path + ": ") + c.text);
   return lines;
 }
 
-void Complaints::report(const std::string& file, const std::string& path) {
+void Diagnostics::report(const std::string& file, const std::string& path) {
   if (list_.empty()) return;
   constexpr std::size_t most = 50;  // a picture taken for DNA has one per line
   const auto all = lines(file, path);

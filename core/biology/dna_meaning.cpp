@@ -1,5 +1,5 @@
-// What is well written but cannot work. An organism that silently does nothing is the worst answer to a slip
-// of the pen, so a name that nothing can ever produce, or a gene that can never be active, is an error.
+// What is well written but cannot work. A misspelling must not give an organism that silently does nothing, so a
+// name that nothing can ever produce, or a gene that can never be active, is an error.
 #include <algorithm>
 #include <map>
 
@@ -15,8 +15,7 @@ namespace {
 
 std::string atLine(const Place& place) { return "line " + std::to_string(place.line); }
 
-/// All names that a cell can come to hold; those of lines that could not be read get the benefit of the
-/// doubt.
+/// All names that a cell can come to hold; those of lines that could not be read count as possible.
 std::set<std::string> possibleSubstances(const Lines& lines) {
   std::set<std::string> names = lines.unreadableWords;
   names.insert({substance::a, substance::b});
@@ -35,35 +34,35 @@ std::set<std::string> inputsOfAllGenes(const Lines& lines) {
 
 bool isAsymmetry(const std::string& name) { return name == substance::a || name == substance::b; }
 
-void checkStart(const Lines& lines, Complaints& complaints) {
+void checkStart(const Lines& lines, Diagnostics& diagnostics) {
   if (!lines.hasStartLine)
-    complaints.add(lines.begin, "no START line; name the egg's substances, for example START: a0");
+    diagnostics.add(lines.begin, "no START line; name the egg's substances, for example START: a0");
   std::map<std::string, Place> seen;
   for (const Word& word : lines.start) {
     const auto [first, isNew] = seen.emplace(word.text, word.place);
-    if (word.text == "START") complaints.add(word.place, "START cannot be a substance; take another name");
+    if (word.text == "START") diagnostics.add(word.place, "START cannot be a substance; take another name");
     else if (!isNew)
-      complaints.add(word.place,
-                     quoted(word.text) + " is in START already (" + atLine(first->second) + "); remove one");
+      diagnostics.add(word.place,
+                      quoted(word.text) + " is in START already (" + atLine(first->second) + "); remove one");
     else if (isAsymmetry(word.text))
-      complaints.add(word.place,
-                     quoted(word.text) + " is given to daughters only, at a division; take another name");
+      diagnostics.add(word.place,
+                      quoted(word.text) + " is given to daughters only, at a division; take another name");
     else if (word.text == substance::divide || word.text == substance::die)
-      complaints.add(word.place,
-                     quoted(word.text) +
-                         " acts when a gene produces it; START a substance and a gene such as g1(" +
-                         word.text + "|a0)");
+      diagnostics.add(word.place,
+                      quoted(word.text) +
+                          " acts when a gene produces it; START a substance and a gene such as g1(" +
+                          word.text + "|a0)");
   }
 }
 
-void checkNames(const Lines& lines, Complaints& complaints) {
+void checkNames(const Lines& lines, Diagnostics& diagnostics) {
   std::map<std::string, Place> names;
   std::map<std::vector<std::string>, const GeneLine*> contents;
   for (const GeneLine& gene : lines.genes) {
     const auto [firstName, isNewName] = names.emplace(gene.name.text, gene.name.place);
     if (!isNewName)
-      complaints.add(gene.name.place, "gene " + quoted(gene.name.text) + " exists already (" +
-                                          atLine(firstName->second) + "); give this one another name");
+      diagnostics.add(gene.name.place, "gene " + quoted(gene.name.text) + " exists already (" +
+                                           atLine(firstName->second) + "); give this one another name");
     std::vector<std::string> content;
     for (const Word& input : gene.inputs) content.push_back(input.text);
     for (const Word& repressor : gene.repressors) content.push_back('!' + repressor.text);
@@ -71,65 +70,66 @@ void checkNames(const Lines& lines, Complaints& complaints) {
     content.push_back(gene.product.text);
     const auto [firstGene, isNewGene] = contents.emplace(content, &gene);
     if (!isNewGene)
-      complaints.add(gene.product.place,
-                     "the same product and inputs as gene " + quoted(firstGene->second->name.text) + " (" +
-                         atLine(firstGene->second->name.place) + "); remove one of the two");
+      diagnostics.add(gene.product.place,
+                      "the same product and inputs as gene " + quoted(firstGene->second->name.text) + " (" +
+                          atLine(firstGene->second->name.place) + "); remove one of the two");
   }
 }
 
-void checkProduct(const Word& product, Complaints& complaints) {
+void checkProduct(const Word& product, Diagnostics& diagnostics) {
   if (product.text == "START")
-    complaints.add(product.place, "START cannot be a substance; take another name");
+    diagnostics.add(product.place, "START cannot be a substance; take another name");
   else if (isAsymmetry(product.text))
-    complaints.add(product.place, "no gene produces " + quoted(product.text) +
-                                      ": daughters get it at a division; take another name");
+    diagnostics.add(product.place, "no gene produces " + quoted(product.text) +
+                                       ": daughters get it at a division; take another name");
 }
 
-void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Complaints& complaints) {
+void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Diagnostics& diagnostics) {
   std::set<std::string> seen;
   for (const Word& input : gene.inputs) {
     const bool isNew = seen.insert(input.text).second;
     const std::string name = quoted(input.text);
     if (input.text == "START") {
-      complaints.add(input.place, "START cannot be a substance; take another name");
+      diagnostics.add(input.place, "START cannot be a substance; take another name");
     } else if (!isNew) {
-      complaints.add(input.place, name + " is an input of this gene already; remove one");
+      diagnostics.add(input.place, name + " is an input of this gene already; remove one");
     } else if (isAsymmetry(input.text) && seen.contains(substance::a) && seen.contains(substance::b)) {
-      complaints.add(input.place, "no cell holds both 'A' and 'B', so this gene is never active; remove one");
+      diagnostics.add(input.place,
+                      "no cell holds both 'A' and 'B', so this gene is never active; remove one");
     } else if (input.text == substance::die) {
-      complaints.add(input.place,
-                     "a cell that holds 'die' runs no further cycle, so this gene is never active; "
-                     "take another input");
+      diagnostics.add(input.place,
+                      "a cell that holds 'die' runs no further cycle, so this gene is never active; "
+                      "take another input");
     } else if (!possible.contains(input.text)) {
       const std::vector<std::string> candidates(possible.begin(), possible.end());
       const std::string meant = closest(input.text, candidates);
-      complaints.add(input.place, "nothing produces " + name + ", so this gene is never active; " +
-                                      (meant.empty() ? "add it to START or write a gene that produces it"
-                                                     : "did you mean " + quoted(meant) + "?"));
+      diagnostics.add(input.place, "nothing produces " + name + ", so this gene is never active; " +
+                                       (meant.empty() ? "add it to START or write a gene that produces it"
+                                                      : "did you mean " + quoted(meant) + "?"));
     }
   }
 }
 
 /// What is never there represses nothing; what must be there and must not, always.
-void checkRepressors(const GeneLine& gene, const std::set<std::string>& possible, Complaints& complaints) {
+void checkRepressors(const GeneLine& gene, const std::set<std::string>& possible, Diagnostics& diagnostics) {
   std::set<std::string> inputs, seen;
   for (const Word& input : gene.inputs) inputs.insert(input.text);
   for (const Word& repressor : gene.repressors) {
     const std::string name = quoted(repressor.text);
     if (repressor.text == "START") {
-      complaints.add(repressor.place, "START cannot be a substance; take another name");
+      diagnostics.add(repressor.place, "START cannot be a substance; take another name");
     } else if (!seen.insert(repressor.text).second) {
-      complaints.add(repressor.place, name + " represses this gene already; remove one");
+      diagnostics.add(repressor.place, name + " represses this gene already; remove one");
     } else if (inputs.contains(repressor.text)) {
-      complaints.add(repressor.place,
+      diagnostics.add(repressor.place,
                      name + " must be present and must not, so this gene is never active; remove one");
     } else if (repressor.text == substance::die) {
-      complaints.add(repressor.place,
+      diagnostics.add(repressor.place,
                      "a cell that holds 'die' runs no further cycle, so '!die' is always true; remove it");
     } else if (!possible.contains(repressor.text)) {
       const std::vector<std::string> candidates(possible.begin(), possible.end());
       const std::string meant = closest(repressor.text, candidates);
-      complaints.add(repressor.place, "nothing produces " + name + ", so it represses nothing; " +
+      diagnostics.add(repressor.place, "nothing produces " + name + ", so it represses nothing; " +
                                           (meant.empty() ? "remove it or write a gene that produces it"
                                                          : "did you mean " + quoted(meant) + "?"));
     }
@@ -138,18 +138,18 @@ void checkRepressors(const GeneLine& gene, const std::set<std::string>& possible
 
 }  // namespace
 
-void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints) {
-  checkStart(lines, complaints);
-  checkNames(lines, complaints);
+void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics) {
+  checkStart(lines, diagnostics);
+  checkNames(lines, diagnostics);
   std::set<std::string> possible = possibleSubstances(lines);
   if (surroundings) possible.insert(surroundings->given.begin(), surroundings->given.end());
   const std::set<std::string> read = inputsOfAllGenes(lines);
-  // Without all of START everything would seem unproduced: one complaint is enough.
+  // Without all of START everything would seem unproduced: one diagnostic is enough.
   if (!lines.hasStartLine || !lines.isStartReadable) possible.insert(read.begin(), read.end());
   for (const GeneLine& gene : lines.genes) {
-    checkProduct(gene.product, complaints);
-    checkInputs(gene, possible, complaints);
-    checkRepressors(gene, possible, complaints);
+    checkProduct(gene.product, diagnostics);
+    checkInputs(gene, possible, diagnostics);
+    checkRepressors(gene, possible, diagnostics);
   }
 }
 

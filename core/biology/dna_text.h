@@ -1,5 +1,5 @@
 #pragma once
-// Between text and Dna: what stands where, so that every complaint can name its place. Private to this room.
+// Between text and Dna: what stands where, so that every diagnostic can name its place. Private to this room.
 #include <set>
 #include <string>
 #include <string_view>
@@ -33,8 +33,8 @@ struct Lines {
   std::set<std::string> unreadableWords;  // names in lines that could not be read: they may be anything
 };
 
-/// Collects complaints; `file:line:column: [path: ]text` in the order of places.
-class Complaints {
+/// Collects diagnostics; `file:line:column: [path: ]text` in the order of places.
+class Diagnostics {
  public:
   void add(Place place, std::string text) { list_.push_back({place, std::move(text)}); }
   /// Throws InputError if there are any.
@@ -43,23 +43,23 @@ class Complaints {
   std::vector<std::string> lines(const std::string& file, const std::string& path);
 
  private:
-  struct Complaint {
+  struct Diagnostic {
     Place place;
     std::string text;
   };
-  std::vector<Complaint> list_;
+  std::vector<Diagnostic> list_;
 };
 
 /// The grammar: one line, one START list, gene or comment.
-Lines readLines(std::string_view text, Place begin, Complaints& complaints);
+Lines readLines(std::string_view text, Place begin, Diagnostics& diagnostics);
 
 /// The meaning: whatever is well written but cannot work. `surroundings` may be null.
-void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints);
+void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics);
 
 /// What could work and yet has no effect: a gene whose inputs are never present, a substance that nothing
 /// reads, an acting substance misspelt or in a scene that does nothing with it. `surroundings` may be null.
-void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Complaints& complaints,
-                 Complaints& warnings);
+void checkEffect(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics,
+                 Diagnostics& warnings);
 
 std::string quoted(const std::string& text);
 

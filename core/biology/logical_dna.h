@@ -6,11 +6,11 @@
 // state to both daughters and adds A to one and B to the other, so these and `divide` are gone after the
 // daughters' next cycle, unless `divide` is produced again:
 //
-//   {a0} → cycle → {a1, divide} → division → {a1, divide, A}, {a1, divide, B} → cycle → {a2, divide}, {a3,
-//   divide} → …
+//   {a0} → cycle → {a1, divide} → division → {a1, divide, A} → cycle → {a2, divide} → …
+//                                            {a1, divide, B} → cycle → {a3, divide} → …
 //
-// Compiled: each gene waits for its rarest input only, and what a state leads to is worked out once and
-// remembered, so that a cell cycle is a table look-up however many genes there are.
+// Compiled: each gene is looked up by its rarest input only, and the successor of each state is computed once and
+// kept, so that a cell cycle is a table look-up however many genes there are.
 #include <memory>
 
 #include "biology/biological_unit.h"

@@ -1,6 +1,6 @@
 #pragma once
-// A biological state is a set of substances. States are interned: equal sets have equal ids, so a cell carries
-// 4 bytes, and what a state leads to is worked out once.
+// A biological state is a set of substances. States are interned: equal sets have equal ids, so a cell stores
+// 4 bytes, and a state's successor is computed once.
 #include <cstdint>
 
 namespace morula {

@@ -19,8 +19,8 @@ Box around(const Box& a, const Box& b) {
 /// From the leaves up: daughters stand behind their mothers.
 void refit(TreeSearch& tree, const SearchInput& input, int slot) {
   const Bodies& bodies = input.bodies;
-  const auto& [coarseness, firstBox, base] = tree.trees[slot];
-  const TreeShape& shape = tree.shapes[coarseness];
+  const auto& [meshLevel, firstBox, base] = tree.trees[slot];
+  const TreeShape& shape = tree.shapes[meshLevel];
   const int vertices = bodies.vertexCount(slot);
   const VertexNumber firstNumber =
       bodies.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes;
@@ -61,8 +61,8 @@ double distanceSquared(const Box& a, const Box& b) {
 /// which leaves of `own`.
 void descend(const TreeSearch& tree, TreeSearch::Scratch& scratch, const CellTree& own, const CellTree& other,
              double reachSquared, SearchCounters& counters) {
-  const std::vector<TreeNode>&ownNodes = tree.shapes[own.coarseness].nodes,
-        &otherNodes = tree.shapes[other.coarseness].nodes;
+  const std::vector<TreeNode>&ownNodes = tree.shapes[own.meshLevel].nodes,
+        &otherNodes = tree.shapes[other.meshLevel].nodes;
   const Box *ownBoxes = &tree.boxes[own.firstBox], *otherBoxes = &tree.boxes[other.firstBox];
   auto& open = scratch.open;
   open.clear();
@@ -87,10 +87,10 @@ void descend(const TreeSearch& tree, TreeSearch::Scratch& scratch, const CellTre
 }
 
 /// The shape of a mesh's trees: made when a cell first has the mesh.
-const TreeShape& shapeAt(TreeSearch& tree, const Bodies& bodies, int coarseness) {
-  if (static_cast<int>(tree.shapes.size()) <= coarseness) tree.shapes.resize(coarseness + 1);
-  TreeShape& shape = tree.shapes[coarseness];
-  const std::vector<Point>& vertices = bodies.meshAt(coarseness).mesh.vertices;
+const TreeShape& shapeAt(TreeSearch& tree, const Bodies& bodies, int meshLevel) {
+  if (static_cast<int>(tree.shapes.size()) <= meshLevel) tree.shapes.resize(meshLevel + 1);
+  TreeShape& shape = tree.shapes[meshLevel];
+  const std::vector<Point>& vertices = bodies.meshAt(meshLevel).mesh.vertices;
   if (shape.order.size() != vertices.size()) {
     shape = makeTreeShape(vertices, leafSize);
     ++tree.preparation.treesBuilt;
@@ -108,9 +108,9 @@ void prepare(TreeSearch& tree, const SearchInput& input, int threads) {
   std::size_t boxes = 0, points = 0;
   int leaves = 0;
   for (int slot : bodies.slots) {
-    const int coarseness = bodies.blocks[slot / blockLanes].coarseness;
-    const TreeShape& shape = shapeAt(tree, bodies, coarseness);
-    tree.trees[slot] = {coarseness, static_cast<std::int32_t>(boxes), static_cast<std::int32_t>(points)};
+    const int meshLevel = bodies.blocks[slot / blockLanes].meshLevel;
+    const TreeShape& shape = shapeAt(tree, bodies, meshLevel);
+    tree.trees[slot] = {meshLevel, static_cast<std::int32_t>(boxes), static_cast<std::int32_t>(points)};
     leaves = std::max(leaves, shape.leaves);
     boxes += shape.nodes.size();
     points += shape.order.size();
@@ -128,7 +128,7 @@ void searchBlock(const TreeSearch& tree, const SearchInput& input, int block, Bl
   for (int lane = 0; lane < bodies.liveLanes(block); ++lane) {
     const int slot = block * blockLanes + lane;
     const CellTree& own = tree.trees[slot];
-    const TreeShape& shape = tree.shapes[own.coarseness];
+    const TreeShape& shape = tree.shapes[own.meshLevel];
     for (auto& rows : scratch.rows) rows.clear();
     for (int other : bodies.slots) {
       const double reach = input.reach(slot, other);

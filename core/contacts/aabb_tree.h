@@ -3,18 +3,18 @@
 // §4.3.1].
 //
 // All cells of a mesh template share a tree's shape, and only boxes belong to a cell: the template's
-// vertices are halved again and again along the longest side of their box, so a leaf is a patch of the
+// vertices are halved recursively along the longest side of their box, so a leaf is a patch of the
 // surface, and stays one however the cell deforms. So a tree is built once per template, and when cells move
 // its boxes are refitted, from the leaves up. There is no broad phase, as the thesis names none: each cell
-// asks all others' roots.
+// is tested against all others' roots.
 #include "contacts/point_table.h"
 
 namespace morula {
 
-/// In order of a walk that visits mothers before daughters; the first daughter follows her mother at once.
+/// In depth-first order: a parent before its children, the first child directly after it.
 struct TreeNode {
   std::int32_t first, last;  // the vertices below: [first, last) of TreeShape::order
-  std::int32_t second;       // the second daughter, or 0 for a leaf
+  std::int32_t second;       // the second child, or 0 for a leaf
   std::int32_t leaf;         // number of the leaf, or −1
 };
 
@@ -29,12 +29,12 @@ TreeShape makeTreeShape(const std::vector<Point>& vertices, int leafSize);
 
 /// One cell's tree.
 struct CellTree {
-  std::int32_t coarseness;            // whose shape it has
+  std::int32_t meshLevel;             // whose shape it has
   std::int32_t firstBox, firstPoint;  // its own begin here
 };
 
 struct TreeSearch {
-  std::vector<TreeShape> shapes;  // [coarseness]
+  std::vector<TreeShape> shapes;  // [meshLevel]
   std::vector<CellTree> trees;    // [slot]
   std::vector<Box> boxes;         // [cell][node]
   PointTable points;              // [cell][place in the shape's order]

@@ -1,6 +1,6 @@
 #pragma once
 // All vertices against all of other cells: the oracle. It shares no code with the other ways to search, and
-// keeps nothing between searches.
+// stores nothing between searches.
 #include "contacts/search.h"
 
 namespace morula {

@@ -1,6 +1,7 @@
-// Who touches whom, and over which area. For measures and decisions, once in a while: not on the hot path.
+// Which cells touch, and over which area. For measures and decisions, once in a while, not in each step.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "contacts/contacts.h"
@@ -74,7 +75,7 @@ double discArea(const SnapshotRow& i, double ri, const SnapshotRow& j, double rj
   const double square = dot(apart, apart), distance = std::sqrt(square);
   if (!(distance > 0 && distance < ri + rj)) return 0;
   const double along = (square + ri * ri - rj * rj) / (2 * distance);  // from i to the disc's plane
-  return 3.141592653589793 * std::max(ri * ri - along * along, 0.0);   // 0: one is inside the other
+  return std::numbers::pi * std::max(ri * ri - along * along, 0.0);    // 0: one is inside the other
 }
 
 std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {

@@ -8,32 +8,12 @@
 
 namespace morula {
 
-std::span<const ContactSearch> allContactSearches() {
-  static constexpr ContactSearch all[] = {ContactSearch::grid, ContactSearch::aabbTree,
-                                          ContactSearch::spatialHash, ContactSearch::bruteForce};
-  return all;
-}
-
-const char* name(ContactSearch search) {
-  switch (search) {
-    case ContactSearch::grid:
-      return "grid";
-    case ContactSearch::aabbTree:
-      return "aabb-tree";
-    case ContactSearch::spatialHash:
-      return "spatial-hash";
-    case ContactSearch::bruteForce:
-      return "brute-force";
-  }
-  return "?";
-}
-
 ContactSearch parseContactSearch(std::string_view word) {
   std::vector<std::string> known;
   std::string list;
-  for (ContactSearch search : allContactSearches()) {
-    if (word == name(search)) return search;
-    known.push_back(name(search));
+  for (const auto& [search, name, meaning] : choices<ContactSearch>) {
+    if (word == name) return search;
+    known.push_back(name);
     list += (list.empty() ? "" : ", ") + known.back();
   }
   const std::string meant = closest(word, known);

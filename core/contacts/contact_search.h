@@ -1,17 +1,22 @@
 #pragma once
 // How pairs of vertices within reach are found. All ways find the same pairs, so none changes a bit of the
 // result; they are here to be compared (README.md beside this file).
-#include <span>
 #include <string_view>
+
+#include "base/choice.h"
 
 namespace morula {
 
-enum class ContactSearch {
-  grid,         // a uniform grid over the bounding box: the fastest for cells of like size
-  aabbTree,     // a tree of boxes per cell, cell against cell [van den Bergen 1997; Nilsson 2008, §4.3.1]
-  spatialHash,  // the cells of an endless grid, hashed [Teschner et al. 2003]
-  bruteForce,   // all vertices against all: the oracle
-};
+enum class ContactSearch { grid, aabbTree, spatialHash, bruteForce };
+template <>
+inline constexpr auto choices<ContactSearch> = std::to_array<Choice<ContactSearch>>({
+    {ContactSearch::grid, "grid", "a uniform grid over the bounding box: the fastest for cells of like size"},
+    {ContactSearch::aabbTree, "aabb-tree",
+     "a tree of boxes per cell, cell against cell [van den Bergen 1997; Nilsson 2008, §4.3.1]"},
+    {ContactSearch::spatialHash, "spatial-hash",
+     "the bins of an unbounded grid, hashed [Teschner et al. 2003]"},
+    {ContactSearch::bruteForce, "brute-force", "all vertices against all: the oracle"},
+});
 
 /// Changes speed, never a bit of the result.
 struct SearchSettings {
@@ -22,10 +27,7 @@ struct SearchSettings {
   double skinShare = 0.15;
 };
 
-std::span<const ContactSearch> allContactSearches();
-/// As on the command line: grid, aabb-tree, spatial-hash, brute-force.
-const char* name(ContactSearch search);
-/// Throws InputError for another word.
+/// Of a name on the command line. Throws InputError for another word.
 ContactSearch parseContactSearch(std::string_view word);
 
 }  // namespace morula

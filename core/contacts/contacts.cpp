@@ -22,7 +22,7 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
   c.list = makeNeighbourList(search.method, isa);
   c.kernels = &contactKernels(isa, precision);
   const bool rubs = parameters.friction > 0;
-  if (model == CellModel::sphere) {
+  if (!kindOf(model).hasMesh) {
     c.takeSnapshot = c.kernels->takeSphereSnapshot;
     c.addForces = rubs ? c.kernels->addSphereForcesWithFriction : c.kernels->addSphereForces;
     return c;
@@ -69,7 +69,7 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
   const std::size_t lines = bodies.blocks[index].firstLine;
   c.farthest[index] = c.takeSnapshot(
-      bodies.meshAt(block.coarseness).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
+      bodies.meshAt(block.meshLevel).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
       c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes]);
 }
 
@@ -91,16 +91,17 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
 
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
   const std::int64_t first = c.list.firstSlice[block], last = c.list.firstSlice[block + 1];
-  const BlockSlices slices{c.list.slices.data() + first, last - first,
-                           &bodies.vertexMass[std::size_t(block) * blockLanes],
-                           bodies.blocks[block].firstLine + bodies.verticesPerLane(block)};
-  const ContactConstants constants{c.parameters.stiffness,
-                                   c.parameters.damping,
-                                   c.parameters.friction,
-                                   c.parameters.slipSpeed,
-                                   gripShare * c.lightestVertex / timeStep,
-                                   timeStep,
-                                   bodies.lineCount() * blockLanes};
+  const BlockSlices slices{.slices = c.list.slices.data() + first,
+                           .count = last - first,
+                           .vertexMass = &bodies.vertexMass[std::size_t(block) * blockLanes],
+                           .nextLine = bodies.blocks[block].firstLine + bodies.verticesPerLane(block)};
+  const ContactConstants constants{.stiffness = c.parameters.stiffness,
+                                   .damping = c.parameters.damping,
+                                   .friction = c.parameters.friction,
+                                   .slipSpeed = c.parameters.slipSpeed,
+                                   .strongestGrip = gripShare * c.lightestVertex / timeStep,
+                                   .timeStep = timeStep,
+                                   .vertices = bodies.lineCount() * blockLanes};
   c.addForces(slices, c.list.indices.data(), c.rows.data(), constants, bodies.acceleration.from(0));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Cells that touch: who may (neighbour_list.h), what a vertex shows (snapshot.h), what acts (the laws'
-// kernels).
+// Contact of cells: which vertices may touch (neighbour_list.h), what a vertex's neighbours read of it
+// (snapshot.h), and the forces (the laws' kernels).
 #include <cstdint>
 #include <span>
 

@@ -9,8 +9,14 @@
 namespace morula::MORULA_ISA {
 
 extern const ContactKernels contacts;
-const ContactKernels contacts = {takeSnapshot,         takeSphereSnapshot, addPairForces<false>,
-                                 addPairForces<true>,  addThesisForces,    addSphereForces<false>,
-                                 addSphereForces<true>};
+const ContactKernels contacts = {
+    .takeSnapshot = takeSnapshot,
+    .takeSphereSnapshot = takeSphereSnapshot,
+    .addPairForces = addPairForces<false>,
+    .addPairForcesWithFriction = addPairForces<true>,
+    .addThesisForces = addThesisForces,
+    .addSphereForces = addSphereForces<false>,
+    .addSphereForcesWithFriction = addSphereForces<true>,
+};
 
 }  // namespace morula::MORULA_ISA

@@ -15,9 +15,9 @@ struct NeighbourSlice {
   std::int32_t length;
 };
 
-/// Kernels fetch rows so many lines of indices before they need them; behind the last line stand as many of
+/// Kernels prefetch rows so many lines of indices before they use them; behind the last line stand as many of
 /// the far row.
-constexpr int linesFetchedAhead = 8;
+constexpr int linesPrefetched = 8;
 
 /// One block's part of the list, and what else its kernel needs.
 struct BlockSlices {

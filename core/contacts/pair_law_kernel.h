@@ -1,20 +1,18 @@
 #pragma once
 // The pair-symmetric contact law. Between vertex i and vertex j of another cell, r = |x_i − x_j| < R:
 //
-//   h  = (n_j − n_i)/2                from j's cell to i's; as long as 1 for surfaces face to face and 0 for
-//   parallel
-//                                     normals, so that a thin cell's far side does not act
-//   g  = max((x_i − x_j)·n_j,         gap: how far i stands before j's plane, or j before i's, whichever is
-//   farther.
-//            (x_j − x_i)·n_i)         Negative only where both planes say that the cells overlap
-//   w  = (1 − ρ²/R²)²                 fades with the distance ρ² = r² − g² along the surfaces, not with the
-//   depth f  = w max(0, −K g − C v·h) h     on i, with v = v_i − v_j; K and C are constants, not made of Δt
+//   h = (n_j − n_i)/2                  from j's cell to i's; 1 long for surfaces face to face and 0 for parallel
+//                                      normals, so that a thin cell's far side does not act
+//   g = max((x_i − x_j)·n_j,           gap: how far i stands before j's plane, or j before i's, whichever is
+//           (x_j − x_i)·n_i)           farther; negative only where both planes say that the cells overlap
+//   w = (1 − ρ²/R²)²                   fades with the distance along the surfaces, ρ² = r² − g², not with depth
+//   f = w max(0, −K g − C v·h) h       on i, with v = v_i − v_j; K and C are constants, independent of Δt
 //
-// Exchanging i and j turns h and f round and leaves the rest: f_ij = −f_ji bit for bit, so momentum is kept
-// to rounding. Coulomb friction adds −min(μ|f|/max(|t|, v_slip), c_max) t with t the relative velocity along
-// the surface: antisymmetric as well. Below v_slip it is a damper; c_max keeps it from turning the slip round
-// within a step (contacts.cpp), or else vertices that press on each other chatter, and one unit in the last
-// place grows twentyfold in a step. 1/R² is the mean of the two vertices' 1/R_i², which needs no division.
+// Exchanging i and j negates h and f; everything else is unchanged. So f_ij = −f_ji bit for bit, and momentum is
+// kept to rounding. Coulomb friction adds −min(μ|f|/max(|t|, v_slip), c_max) t with t the relative velocity along
+// the surface: antisymmetric as well. Below v_slip it is a damper; c_max keeps it from reversing the slip within a
+// step (contacts.cpp), or else vertices that press on each other oscillate from step to step, and one unit in the
+// last place grows twentyfold in a step. 1/R² is the mean of the two vertices' 1/R_i², which needs no division.
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -30,7 +28,7 @@ struct PairLaw {
 template <bool withFriction>
 MORULA_INLINE Vec PairLaw<withFriction>::force(const Rows& i, const Rows& j, const ContactConstants& c) {
   const Vec apart = i.x - j.x, relative = i.v - j.v, h = 0.5 * (j.n - i.n);
-  const Lanes gap = larger(dot(apart, j.n), -dot(apart, i.n));
+  const Lanes gap = max(dot(apart, j.n), -dot(apart, i.n));
   const Lanes distanceSquared = dot(apart, apart), alongSquared = distanceSquared - gap * gap;
   const Lanes inverseRadiusSquared = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);
   const Lanes fade = 1.0 - alongSquared * inverseRadiusSquared;
@@ -40,11 +38,11 @@ MORULA_INLINE Vec PairLaw<withFriction>::force(const Rows& i, const Rows& j, con
   const Lanes size = select(acts, fade * fade * push, 0.0);
   Vec f = size * h;
   if constexpr (withFriction) {
-    const Lanes facing = dot(h, h) + nothing;
+    const Lanes facing = dot(h, h) + tiny;
     const Vec slip = relative - (opening / facing) * h;
-    const Lanes slipSpeed = larger(squareRoot(dot(slip, slip)), Lanes(c.slipSpeed));
-    const Lanes grip = (Lanes(c.friction) * size) * squareRoot(facing) / slipSpeed;
-    f -= smaller(grip, Lanes(c.strongestGrip)) * slip;
+    const Lanes slipSpeed = max(sqrt(dot(slip, slip)), Lanes(c.slipSpeed));
+    const Lanes grip = (Lanes(c.friction) * size) * sqrt(facing) / slipSpeed;
+    f -= min(grip, Lanes(c.strongestGrip)) * slip;
   }
   return f;
 }

@@ -1,13 +1,18 @@
 #pragma once
 // What a scenario may say about cells that touch.
+#include "base/choice.h"
 
 namespace morula {
 
 enum class ContactLaw {
-  pair,  // pair-symmetric penalty: f_ij = −f_ji, converges in the time step; the default
-  thesis,  // implicit planes and [Nilsson 2008, eq. 4.8]: stiffness ∝ 1/Δt²; kept so that the difference can
-           // be shown
+  pair,    // f_ij = −f_ji; converges in the time step
+  thesis,  // stiffness ∝ 1/Δt²; kept so that the difference can be shown
 };
+template <>
+inline constexpr auto choices<ContactLaw> = std::to_array<Choice<ContactLaw>>({
+    {ContactLaw::pair, "pair", "pair-symmetric penalty"},
+    {ContactLaw::thesis, "thesis", "implicit planes with [Nilsson 2008, eq. 4.8]"},
+});
 
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;

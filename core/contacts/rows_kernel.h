@@ -1,6 +1,6 @@
 #pragma once
 // Snapshot rows as lanes. A row of doubles has its normal and 1/R² as floats, two in the place of one double.
-#include "base/lane_fetch.h"
+#include "base/lane_prefetch.h"
 #include "base/lane_rows.h"
 #include "contacts/contacts_kernels.h"
 #include "physics/lane_vec3.h"
@@ -45,20 +45,20 @@ MORULA_INLINE void storeRows(RowMemory* rows, const Rows& r) {
   storeRows(reinterpret_cast<Real*>(rows), columns);
 }
 
-/// Has the rows brought that will be read some lines on: the next slices' neighbours stand anywhere, and no
-/// processor guesses where. With 1024 cells this halves the cost of contact, and with few it costs nothing.
-MORULA_INLINE void fetchAhead(const RowMemory* rows, const VertexNumber* index) {
-  for (int i = 0; i < width; ++i) __builtin_prefetch(rows + index[linesFetchedAhead * blockLanes + i]);
+/// Prefetches the rows that will be read some lines later: neighbours are anywhere in memory, which no processor
+/// predicts. With 1024 cells this halves the cost of contact, and with few it costs nothing.
+MORULA_INLINE void prefetchRows(const RowMemory* rows, const VertexNumber* index) {
+  for (int i = 0; i < width; ++i) __builtin_prefetch(rows + index[linesPrefetched * blockLanes + i]);
 }
 
-/// Along with a block's slices the next block's rows and forces: sorted by length, the slices name a block's
-/// own vertices in an order that nobody guesses either. With 2048 cells this takes a quarter off the step.
-MORULA_INLINE void fetchNextBlock(const BlockSlices& block, std::int64_t slice, const RowMemory* rows,
-                                  const Real* force) {
+/// With each slice of a block, a line of the next block's rows and forces: sorted by length, slices name a block's
+/// own vertices in an unpredictable order too. With 2048 cells this takes a quarter off the step.
+MORULA_INLINE void prefetchNextBlock(const BlockSlices& block, std::int64_t slice, const RowMemory* rows,
+                                     const Real* force) {
   constexpr int ofRows = blockLanes * sizeof(RowMemory), ofForces = vertexStride * sizeof(Real);
   const std::int64_t line = block.nextLine + slice;
-  fetch<ofRows>(rows, line * ofRows);
-  fetch<ofForces>(force, line * ofForces);
+  prefetch<ofRows>(rows, line * ofRows);
+  prefetch<ofForces>(force, line * ofForces);
 }
 
 /// force[g] += sum, lane by lane; the far row (number `vertices`) has no place.
@@ -78,20 +78,20 @@ MORULA_INLINE void addToForces(Real* force, const VertexNumber* vertex, std::int
   }
 }
 
-/// To each vertex of the slices, lane by lane: the sum of what a law gives it from its neighbours. `Law`:
-/// load(rows, index) → what it knows of `width` vertices; force(i, j, c) → on i.
+/// Adds to each vertex of the slices, lane by lane, the sum of a law's forces from its neighbours. `Law`:
+/// load(rows, index) → its data of `width` vertices; force(i, j, c) → the force on i.
 template <class Law>
 MORULA_INLINE void addSlices(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
                              const ContactConstants& c, Real* force) {
   for (std::int64_t s = 0; s < block.count; ++s) {
     const NeighbourSlice& slice = block.slices[s];
-    fetchNextBlock(block, s, rows, force);
+    prefetchNextBlock(block, s, rows, force);
     for (int lane = 0; lane < blockLanes; lane += width) {
       const auto i = Law::load(rows, slice.vertex + lane);
       Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
       for (int k = 0; k < slice.length; ++k, index += blockLanes) {
-        fetchAhead(rows, index);
+        prefetchRows(rows, index);
         sum += Law::force(i, Law::load(rows, index), c);
       }
       addToForces(force, slice.vertex + lane, c.vertices, sum);
@@ -99,7 +99,7 @@ MORULA_INLINE void addSlices(const BlockSlices& block, const std::int32_t* indic
   }
 }
 
-/// The largest lane; a NaN counts as nothing.
+/// The largest lane, at least 0; a NaN counts as 0.
 MORULA_INLINE double largestOf(Lanes a) {
   Real spread[width];
   store(spread, a);
@@ -116,10 +116,10 @@ inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const d
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane),
                 g = loadVec(b.gradient, v, lane);
-      const Vec n = (1.0 / squareRoot(dot(g, g) + nothing)) * g;
+      const Vec n = (1.0 / sqrt(dot(g, g) + tiny)) * g;
       storeRows(rows + std::int64_t(v) * blockLanes + lane, {x, w, n, load(inverseRadiusSquared + lane)});
       const Vec moved = x - loadVec(reference, v, lane);
-      farthest = larger(dot(moved, moved), farthest);
+      farthest = max(dot(moved, moved), farthest);
     }
   return largestOf(farthest);
 }

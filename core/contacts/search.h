@@ -17,8 +17,7 @@ namespace morula {
 
 struct SearchInput {
   const SearchKernels& kernels;
-  const Bodies&
-      bodies;  // a vertex whose position is not finite has no neighbours; the run ends after this step
+  const Bodies& bodies;  // a vertex whose position is not finite has no neighbours; this step is the last
   const AlignedVector<double>& halfReach;  // [slot] [length]; 0 without a cell
   double largestHalfReach, skin;           // [length]
 
@@ -46,7 +45,7 @@ struct SearchCounters {
   }
 };
 
-/// More neighbours than there is memory for: cells are in one another.
+/// More neighbours than there is memory for: cells overlap.
 struct ListsTooLong {
   int block = 0;  // where it was found
 };

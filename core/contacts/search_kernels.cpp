@@ -7,6 +7,6 @@
 namespace morula::MORULA_ISA {
 
 extern const SearchKernels search;
-const SearchKernels search = {findNear, sortShortList};
+const SearchKernels search = {.findNear = findNear, .sortShortList = sortShortList};
 
 }  // namespace morula::MORULA_ISA

@@ -62,7 +62,7 @@ void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads) {
     }
     list.firstSlice.push_back(static_cast<std::int64_t>(list.slices.size()));
   }
-  list.indices.resize((lines + linesFetchedAhead) * blockLanes);
+  list.indices.resize((lines + linesPrefetched) * blockLanes);
   std::fill(list.indices.begin() + lines * blockLanes, list.indices.end(), far);
   parallelFor(blocks, threads, [&](int block) {
     for (std::int64_t s = list.firstSlice[block]; s < list.firstSlice[block + 1]; ++s)

@@ -1,7 +1,6 @@
 #pragma once
-// What a vertex shows to vertices of other cells: one cache line, taken of all vertices at one moment, so
-// that contact forces are gathered from a picture that nobody changes, in any order and on any number of
-// threads.
+// What the contact laws read of a vertex: one cache line, copied of all vertices at one moment, so that forces
+// are computed from data that no thread changes, in any order and on any number of threads.
 #include <cstdint>
 
 #include "base/precision.h"
@@ -22,7 +21,7 @@ struct SingleSnapshotRow {
   float vx, vy, vz;
   float nx, ny, nz;
   float inverseRadiusSquared;
-  float nothing[6];
+  float padding[6];
 };
 static_assert(sizeof(SingleSnapshotRow) == 64);
 

@@ -1,7 +1,6 @@
 #pragma once
-// Short lists in rising order: each number's place is the number of smaller ones. That is n² comparisons, but
-// many side by side and none that the processor has to guess; a sort that branches pays for every wrong
-// guess.
+// Sorts short lists: each number's place is the number of smaller ones. That is n² comparisons, but many side by
+// side and without a branch; a sort with branches pays for each that is mispredicted.
 #include "base/lanes.h"
 #include "contacts/search_kernels.h"
 

@@ -1,7 +1,7 @@
 #pragma once
-// An endless grid, whose bins share a hash table: optimised spatial hashing [Teschner et al. 2003, §3]. First
+// An unbounded grid, whose bins share a hash table: optimised spatial hashing [Teschner et al. 2003, §3]. First
 // all vertices are put into the table, then each looks into the 27 bins around it. Its memory does not depend
-// on how far cells are strewn, as a grid's does.
+// on how far apart cells are, as a grid's does.
 #include "contacts/point_table.h"
 
 namespace morula {

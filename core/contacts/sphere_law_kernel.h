@@ -3,8 +3,8 @@
 //
 //   f = max(0, K (r − |x_i − x_j|) − C v·n) n,   v = v_i − v_j
 //
-// on i, and friction as in pair_law_kernel.h. Exchanging i and j turns f round bit for bit. Two spheres with
-// one centre are not parted: no direction is a way out.
+// on i, and friction as in pair_law_kernel.h. Exchanging i and j negates f bit for bit. Two spheres with
+// one centre feel no force: it would have no direction.
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -33,7 +33,7 @@ inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const 
     const Vec x = loadVec(b.position, 0, lane), w = loadVec(b.predicted, 0, lane);
     const Lanes inverse = load(inverseRadiusSquared + lane);
     // Influence reaches over the diameter (makeCentre); lanes without a cell have none.
-    const Lanes radius = select(inverse > Lanes(0.0), 0.5 / squareRoot(inverse), 0.0);
+    const Lanes radius = select(inverse > Lanes(0.0), 0.5 / sqrt(inverse), 0.0);
 #if defined(MORULA_SINGLE)
     const Lanes columns[rowColumns] = {x.x, x.y, x.z, w.x, w.y, w.z, radius, 0.0, 0.0, inverse, 0.0, 0.0};
 #else
@@ -41,7 +41,7 @@ inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const 
 #endif
     storeRows(reinterpret_cast<Real*>(rows + lane), columns);
     const Vec moved = x - loadVec(reference, 0, lane);
-    farthest = larger(dot(moved, moved), farthest);
+    farthest = max(dot(moved, moved), farthest);
   }
   return largestOf(farthest);
 }
@@ -50,16 +50,16 @@ template <bool withFriction>
 MORULA_INLINE Vec SphereLaw<withFriction>::force(const Spheres& i, const Spheres& j,
                                                  const ContactConstants& c) {
   const Vec apart = i.x - j.x, relative = i.v - j.v;
-  const Lanes distance = squareRoot(dot(apart, apart)), depth = (i.radius + j.radius) - distance;
-  const Vec n = (1.0 / (distance + nothing)) * apart;
+  const Lanes distance = sqrt(dot(apart, apart)), depth = (i.radius + j.radius) - distance;
+  const Vec n = (1.0 / (distance + tiny)) * apart;
   const Lanes opening = dot(relative, n);
   const Lanes push = Lanes(c.stiffness) * depth - Lanes(c.damping) * opening;
   const Lanes size = select((depth > Lanes(0.0)) & (push > Lanes(0.0)), push, 0.0);
   Vec f = size * n;
   if constexpr (withFriction) {
     const Vec slip = relative - opening * n;
-    const Lanes slipSpeed = larger(squareRoot(dot(slip, slip)), Lanes(c.slipSpeed));
-    f -= smaller((Lanes(c.friction) * size) / slipSpeed, Lanes(c.strongestGrip)) * slip;
+    const Lanes slipSpeed = max(sqrt(dot(slip, slip)), Lanes(c.slipSpeed));
+    f -= min((Lanes(c.friction) * size) / slipSpeed, Lanes(c.strongestGrip)) * slip;
   }
   return f;
 }

@@ -19,14 +19,14 @@ inline void addThesisForces(const BlockSlices& block, const std::int32_t* indice
   Real* force = forces;
   for (std::int64_t s = 0; s < block.count; ++s) {
     const NeighbourSlice& slice = block.slices[s];
-    fetchNextBlock(block, s, rows, force);
+    prefetchNextBlock(block, s, rows, force);
     for (int lane = 0; lane < blockLanes; lane += width) {
       const Rows i = loadRows(rows, slice.vertex + lane);
       Vec depth{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
       Lanes weights = 0.0;
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
       for (int k = 0; k < slice.length; ++k, index += blockLanes) {
-        fetchAhead(rows, index);
+        prefetchRows(rows, index);
         const Rows j = loadRows(rows, index);
         const Vec apart = i.x - j.x;
         const Lanes distanceSquared = dot(apart, apart);
@@ -34,9 +34,9 @@ inline void addThesisForces(const BlockSlices& block, const std::int32_t* indice
             distanceSquared * (0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared));  // (r/R)²
         const Mask near = (nearness < Lanes(1.0)) & (dot(i.n, j.n) < Lanes(0.0));
         // R/r, kept finite where vertices coincide.
-        const Lanes weight = select(near, 1.0 / squareRoot(nearness + 1e-12), 0.0);
-        const Lanes seenFromJ = larger(-dot(apart, j.n), Lanes(0.0)),
-                    seenFromI = larger(dot(apart, i.n), Lanes(0.0));
+        const Lanes weight = select(near, 1.0 / sqrt(nearness + 1e-12), 0.0);
+        const Lanes seenFromJ = max(-dot(apart, j.n), Lanes(0.0)),
+                    seenFromI = max(dot(apart, i.n), Lanes(0.0));
         depth += (0.5 * weight) * (seenFromJ * j.n - seenFromI * i.n);
         weights += weight;
       }

@@ -15,13 +15,13 @@ bool isNear(double actual, double expected) {
   return std::abs(actual - expected) <= tolerance * std::abs(expected);
 }
 
-Faces facesOf(const Bodies& b, const Body& body) { return b.meshAt(body.coarseness).mesh.faces; }
+Faces facesOf(const Bodies& b, const Body& body) { return b.meshAt(body.meshLevel).mesh.faces; }
 
 /// The body on the next coarser mesh; its volume is off if no scale can give it back.
 Body restrictBody(const Bodies& b, const Body& body) {
-  const std::vector<std::int32_t>& nested = b.coarser[body.coarseness].nested;
+  const std::vector<std::int32_t>& nested = b.coarser[body.meshLevel].nested;
   Body coarse = body;
-  ++coarse.coarseness;
+  ++coarse.meshLevel;
   coarse.position = restrictShape(body.position, facesOf(b, body), nested, facesOf(b, coarse));
   coarse.velocity.clear();
   for (std::int32_t v : nested) coarse.velocity.push_back(body.velocity[v]);
@@ -33,8 +33,8 @@ Body restrictBody(const Bodies& b, const Body& body) {
 }  // namespace
 
 Body coarsen(const Bodies& b, Body body) {
-  while (body.coarseness < static_cast<int>(b.coarser.size())) {
-    if (body.restScale * b.coarser[body.coarseness].mesh.meanRestLength > *b.parameters.coarsen) break;
+  while (body.meshLevel < static_cast<int>(b.coarser.size())) {
+    if (body.restScale * b.coarser[body.meshLevel].mesh.meanRestLength > *b.parameters.coarsen) break;
     Body coarse = restrictBody(b, body);
     const Faces faces = facesOf(b, body), fewer = facesOf(b, coarse);
     if (!isNear(measureVolume(coarse.position, fewer), measureVolume(body.position, faces)) ||

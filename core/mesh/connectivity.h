@@ -1,7 +1,6 @@
 #pragma once
-// Who neighbours whom in a closed mesh. It never changes during a run: daughters keep their mother's
-// template, so that cells lie side by side in the lanes and every kernel walks one ring structure for all of
-// them.
+// Which vertices are neighbours in a closed mesh. It never changes during a run: daughters keep their mother's
+// template, so that cells share lanes and a kernel reads one ring structure for all of them.
 #include <array>
 #include <cstdint>
 #include <vector>

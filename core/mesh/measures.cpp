@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/maths.h"
-#include "mesh/scan_line.h"
 
 namespace morula {
 
@@ -71,42 +70,6 @@ Box measureBox(Points vertices) {
     box.high = {std::max(box.high.x, v.x), std::max(box.high.y, v.y), std::max(box.high.z, v.z)};
   }
   return box;
-}
-
-Quality measureQuality(Points vertices, Faces faces) {
-  Quality q{std::numeric_limits<double>::infinity(), 0, -1, 1};
-  for (const Face& face : faces)
-    for (int k = 0; k < 3; ++k) {
-      const Point& corner = vertices[face[k]];
-      const Vector u = vertices[face[(k + 1) % 3]] - corner, v = vertices[face[(k + 2) % 3]] - corner;
-      const double lengths = norm(u) * norm(v);
-      // Two corners at one place: a needle without end.
-      const double cosine = lengths > 0 ? dot(u, v) / lengths : 1;
-      q.shortestEdge = std::min(q.shortestEdge, norm(u));
-      q.longestEdge = std::max(q.longestEdge, norm(u));
-      q.sharpestCosine = std::max(q.sharpestCosine, cosine);
-      q.bluntestCosine = std::min(q.bluntestCosine, cosine);
-    }
-  return faces.empty() ? Quality{} : q;
-}
-
-int countFacesTurnedInward(Points vertices, Faces faces, const Point& centre) {
-  int count = 0;
-  for (const auto& [a, b, c] : faces) {
-    const Vector normal = cross(vertices[b] - vertices[a], vertices[c] - vertices[a]);
-    if (!(dot(normal, vertices[a] - centre) > 0)) ++count;
-  }
-  return count;
-}
-
-bool isInside(const Point& point, Points vertices, Faces faces) {
-  int winding = 0;
-  Slice s;
-  for (const auto& [a, b, c] : faces)
-    if (slice(vertices[a], vertices[b], vertices[c], point.y, s) && s.meets(point.x) &&
-        s.heightAt(point.x) > point.z)
-      winding += s.sign;
-  return winding > 0;
 }
 
 }  // namespace morula

@@ -1,5 +1,5 @@
 #pragma once
-// What can be read off one closed triangle mesh. Pure functions; sums run in the order of the faces, so their
+// Measures of one closed triangle mesh. Pure functions; sums run in the order of the faces, so their
 // bits are the same everywhere. Lengths are in the scene's unit.
 #include <span>
 
@@ -37,24 +37,5 @@ struct Box {
 
 /// The smallest box along the axes that holds the vertices. There must be one at least.
 Box measureBox(Points vertices);
-
-/// How far the triangles are from equal and equilateral, which the springs and the contact radius assume.
-struct Quality {
-  double shortestEdge = 0, longestEdge = 0;  // [length]
-  // Cosines, for angles would need a function whose bits differ between machines. An equilateral triangle has
-  // 0.5.
-  double sharpestCosine = 0;  // of the smallest angle of all faces: towards 1 for a needle [1]
-  double bluntestCosine = 0;  // of the largest angle: towards −1 for a cap [1]
-};
-Quality measureQuality(Points vertices, Faces faces);
-
-/// The number of faces whose inner side is not turned to `centre`: 0 for a mesh that is star-shaped about it,
-/// as every convex one is about any point inside. A cell that was healthy and has many is turning inside out.
-int countFacesTurnedInward(Points vertices, Faces faces, const Point& centre);
-
-/// True if the closed mesh winds around the point, from the crossings of the half line upwards (+z) from it.
-/// A point on the surface counts as inside or outside, but as one of them: of meshes that tile space exactly
-/// one has it.
-bool isInside(const Point& point, Points vertices, Faces faces);
 
 }  // namespace morula

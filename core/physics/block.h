@@ -17,8 +17,8 @@ constexpr int blockLanes = 8;
 constexpr int vertexStride = 3 * blockLanes;  // numbers from one vertex to the next
 
 /// One step from a vertex around its ring: where a neighbour stands in a [vertex][xyz][lane] array, and where
-/// the edge that leads to it stands in [edge][lane]. Offsets instead of numbers: the kernels' innermost loops
-/// add nothing up.
+/// the edge that leads to it stands in [edge][lane]. Offsets instead of numbers save the
+/// kernels' innermost loops the multiplications.
 struct RingStep {
   std::int32_t vertexOffset, edgeOffset;
 };
@@ -39,8 +39,8 @@ struct TemplateView {
 
 /// Where a block's numbers lie. Lengths: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].
 struct BlockView {
-  int coarseness;  // which of the scene's meshes these cells have (Bodies::meshAt)
-  int liveLanes;   // living cells in this block, in the first lanes
+  int meshLevel;  // which of the scene's meshes these cells have (Bodies::meshAt)
+  int liveLanes;  // living cells in this block, in the first lanes
   // State
   RealPointer position;      // [v]
   RealPointer velocity;      // [v]; between drift and kick the velocity at half the step

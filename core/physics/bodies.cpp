@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/maths.h"
 #include "mesh/nesting.h"
+#include "physics/integrator.h"
 
 namespace morula {
 
@@ -20,14 +21,14 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
   b.blocks.clear();
   b.livingVertices = 0;
   int lines = 0, coarsest = 0;
-  for (const Body& cell : cells) coarsest = std::max(coarsest, cell.coarseness);
-  for (int coarseness = 0; coarseness <= coarsest; ++coarseness) {
-    const int vertices = b.meshAt(coarseness).vertexCount();
+  for (const Body& cell : cells) coarsest = std::max(coarsest, cell.meshLevel);
+  for (int meshLevel = 0; meshLevel <= coarsest; ++meshLevel) {
+    const int vertices = b.meshAt(meshLevel).vertexCount();
     int lane = blockLanes;  // the first cell begins a block
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (cells[i].coarseness != coarseness) continue;
+      if (cells[i].meshLevel != meshLevel) continue;
       if (lane == blockLanes) {
-        b.blocks.push_back({coarseness, lines, 0});
+        b.blocks.push_back({meshLevel, lines, 0});
         lines += vertices;
         lane = 0;
       }
@@ -37,7 +38,7 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
     }
   }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(std::size_t(lines) * vertexStride, 0);
-  if (b.parameters.integrator == Integrator::rungeKutta4)
+  if (kindOf(b.parameters.integrator).evaluations > 1)
     b.substeps.assign(std::size_t(lines) * vertexStride * 4, 0);
 }
 
@@ -53,15 +54,13 @@ void place(Bodies& b, int slot, const Body& cell, double vertexMass) {
 }
 
 /// A resting cell of the egg's size with one of the scene's meshes.
-Body makeEgg(const Bodies& b, int coarseness) {
-  const Mesh& mesh = b.meshAt(coarseness).mesh;
-  const bool underPressure = b.parameters.cell.model == CellModel::shell;
-  return {mesh.vertices,
-          std::vector<Vector>(mesh.vertices.size()),
-          b.parameters.cell.mass,
-          1,
-          underPressure ? b.parameters.pressure.constant : 0,
-          coarseness};
+Body makeEgg(const Bodies& b, int meshLevel) {
+  const Mesh& mesh = b.meshAt(meshLevel).mesh;
+  return {.position = mesh.vertices,
+          .velocity = std::vector<Vector>(mesh.vertices.size()),
+          .mass = b.parameters.cell.mass,
+          .pressureConstant = b.model().hasMembrane ? b.parameters.pressure.constant : 0,
+          .meshLevel = meshLevel};
 }
 
 }  // namespace
@@ -79,17 +78,17 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
     b.coarser.push_back(std::move(next));
   }
   const double* a = parameters.shell ? parameters.shell->semiAxes : nullptr;
-  b.kernelParameters = {parameters.membrane.stiffness,
-                        parameters.membrane.damping,
-                        parameters.pressure.outside,
-                        parameters.drag,
-                        {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1},
-                        static_cast<int>(parameters.substeps.value_or(1)),
-                        parameters.shapeMatching.stiffness,
-                        parameters.shapeMatching.linear,
-                        parameters.shapeMatching.damping,
-                        parameters.cell.radius};
-  if (parameters.cell.model == CellModel::shapeMatching) {
+  b.kernelParameters = {.stiffness = parameters.membrane.stiffness,
+                        .damping = parameters.membrane.damping,
+                        .outsidePressure = parameters.pressure.outside,
+                        .drag = parameters.drag,
+                        .semiAxes = {a ? a[0] : 1, a ? a[1] : 1, a ? a[2] : 1},
+                        .substeps = static_cast<int>(parameters.substeps.value_or(1)),
+                        .shapeStiffness = parameters.shapeMatching.stiffness,
+                        .shapeLinear = parameters.shapeMatching.linear,
+                        .shapeDamping = parameters.shapeMatching.damping,
+                        .radius = parameters.cell.radius};
+  if (b.model().hasRestShape) {
     b.mesh.rest = makeRestShape(b.mesh.mesh);
     for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);
   }
@@ -115,32 +114,31 @@ BlockView Bodies::block(int index, int thread) {
   Scratch& s = scratch[thread];
   // All meshes share the egg's slack edge, which stands behind the last one and stays 0.
   const std::size_t coefficients =
-      std::size_t(mesh.edgeCount() - meshAt(place.coarseness).edgeCount()) * blockLanes;
-  return {place.coarseness,
-          place.liveLanes,
-          position.from(v),
-          velocity.from(v),
-          acceleration.from(v),
-          &vertexMass[l],
-          &restScale[l],
-          &pressureConstant[l],
-          &volume[l],
-          &pressure[l],
-          s.predicted.from(0),
-          s.gradient.from(0),
-          s.coefficient.from(coefficients),
-          substeps.size() > 0 ? substeps.from(4 * v) : RealPointer{nullptr}};
+      std::size_t(mesh.edgeCount() - meshAt(place.meshLevel).edgeCount()) * blockLanes;
+  return {.meshLevel = place.meshLevel,
+          .liveLanes = place.liveLanes,
+          .position = position.from(v),
+          .velocity = velocity.from(v),
+          .acceleration = acceleration.from(v),
+          .vertexMass = &vertexMass[l],
+          .restScale = &restScale[l],
+          .pressureConstant = &pressureConstant[l],
+          .volume = &volume[l],
+          .pressure = &pressure[l],
+          .predicted = s.predicted.from(0),
+          .gradient = s.gradient.from(0),
+          .coefficient = s.coefficient.from(coefficients),
+          .substeps = substeps.size() > 0 ? substeps.from(4 * v) : RealPointer{nullptr}};
 }
 
 Body makeEgg(const Bodies& b) { return makeEgg(b, 0); }
 
 Body takeBody(const Bodies& b, int slot) {
-  Body cell{{},
-            {},
-            b.mass(slot),
-            b.restScale[slot],
-            b.pressureConstant[slot],
-            b.blocks[slot / blockLanes].coarseness};
+  Body cell;
+  cell.mass = b.mass(slot);
+  cell.restScale = b.restScale[slot];
+  cell.pressureConstant = b.pressureConstant[slot];
+  cell.meshLevel = b.blocks[slot / blockLanes].meshLevel;
   const int vertices = b.vertexCount(slot);
   cell.position.reserve(vertices);
   cell.velocity.reserve(vertices);
@@ -180,7 +178,7 @@ void setBodies(Bodies& b, const std::vector<Body>& cells) {
   }
   for (int block = 0; block < b.blockCount(); ++block)
     for (int lane = b.liveLanes(block); lane < blockLanes; ++lane)
-      place(b, block * blockLanes + lane, makeEgg(b, b.blocks[block].coarseness),
+      place(b, block * blockLanes + lane, makeEgg(b, b.blocks[block].meshLevel),
             immovable(b.parameters.precision));
 }
 

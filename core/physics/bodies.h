@@ -11,26 +11,27 @@
 #include "base/aligned.h"
 #include "base/reals.h"
 #include "physics/block.h"
+#include "physics/cell_model.h"
 #include "physics/mesh_template.h"
 #include "physics/parameters.h"
 
 namespace morula {
 
-/// One cell's body on its own: what division makes and death takes.
+/// One cell's state outside block storage.
 struct Body {
   std::vector<Point> position;
   std::vector<Vector> velocity;
   double mass = 0;              // [mass] of the whole cell
   double restScale = 1;         // rest lengths over the template's
   double pressureConstant = 0;  // k_p [force·length]
-  int coarseness = 0;           // its mesh: 0 the egg's, 1 … the coarser ones of the scene
+  int meshLevel = 0;            // its mesh: 0 the egg's, 1 … the coarser ones of the scene
 };
 
 /// A block of eight lanes in storage.
 struct BlockPlace {
-  int coarseness;  // of its cells' mesh
-  int firstLine;   // vertices of all blocks before it
-  int liveLanes;   // cells in it
+  int meshLevel;  // of its cells' mesh
+  int firstLine;  // vertices of all blocks before it
+  int liveLanes;  // cells in it
 };
 
 /// A mesh that cells may take instead of the finer one before it.
@@ -71,16 +72,16 @@ struct Bodies {
   };
   std::vector<Scratch> scratch;
 
-  const MeshTemplate& meshAt(int coarseness) const {
-    return coarseness == 0 ? mesh : coarser[coarseness - 1].mesh;
+  const MeshTemplate& meshAt(int meshLevel) const {
+    return meshLevel == 0 ? mesh : coarser[meshLevel - 1].mesh;
   }
-  const MeshTemplate& meshOf(int slot) const { return meshAt(blocks[slot / blockLanes].coarseness); }
+  const MeshTemplate& meshOf(int slot) const { return meshAt(blocks[slot / blockLanes].meshLevel); }
   int vertexCount(int slot) const { return meshOf(slot).vertexCount(); }
   /// Of every cell, in a scene with one mesh; CHECKed.
   int vertexCount() const;
   int blockCount() const { return static_cast<int>(blocks.size()); }
   int liveLanes(int block) const { return blocks[block].liveLanes; }
-  int verticesPerLane(int block) const { return meshAt(blocks[block].coarseness).vertexCount(); }
+  int verticesPerLane(int block) const { return meshAt(blocks[block].meshLevel).vertexCount(); }
   /// Of all blocks: each is a vertex of eight lanes.
   int lineCount() const { return static_cast<int>(position.size() / vertexStride); }
   /// Where component x of a vertex of a slot stands in position, velocity and acceleration; y and z follow at
@@ -88,7 +89,8 @@ struct Bodies {
   std::size_t at(int slot, int vertex) const {
     return std::size_t(blocks[slot / blockLanes].firstLine + vertex) * vertexStride + slot % blockLanes;
   }
-  bool areSpheres() const { return parameters.cell.model == CellModel::sphere; }
+  const CellModelKind& model() const { return kindOf(parameters.cell.model); }
+  bool areSpheres() const { return !model().hasMesh; }
   Point vertex(int slot, int v) const { return read(position, slot, v); }
   Vector read(const Reals& a, int slot, int v) const {
     const std::size_t i = at(slot, v);

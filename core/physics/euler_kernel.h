@@ -5,28 +5,20 @@
 //   symplectic (semi-implicit):           x' = x + Δt v,  v' = v + Δt a(x', v)    keeps it, up to a ripple
 //
 // The thesis' Verlet (verlet_kernel.h) is the symplectic method in its other order, velocities first.
-#include "physics/parameters.h"
-#include "physics/shell_kernel.h"
+#include "physics/drift_kernel.h"
 
 namespace morula::MORULA_ISA {
 
-/// x ← x', velocity and predicted ← v'; and the shell keeps what would leave it. The kick only ends the
-/// evaluation.
+/// x ← x', velocity and predicted ← v'. The kick only ends the evaluation.
 template <ShellShape shell>
 inline void driftExplicitEuler(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                double dt) {
   const Lanes step = dt;
-  const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      const Vec before = loadVec(b.velocity, v, lane);
-      Vec velocity = before + step * loadVec(b.acceleration, v, lane), predicted = velocity;
-      Vec x = loadVec(b.position, v, lane) + step * before;
-      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
-      storeVec(b.velocity, v, lane, velocity);
-      storeVec(b.predicted, v, lane, predicted);
-      storeVec(b.position, v, lane, x);
-    }
+  driftVertices<shell>(mesh, b, p,
+                       [&](int v, int lane, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+                         x = x + step * velocity;
+                         predicted = velocity = velocity + step * loadVec(b.acceleration, v, lane);
+                       });
 }
 
 /// x ← x', predicted ← v, which a whole kick turns into v'.
@@ -34,16 +26,10 @@ template <ShellShape shell>
 inline void driftSymplecticEuler(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                  double dt) {
   const Lanes step = dt;
-  const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      Vec velocity = loadVec(b.velocity, v, lane), predicted = velocity;
-      Vec x = loadVec(b.position, v, lane) + step * velocity;
-      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
-      storeVec(b.velocity, v, lane, velocity);
-      storeVec(b.predicted, v, lane, predicted);
-      storeVec(b.position, v, lane, x);
-    }
+  driftVertices<shell>(mesh, b, p, [&](int, int, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+    predicted = velocity;
+    x = x + step * velocity;
+  });
 }
 
 }  // namespace morula::MORULA_ISA

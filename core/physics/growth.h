@@ -1,5 +1,5 @@
 #pragma once
-// Growth and shrinkage: a cell takes up or loses contents and membrane together, at a constant relative rate.
+// Growth and shrinkage: a cell takes up or loses fluid and membrane together, at a constant relative rate.
 #include "physics/bodies.h"
 
 namespace morula {

@@ -6,8 +6,15 @@
 namespace morula {
 
 TemplateView MeshTemplate::view() const {
-  return {vertexCount(), edgeCount(),          edges.data(),        restLengths.data(), ringStart.data(),
-          ring.data(),   rest.vertices.data(), rest.inverse.data(), rest.volume};
+  return {.vertexCount = vertexCount(),
+          .edgeCount = edgeCount(),
+          .edges = edges.data(),
+          .restLengths = restLengths.data(),
+          .ringStart = ringStart.data(),
+          .ring = ring.data(),
+          .restShape = rest.vertices.data(),
+          .restInverse = rest.inverse.data(),
+          .restVolume = rest.volume};
 }
 
 MeshTemplate makeTemplate(const Mesh& mesh) {

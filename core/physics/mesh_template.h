@@ -9,7 +9,7 @@
 
 namespace morula {
 
-/// What shape matching wants to know of the mesh at rest.
+/// What shape matching needs of the mesh at rest.
 struct RestShape {
   std::vector<double> vertices;     // [vertex][xyz] from their mean [length]
   std::array<double, 6> inverse{};  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz [1/length²]
@@ -20,7 +20,7 @@ struct MeshTemplate {
   Mesh mesh;  // the egg as loaded, in its size: what rest lengths refer to
   std::vector<std::int32_t> edges;
   std::vector<double>
-      restLengths;  // [length], of the mesh as loaded [Nilsson 2008, §4.2.1]; one 0 behind the last
+      restLengths;  // [length] of the mesh as loaded [Nilsson 2008, §4.2.1]; one 0 behind the last
   std::vector<std::int32_t> ringStart;
   std::vector<RingStep> ring;
   double meanRestLength = 0;  // [length]

@@ -4,25 +4,34 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/choice.h"
 #include "base/precision.h"
 
 namespace morula {
 
-enum class Integrator {
-  velocityVerlet,   // second order; the default
-  thesisVerlet,     // as the thesis starts it: first order [Nilsson 2008, eq. 4.6, 4.7]
-  explicitEuler,    // first order, and gains energy: stable only where drag takes it [Nilsson 2008, eq. 3.12]
-  symplecticEuler,  // first order
-  rungeKutta4,      // fourth order, four evaluations of the forces per step
-  xpbd,             // first order, stable with any time step but for contacts
-};
+/// What is to be known of each: integrator.h.
+enum class Integrator { velocityVerlet, thesisVerlet, explicitEuler, symplecticEuler, rungeKutta4, xpbd };
+template <>
+inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
+    {Integrator::velocityVerlet, "velocity-verlet", "second order"},
+    {Integrator::thesisVerlet, "thesis-verlet",
+     "first order, as the thesis starts it [Nilsson 2008, eq. 4.6, 4.7]"},
+    {Integrator::explicitEuler, "explicit-euler",
+     "first order; gains energy, so it needs drag [Nilsson 2008, eq. 3.12]"},
+    {Integrator::symplecticEuler, "symplectic-euler", "first order"},
+    {Integrator::rungeKutta4, "rk4", "fourth order, with four evaluations of the forces per time step"},
+    {Integrator::xpbd, "xpbd", "first order, and stable with any time step but for contacts"},
+});
 
-/// What keeps a cell in shape.
-enum class CellModel {
-  shell,          // a membrane of springs around contents under pressure [Nilsson 2008, §4.2]; the default
-  shapeMatching,  // each vertex is drawn to its place in the shape at rest [Müller et al. 2005]; no pressure
-  sphere,         // a point with a radius: a ball that keeps its shape
-};
+/// What keeps a cell in shape. What is to be known of each: cell_model.h.
+enum class CellModel { shell, shapeMatching, sphere };
+template <>
+inline constexpr auto choices<CellModel> = std::to_array<Choice<CellModel>>({
+    {CellModel::shell, "shell", "a membrane of springs around a fluid under pressure [Nilsson 2008, §4.2]"},
+    {CellModel::shapeMatching, "shape-matching",
+     "vertices drawn to the shape at rest [Müller et al. 2005]: cheaper, and knows no pressure"},
+    {CellModel::sphere, "sphere", "a ball that keeps its shape: hundreds of times cheaper"},
+});
 
 struct CellParameters {
   double radius = 1;  // [length] of the sphere whose volume the egg encloses at rest, whatever its mesh
@@ -34,16 +43,17 @@ struct CellParameters {
 struct MembraneParameters {
   double stiffness = 10;  // k_s [force/length]; higher: rounder cells, shorter steps
   double damping = 0.02;  // k_d [force·time/length] along the edge
-  double production =
-      1.26;  // membrane area of both daughters together over their mother's; 2^(1/3) keeps a sphere's tension
+  // Membrane area of both daughters together over their mother's; 2^(1/3) keeps a sphere's tension.
+  double areaFactor = 1.26;
 };
 
 /// P = k_p/V − P_0 [Nilsson 2008, eq. 4.3].
 struct PressureParameters {
-  double constant =
-      207;  // k_p [force·length], nRT of the egg; daughters share it by volume; higher: stiffer contents
-  double outside = 48;  // P_0 [force/length²]; k_p/P_0 is the volume that the contents want: 3 % more than an
-                        // egg of radius 1 has, so that its membrane is taut
+  // k_p [force·length], nRT of the egg; daughters share it by volume; higher: a stiffer fluid
+  double constant = 207;
+  // P_0 [force/length²]; k_p/P_0 is the volume at which pressures balance: 3 % more than an egg of radius 1
+  // has, so that its membrane is taut
+  double outside = 48;
 };
 
 /// a = −k (x − goal), with goals that move and turn with the cell (shape_kernel.h); instead of membrane and
@@ -64,14 +74,14 @@ struct ShellParameters {
 };
 
 struct PhysicsParameters {
-  std::optional<double> coarsen;   // [length] a daughter takes the coarsest of the scene's meshes whose mean
-                                   // edge at rest is no longer; absent: every cell has the egg's mesh
+  // [length] A daughter takes the coarsest of the scene's meshes whose mean edge at rest is no longer; absent:
+  // every cell has the egg's mesh.
+  std::optional<double> coarsen;
   std::optional<double> timeStep;  // [time]; absent: auto, dyadic, from the stability limits
   double autoShare = 1;            // of the automatic time step, in (0, 1]; less: more exact and slower
   Integrator integrator = Integrator::velocityVerlet;
   std::optional<std::uint64_t> substeps;  // XPBD only: of a time step; more: more exact and slower; absent: 1
-  Precision precision =
-      Precision::binary64;  // of positions, velocities and forces; a cell's own numbers are doubles
+  Precision precision = Precision::binary64;  // of positions, velocities and forces; per cell: doubles
   CellParameters cell;
   MembraneParameters membrane;
   PressureParameters pressure;

@@ -2,7 +2,7 @@
 #include "physics/physics_kernels.h"
 
 #include "physics/euler_kernel.h"
-#include "physics/lone_kernel.h"
+#include "physics/isolated_kernel.h"
 #include "physics/pressure_kernel.h"
 #include "physics/ring_kernel.h"
 #include "physics/runge_kutta_kernel.h"
@@ -14,47 +14,51 @@
 
 namespace morula::MORULA_ISA {
 
+// [ShellShape] of a drift whose template arguments before the shape are the ones that follow its name.
+#define MORULA_IN_MESH_SHELLS(drift, ...)                                     \
+  drift<__VA_ARGS__ ShellShape::none>, drift<__VA_ARGS__ ShellShape::sphere>, \
+      drift<__VA_ARGS__ ShellShape::ellipsoid>
+#define MORULA_IN_SHELLS(drift) \
+  { MORULA_IN_MESH_SHELLS(drift), driftSpheres<drift<ShellShape::none>> }
+// [evaluation] of a time step.
+#define MORULA_FOUR(shape)                                                           \
+  {                                                                                  \
+    driftRungeKutta<1, shape>, driftRungeKutta<2, shape>, driftRungeKutta<3, shape>, \
+        driftRungeKutta<4, shape>                                                    \
+  }
+
 extern const PhysicsKernels physics;
 const PhysicsKernels physics = {
-    {driftVelocityVerlet<ShellShape::none>, driftVelocityVerlet<ShellShape::sphere>,
-     driftVelocityVerlet<ShellShape::ellipsoid>, driftSpheres<driftVelocityVerlet<ShellShape::none>>},
-    {driftThesisVerlet<ShellShape::none>, driftThesisVerlet<ShellShape::sphere>,
-     driftThesisVerlet<ShellShape::ellipsoid>, driftSpheres<driftThesisVerlet<ShellShape::none>>},
-    {driftExplicitEuler<ShellShape::none>, driftExplicitEuler<ShellShape::sphere>,
-     driftExplicitEuler<ShellShape::ellipsoid>, driftSpheres<driftExplicitEuler<ShellShape::none>>},
-    {driftSymplecticEuler<ShellShape::none>, driftSymplecticEuler<ShellShape::sphere>,
-     driftSymplecticEuler<ShellShape::ellipsoid>, driftSpheres<driftSymplecticEuler<ShellShape::none>>},
-    {{driftRungeKutta<1, ShellShape::none>, driftRungeKutta<2, ShellShape::none>,
-      driftRungeKutta<3, ShellShape::none>, driftRungeKutta<4, ShellShape::none>},
-     {driftRungeKutta<1, ShellShape::sphere>, driftRungeKutta<2, ShellShape::sphere>,
-      driftRungeKutta<3, ShellShape::sphere>, driftRungeKutta<4, ShellShape::sphere>},
-     {driftRungeKutta<1, ShellShape::ellipsoid>, driftRungeKutta<2, ShellShape::ellipsoid>,
-      driftRungeKutta<3, ShellShape::ellipsoid>, driftRungeKutta<4, ShellShape::ellipsoid>},
-     {driftSpheres<driftRungeKutta<1, ShellShape::none>>, driftSpheres<driftRungeKutta<2, ShellShape::none>>,
-      driftSpheres<driftRungeKutta<3, ShellShape::none>>,
-      driftSpheres<driftRungeKutta<4, ShellShape::none>>}},
-    {{driftXpbd<false, ShellShape::none>, driftXpbd<false, ShellShape::sphere>,
-      driftXpbd<false, ShellShape::ellipsoid>},
-     {driftXpbd<true, ShellShape::none>, driftXpbd<true, ShellShape::sphere>,
-      driftXpbd<true, ShellShape::ellipsoid>}},
-    {{endAndDrift<false, ShellShape::none>, endAndDrift<false, ShellShape::sphere>,
-      endAndDrift<false, ShellShape::ellipsoid>},
-     {endAndDrift<true, ShellShape::none>, endAndDrift<true, ShellShape::sphere>,
-      endAndDrift<true, ShellShape::ellipsoid>}},
-    {kick<Kick::none, false>, kick<Kick::none, true>, kickSpheres<kick<Kick::none, false>>},
-    {kick<Kick::half, false>, kick<Kick::half, true>, kickSpheres<kick<Kick::half, false>>},
-    {kick<Kick::whole, false>, kick<Kick::whole, true>, kickSpheres<kick<Kick::whole, false>>},
-    findSpringCoefficients<false>,
-    findSpringCoefficients<true>,
-    gatherRings<true>,
-    gatherRings<false>,
-    addPressureForces<false>,
-    addPressureForces<true>,
-    findPressure,
-    {{findShapeForces<false, false>, findShapeForces<false, true>},
-     {findShapeForces<true, false>, findShapeForces<true, true>}},
-    measureSpheres<false>,
-    measureSpheres<true>,
+    .driftVelocityVerlet = MORULA_IN_SHELLS(driftVelocityVerlet),
+    .driftThesisVerlet = MORULA_IN_SHELLS(driftThesisVerlet),
+    .driftExplicitEuler = MORULA_IN_SHELLS(driftExplicitEuler),
+    .driftSymplecticEuler = MORULA_IN_SHELLS(driftSymplecticEuler),
+    .driftRungeKutta = {MORULA_FOUR(ShellShape::none),
+                        MORULA_FOUR(ShellShape::sphere),
+                        MORULA_FOUR(ShellShape::ellipsoid),
+                        {driftSpheres<driftRungeKutta<1, ShellShape::none>>,
+                         driftSpheres<driftRungeKutta<2, ShellShape::none>>,
+                         driftSpheres<driftRungeKutta<3, ShellShape::none>>,
+                         driftSpheres<driftRungeKutta<4, ShellShape::none>>}},
+    .driftXpbd = {{MORULA_IN_MESH_SHELLS(driftXpbd, false, )}, {MORULA_IN_MESH_SHELLS(driftXpbd, true, )}},
+    .endAndDrift = {{MORULA_IN_MESH_SHELLS(endAndDrift, false, )},
+                    {MORULA_IN_MESH_SHELLS(endAndDrift, true, )}},
+    .endEvaluation = {kick<Kick::none, false>, kick<Kick::none, true>, kickSpheres<kick<Kick::none, false>>},
+    .kickVelocityVerlet = {kick<Kick::half, false>, kick<Kick::half, true>,
+                           kickSpheres<kick<Kick::half, false>>},
+    .kickSymplecticEuler = {kick<Kick::whole, false>, kick<Kick::whole, true>,
+                            kickSpheres<kick<Kick::whole, false>>},
+    .findTensions = findTensions<false>,
+    .findDampedTensions = findTensions<true>,
+    .accumulateRings = accumulateRings<true>,
+    .accumulateAreaVectors = accumulateRings<false>,
+    .addPressureForces = addPressureForces<false>,
+    .addPressureAndDragForces = addPressureForces<true>,
+    .findPressure = findPressure,
+    .findShapeForces = {{findShapeForces<false, false>, findShapeForces<false, true>},
+                        {findShapeForces<true, false>, findShapeForces<true, true>}},
+    .measureSpheres = measureSpheres<false>,
+    .measureDraggedSpheres = measureSpheres<true>,
 };
 
 }  // namespace morula::MORULA_ISA

@@ -17,10 +17,10 @@ struct PhysicsKernels {
   TimedStage driftExplicitEuler[4], driftSymplecticEuler[4];  // [ShellShape]
   TimedStage driftRungeKutta[4][4];                           // [ShellShape][evaluation]
   TimedStage driftXpbd[2][3];                                 // [damped][ShellShape], not around spheres
-  TimedStage endAndDrift[2][3];  // [dragged][ShellShape], not around spheres: velocity Verlet's
+  TimedStage endAndDrift[2][3];  // [dragged][ShellShape], not around spheres; velocity Verlet only
   TimedStage endEvaluation[3], kickVelocityVerlet[3], kickSymplecticEuler[3];  // [KickShell]
-  Stage findSpringCoefficients, findDampedSpringCoefficients;
-  Stage gatherRings, gatherRingsWithoutSprings;
+  Stage findTensions, findDampedTensions;
+  Stage accumulateRings, accumulateAreaVectors;  // with spring forces, and without
   Stage addPressureForces, addPressureAndDragForces, findPressure;
   Stage findShapeForces[2][2];  // [damped or dragged][volumes too]
   Stage measureSpheres, measureDraggedSpheres;

@@ -4,10 +4,10 @@
 
 namespace morula::MORULA_ISA {
 
-/// What the contents of a block's cells, and with drag the medium, do to their vertices. pressure ← P.
+/// The forces of the fluids that a block's cells enclose, and with drag of the medium. pressure ← P.
 template <bool dragged>
-struct Contents {
-  MORULA_INLINE Contents(const BlockView& b, const KernelParameters& p)
+struct EnclosedFluid {
+  MORULA_INLINE EnclosedFluid(const BlockView& b, const KernelParameters& p)
       : forces(b.acceleration), gradients(b.gradient), predicted(b.predicted) {
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       const Lanes pressure = load(b.pressureConstant + lane) / load(b.volume + lane) - p.outsidePressure;
@@ -30,13 +30,13 @@ struct Contents {
 
 template <bool dragged>
 inline void addPressureForces(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
-  const Contents<dragged> contents(b, p);
+  const EnclosedFluid<dragged> fluid(b, p);
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
-      storeVec(b.acceleration, v, lane, contents.forceWith(v, lane, group));
+      storeVec(b.acceleration, v, lane, fluid.forceWith(v, lane, group));
 }
 
-/// pressure ← P alone, where another stage moves the contents.
+/// pressure ← P alone, where the drift has solved for its forces (xpbd_kernel.h).
 inline void findPressure(const TemplateView&, const BlockView& b, const KernelParameters& p) {
   for (int lane = 0; lane < b.liveLanes; lane += width)
     store(b.pressure + lane, load(b.pressureConstant + lane) / load(b.volume + lane) - p.outsidePressure);

@@ -4,8 +4,8 @@
 // eigenvector of a symmetric 4 × 4 matrix N is wanted. That is a proper rotation for mirrored and flat
 // matrices too.
 //
-// Jacobi's method turns N into a diagonal, one plane after the other in a fixed order: square roots, no
-// branches, and after so many rounds as here nothing is left of what was off the diagonal but rounding.
+// Jacobi's method diagonalises N by rotations in one plane after the other, in a fixed order: square roots, no
+// branches, and after so many rounds as here what is off the diagonal is rounding.
 #include "physics/lane_matrix.h"
 
 namespace morula::MORULA_ISA {
@@ -17,13 +17,13 @@ struct Diagonalisation {
   Lanes n[4][4], vectors[4][4];
 };
 
-/// Turns the plane of axes p and q so that n[p][q] becomes 0. [Golub, Van Loan, §8.5]
+/// The Jacobi rotation in the plane of axes p and q that makes n[p][q] zero. [Golub, Van Loan, §8.5]
 template <int p, int q>
-MORULA_INLINE void turnPlane(Diagonalisation& d) {
+MORULA_INLINE void rotateJacobi(Diagonalisation& d) {
   const Lanes off = d.n[p][q], apart = d.n[q][q] - d.n[p][p];
-  const Lanes size = larger(apart, -apart), twice = 2.0 * select(apart < Lanes(0.0), -off, off);
-  const Lanes tangent = twice / (size + squareRoot(apart * apart + 4.0 * off * off) + nothing);
-  const Lanes cosine = 1.0 / squareRoot(1.0 + tangent * tangent), sine = tangent * cosine;
+  const Lanes size = max(apart, -apart), twice = 2.0 * select(apart < Lanes(0.0), -off, off);
+  const Lanes tangent = twice / (size + sqrt(apart * apart + 4.0 * off * off) + tiny);
+  const Lanes cosine = 1.0 / sqrt(1.0 + tangent * tangent), sine = tangent * cosine;
   d.n[p][p] = d.n[p][p] - tangent * off;
   d.n[q][q] = d.n[q][q] + tangent * off;
   d.n[p][q] = d.n[q][p] = Lanes(0.0);
@@ -50,12 +50,12 @@ MORULA_INLINE Matrix nearestRotation(const Matrix& m) {
        {c, e, f, m.z.z - m.x.x - m.y.y}},
       {{one, none, none, none}, {none, one, none, none}, {none, none, one, none}, {none, none, none, one}}};
   for (int round = 0; round < jacobiRounds; ++round) {
-    turnPlane<0, 1>(t);
-    turnPlane<2, 3>(t);
-    turnPlane<0, 2>(t);
-    turnPlane<1, 3>(t);
-    turnPlane<0, 3>(t);
-    turnPlane<1, 2>(t);
+    rotateJacobi<0, 1>(t);
+    rotateJacobi<2, 3>(t);
+    rotateJacobi<0, 2>(t);
+    rotateJacobi<1, 3>(t);
+    rotateJacobi<0, 3>(t);
+    rotateJacobi<1, 2>(t);
   }
   Lanes largest = t.n[0][0], w = t.vectors[0][0], x = t.vectors[1][0], y = t.vectors[2][0],
         z = t.vectors[3][0];

@@ -7,7 +7,7 @@
 // k₁ stands in velocity and acceleration when a step begins, for the step before has ended with the
 // evaluation at its y'. So drift number s = 1 … 4 finds k_s, takes y_{s+1} or y' and leaves it to be
 // evaluated; the kick only ends the evaluation. What the shell keeps it keeps at each of the four.
-#include "physics/shell_kernel.h"
+#include "physics/drift_kernel.h"
 
 namespace morula::MORULA_ISA {
 
@@ -18,29 +18,24 @@ inline void driftRungeKutta(const TemplateView& mesh, const BlockView& b, const 
   Real* x0 = b.substeps;
   Real *v0 = x0 + whole, *sumOfVelocities = v0 + whole, *sumOfAccelerations = sumOfVelocities + whole;
   const Lanes step = s <= 2 ? 0.5 * dt : s == 3 ? dt : dt / 6, twice = 2.0;
-  const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      Vec u = loadVec(b.velocity, v, lane), a = loadVec(b.acceleration, v, lane);
-      if constexpr (s == 1) {
-        storeVec(x0, v, lane, loadVec(b.position, v, lane));
-        storeVec(v0, v, lane, u);
-        storeVec(sumOfVelocities, v, lane, u);
-        storeVec(sumOfAccelerations, v, lane, a);
-      } else if constexpr (s == 4) {
-        u += loadVec(sumOfVelocities, v, lane);
-        a += loadVec(sumOfAccelerations, v, lane);
-      } else {
-        storeVec(sumOfVelocities, v, lane, loadVec(sumOfVelocities, v, lane) + twice * u);
-        storeVec(sumOfAccelerations, v, lane, loadVec(sumOfAccelerations, v, lane) + twice * a);
-      }
-      Vec x = loadVec(x0, v, lane) + step * u;
-      Vec velocity = loadVec(v0, v, lane) + step * a, predicted = velocity;
-      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
-      storeVec(b.velocity, v, lane, velocity);
-      storeVec(b.predicted, v, lane, predicted);
-      storeVec(b.position, v, lane, x);
-    }
+  driftVertices<shell>(
+      mesh, b, p, [&](int v, int lane, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+        Vec u = velocity, a = loadVec(b.acceleration, v, lane);
+        if constexpr (s == 1) {
+          storeVec(x0, v, lane, x);
+          storeVec(v0, v, lane, u);
+          storeVec(sumOfVelocities, v, lane, u);
+          storeVec(sumOfAccelerations, v, lane, a);
+        } else if constexpr (s == 4) {
+          u += loadVec(sumOfVelocities, v, lane);
+          a += loadVec(sumOfAccelerations, v, lane);
+        } else {
+          storeVec(sumOfVelocities, v, lane, loadVec(sumOfVelocities, v, lane) + twice * u);
+          storeVec(sumOfAccelerations, v, lane, loadVec(sumOfAccelerations, v, lane) + twice * a);
+        }
+        x = loadVec(x0, v, lane) + step * u;
+        predicted = velocity = loadVec(v0, v, lane) + step * a;
+      });
 }
 
 }  // namespace morula::MORULA_ISA

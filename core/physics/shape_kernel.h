@@ -22,7 +22,7 @@ constexpr double leastDeterminant = 0.125;
 /// Of numbers from leastDeterminant to 10⁹, to rounding: a^(5/16) is off by 8 % to 54 %, and Newton's
 /// iteration doubles the digits.
 MORULA_INLINE Lanes cubeRootOf(Lanes a) {
-  Lanes x = squareRoot(squareRoot(a * squareRoot(squareRoot(a))));
+  Lanes x = sqrt(sqrt(a * sqrt(sqrt(a))));
   for (int turn = 0; turn < 7; ++turn) x = x - (x - a / (x * x)) / 3.0;
   return x;
 }
@@ -33,7 +33,7 @@ struct Match {
   Matrix map, goal;          // A, and T times the scale of the shape at rest
 };
 
-/// A needle thinner than about a millionth of its length has an axis that it cannot be told to spin about.
+/// The spin of a needle thinner than about a millionth of its length, about its axis, cannot be determined.
 constexpr double leastInertia = single ? 1e-6 : 1e-12;  // determinant over trace³
 
 /// ω of the rigid motion: I ω = angular momentum, or 0 where I has no inverse.
@@ -74,7 +74,7 @@ MORULA_INLINE Match matchShape(const TemplateView& mesh, const BlockView& b, con
   m.map =
       inverse * Matrix{inverseSquares * products.x, inverseSquares * products.y, inverseSquares * products.z};
   const Matrix rotation = nearestRotation((inverse * Lanes(i[0])) * products);
-  const Lanes linear = p.shapeLinear / cubeRootOf(larger(determinant(m.map), Lanes(leastDeterminant)));
+  const Lanes linear = p.shapeLinear / cubeRootOf(max(determinant(m.map), Lanes(leastDeterminant)));
   m.goal = (scale * linear) * m.map + (scale * Lanes(1 - p.shapeLinear)) * rotation;
   return m;
 }

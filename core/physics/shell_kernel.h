@@ -23,7 +23,7 @@ struct ShellSlope {
 
 /// Removes the outward part of a vector, in the lanes of `where`.
 MORULA_INLINE void removeOutward(Vec& u, const Vec& slope, Mask where) {
-  const Vec kept = u - (larger(dot(u, slope), Lanes(0.0)) / dot(slope, slope)) * slope;
+  const Vec kept = u - (max(dot(u, slope), Lanes(0.0)) / dot(slope, slope)) * slope;
   u = {select(where, kept.x, u.x), select(where, kept.y, u.y), select(where, kept.z, u.z)};
 }
 
@@ -37,7 +37,7 @@ MORULA_INLINE void keepInShell(const Slope& slope, Vec& x, Vec& velocity, Vec& p
     y = y - (0.5 * (dot(y, s) - 1.0) / dot(s, s)) * s;  // (q − 1)/|2s|² · 2s
     s = slope(y);
   }
-  const Lanes scale = 1.0 / squareRoot(dot(y, s));
+  const Lanes scale = 1.0 / sqrt(dot(y, s));
   y = scale * y;
   s = slope(y);
   x = {select(outside, y.x, x.x), select(outside, y.y, x.y), select(outside, y.z, x.z)};

@@ -4,6 +4,8 @@
 // No force acts inside it, so one kernel stands where other models have springs, rings and pressure. What the
 // shell is to the vertices of a mesh is to a centre the shell with its half-axes shortened by the sphere's
 // radius: exact in a spherical shell; in an ellipsoid the sphere stands out a little where the shell bends.
+#include <numbers>
+
 #include "physics/shell_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -13,7 +15,7 @@ template <bool dragged>
 inline void measureSpheres(const TemplateView&, const BlockView& b, const KernelParameters& p) {
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     const Lanes r = p.radius * load(b.restScale + lane);
-    store(b.volume + lane, (12.566370614359172 / 3) * (r * r * r));
+    store(b.volume + lane, (4 * std::numbers::pi / 3) * (r * r * r));
     store(b.pressure + lane, Lanes(0.0));
     Vec force{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
     if constexpr (dragged) force -= (p.drag * load(b.vertexMass + lane)) * loadVec(b.predicted, 0, lane);
@@ -27,7 +29,7 @@ struct ShortenedShell {
     const Lanes r = p.radius * load(b.restScale + lane);
     for (int i = 0; i < 3; ++i) {
       // A sphere as large as the shell stands in its middle.
-      const Lanes axis = larger(p.semiAxes[i] - r, Lanes(1e-9 * p.semiAxes[i]));
+      const Lanes axis = max(p.semiAxes[i] - r, Lanes(1e-9 * p.semiAxes[i]));
       inverseSquare[i] = 1.0 / (axis * axis);
     }
   }

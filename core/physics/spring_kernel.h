@@ -5,32 +5,32 @@
 //   f = (k_s (l − L0) + k_d (w_second − w_first)·d/l) d/l = c_e d,   and −c_e d on the second end.
 // One number per edge; the ring pass (ring_kernel.h) gathers c_e d from either side with the sign that d has
 // there.
-#include "base/lane_fetch.h"
+#include "base/lane_prefetch.h"
 #include "physics/lane_vec3.h"
 
 namespace morula::MORULA_ISA {
 
-/// The next block's state, a line of each array: a closed mesh of V vertices has 3V − 6 edges, which is all
-/// but two vertices' lines. Roots and quotients leave time for it.
-MORULA_INLINE void fetchNextBlock(const TemplateView& mesh, const BlockView& b, int edge) {
+/// Prefetches a line of each array of the next block's state: a closed mesh of V vertices has 3V − 6 edges, which
+/// is all but two vertices' lines. The latency of roots and quotients hides it.
+MORULA_INLINE void prefetchNextBlock(const TemplateView& mesh, const BlockView& b, int edge) {
   constexpr int line = blockLanes * sizeof(Real);
   const std::int64_t from = std::int64_t(3 * mesh.vertexCount + edge) * line;
-  fetch<line>(b.position.place, from);
-  fetch<line>(b.velocity.place, from);
-  fetch<line>(b.acceleration.place, from);
+  prefetch<line>(b.position.place, from);
+  prefetch<line>(b.velocity.place, from);
+  prefetch<line>(b.acceleration.place, from);
 }
 
 template <bool damped>
-inline void findSpringCoefficients(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
+inline void findTensions(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   const Lanes stiffness = p.stiffness, damping = p.damping;
   Real* coefficient = b.coefficient;
   for (int e = 0; e < mesh.edgeCount; ++e) {
     const int first = mesh.edges[2 * e], second = mesh.edges[2 * e + 1];
     const Lanes templateLength = mesh.restLengths[e];
-    fetchNextBlock(mesh, b, e);
+    prefetchNextBlock(mesh, b, e);
     for (int lane = 0; lane < b.liveLanes; lane += width) {
       const Vec d = loadVec(b.position, second, lane) - loadVec(b.position, first, lane);
-      const Lanes length = squareRoot(dot(d, d) + nothing);
+      const Lanes length = sqrt(dot(d, d) + tiny);
       const Lanes inverse = 1.0 / length;
       Lanes tension = stiffness * (length - templateLength * load(b.restScale + lane));
       if constexpr (damped) {

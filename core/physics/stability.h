@@ -6,7 +6,7 @@ namespace morula {
 
 struct StabilityLimits {
   double spring = 0;    // [time] all springs of a vertex against its mass, or its goal's pull
-  double pressure = 0;  // [time] breathing: the whole shell against the gas
+  double pressure = 0;  // [time] breathing: the whole membrane against the enclosed fluid
 };
 
 /// Spring mode, 6 k_s/m_p with damping: k_s Δt² + 2s k_d Δt − 4 m_p/6 = 0, s = 2 for velocity Verlet and 1
@@ -14,16 +14,16 @@ struct StabilityLimits {
 /// sphere that holds V. V from the last evaluation. Runge–Kutta: where its amplification reaches 1, for an
 /// undamped mode Δt = √8/ω.
 ///
-/// Explicit Euler amplifies what nothing damps, at any step: its limit is γ/ω² (less where a mode creeps).
-/// Springs damp only along the edges, so a membrane under tension swings undamped across them unless there is
+/// Explicit Euler amplifies what nothing damps, at any step: its limit is γ/ω² (less where a mode is overdamped).
+/// Springs damp only along the edges, so a membrane under tension oscillates undamped across them unless there is
 /// drag: without drag both limits are 0. With it they are those of modes damped by k_d and drag, and by drag
-/// alone for breathing and for the swinging across edges with k_s (1 − L0/L) of the sphere that holds V.
+/// alone for breathing and for oscillations across edges with k_s (1 − L0/L) of the sphere that holds V.
 ///
 /// XPBD has none: both are infinite.
 ///
 /// Shape matching: in place of the springs' that of a vertex against a goal that rests, ω² = k, damped by κ +
 /// drag: no mode is stiffer. Linear deformations have (1 − β) k, and the smaller limit of the two counts.
-/// There is no gas.
+/// There is no pressure. Spheres have no inner modes: both are infinite.
 StabilityLimits measureLimits(const Bodies& bodies, int slot);
 
 /// Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the

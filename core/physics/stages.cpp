@@ -1,81 +1,29 @@
 #include "physics/stages.h"
 
+#include "physics/cell_model.h"
+#include "physics/integrator.h"
+
 namespace morula {
 
-namespace {
-
-ShellShape shapeOf(const PhysicsParameters& p) {
+ShellShape shellShapeOf(const PhysicsParameters& p) {
   if (!p.shell) return ShellShape::none;
-  if (p.cell.model == CellModel::sphere) return ShellShape::aroundSpheres;
+  if (!kindOf(p.cell.model).hasMesh) return ShellShape::aroundSpheres;
   const double* a = p.shell->semiAxes;
   return a[0] == a[1] && a[1] == a[2] ? ShellShape::sphere : ShellShape::ellipsoid;
 }
 
-/// Where a model has no such stage.
-void nothing(const TemplateView&, const BlockView&, const KernelParameters&) {}
-
-KickShell kickShellOf(ShellShape shape) {
-  if (shape == ShellShape::none) return KickShell::none;
-  return shape == ShellShape::aroundSpheres ? KickShell::aroundSpheres : KickShell::anyShape;
-}
-
-struct Movement {
-  PhysicsKernels::TimedStage drift;
-  const PhysicsKernels::TimedStage* kick;  // [KickShell]
-  std::span<const PhysicsKernels::TimedStage> furtherDrifts;
-};
-
-Movement movementOf(const PhysicsKernels& k, const PhysicsParameters& p, int shape) {
-  switch (p.integrator) {
-    case Integrator::velocityVerlet:
-      return {k.driftVelocityVerlet[shape], k.kickVelocityVerlet, {}};
-    case Integrator::thesisVerlet:
-      return {k.driftThesisVerlet[shape], k.endEvaluation, {}};
-    case Integrator::explicitEuler:
-      return {k.driftExplicitEuler[shape], k.endEvaluation, {}};
-    case Integrator::symplecticEuler:
-      return {k.driftSymplecticEuler[shape], k.kickSymplecticEuler, {}};
-    case Integrator::rungeKutta4:
-      return {k.driftRungeKutta[shape][0], k.endEvaluation, std::span(k.driftRungeKutta[shape]).subspan(1)};
-    case Integrator::xpbd:
-      return {k.driftXpbd[p.membrane.damping > 0][shape], k.endEvaluation, {}};
-  }
-  return {};
-}
-
-}  // namespace
-
 PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
   const PhysicsKernels& k = physicsKernels(isa, p.precision);
-  const ShellShape shape = shapeOf(p);
-  const Movement move = movementOf(k, p, static_cast<int>(shape));
-  const PhysicsKernels::TimedStage kick = move.kick[static_cast<int>(kickShellOf(shape))];
-  if (p.cell.model == CellModel::sphere)
-    return {move.drift,
-            kick,
-            move.furtherDrifts,
-            nothing,
-            p.drag > 0 ? k.measureDraggedSpheres : k.measureSpheres,
-            nothing};
-  if (p.integrator == Integrator::xpbd)  // its drift moves springs and contents
-    return {move.drift, kick, {}, nothing, k.gatherRingsWithoutSprings, k.findPressure};
-  if (p.cell.model == CellModel::shapeMatching) {
-    const bool resisted = p.shapeMatching.damping > 0 || p.drag > 0;
-    return {move.drift,
-            kick,
-            move.furtherDrifts,
-            nothing,
-            surfaces ? k.gatherRingsWithoutSprings : nothing,
-            k.findShapeForces[resisted][!surfaces]};
-  }
-  return {move.drift,
-          kick,
-          move.furtherDrifts,
-          p.membrane.damping > 0 ? k.findDampedSpringCoefficients : k.findSpringCoefficients,
-          k.gatherRings,
-          p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces,
-          p.integrator == Integrator::velocityVerlet ? k.endAndDrift[p.drag > 0][static_cast<int>(shape)]
-                                                     : nullptr};
+  const ShellShape shape = shellShapeOf(p);
+  const KickShell kickShell = shape == ShellShape::none            ? KickShell::none
+                              : shape == ShellShape::aroundSpheres ? KickShell::aroundSpheres
+                                                                   : KickShell::anyShape;
+  const Movement move = kindOf(p.integrator).movement(k, static_cast<int>(shape), p.membrane.damping > 0);
+  PhysicsStages stages{.drift = move.drift,
+                       .kick = move.kick[static_cast<int>(kickShell)],
+                       .furtherDrifts = move.furtherDrifts};
+  kindOf(p.cell.model).chooseForces(stages, k, p, surfaces);
+  return stages;
 }
 
 Isa narrowestIsa(int cells, Isa widest, Precision precision) {
@@ -94,16 +42,16 @@ PhysicsStages furtherStages(const PhysicsStages& stages, std::size_t evaluation)
 }
 
 void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
-  const TemplateView mesh = bodies.meshAt(block.coarseness).view();
+  const TemplateView mesh = bodies.meshAt(block.meshLevel).view();
   const KernelParameters& p = bodies.kernelParameters;
   stages.drift(mesh, block, p, timeStep);
-  stages.findSpringCoefficients(mesh, block, p);
-  stages.gatherRings(mesh, block, p);
-  stages.addPressureForces(mesh, block, p);
+  stages.findTensions(mesh, block, p);
+  stages.accumulateRings(mesh, block, p);
+  stages.finishForces(mesh, block, p);
 }
 
 void kick(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
-  const TemplateView mesh = bodies.meshAt(block.coarseness).view();
+  const TemplateView mesh = bodies.meshAt(block.meshLevel).view();
   stages.kick(mesh, block, bodies.kernelParameters, timeStep);
 }
 
@@ -116,7 +64,7 @@ bool areSound(const BlockView& block) {
 }
 
 /// A time step with all its evaluations.
-void moveAlone(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
+void stepOnce(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep) {
   advance(stages, bodies, block, timeStep);
   kick(stages, bodies, block, timeStep);
   for (std::size_t i = 0; i < stages.furtherDrifts.size(); ++i) {
@@ -128,25 +76,25 @@ void moveAlone(const PhysicsStages& stages, const Bodies& bodies, const BlockVie
 
 }  // namespace
 
-bool goAlone(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep,
-             std::uint64_t steps) {
-  const TemplateView mesh = bodies.meshAt(block.coarseness).view();
+bool stepIsolatedCells(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block,
+                       double timeStep, std::uint64_t steps) {
+  const TemplateView mesh = bodies.meshAt(block.meshLevel).view();
   const KernelParameters& p = bodies.kernelParameters;
   if (stages.endAndDrift && steps > 1) {
     stages.drift(mesh, block, p, timeStep);
     for (;; --steps) {
-      stages.findSpringCoefficients(mesh, block, p);
-      stages.gatherRings(mesh, block, p);
+      stages.findTensions(mesh, block, p);
+      stages.accumulateRings(mesh, block, p);
       if (steps == 1) break;
       stages.endAndDrift(mesh, block, p, timeStep);
       if (!areSound(block)) return false;
     }
-    stages.addPressureForces(mesh, block, p);
+    stages.finishForces(mesh, block, p);
     stages.kick(mesh, block, p, timeStep);
     return areSound(block);
   }
   for (; steps > 0; --steps) {
-    moveAlone(stages, bodies, block, timeStep);
+    stepOnce(stages, bodies, block, timeStep);
     if (!areSound(block)) return false;
   }
   return true;

@@ -7,14 +7,22 @@
 
 namespace morula {
 
+/// Of a stage that a scene does not need.
+inline void noOp(const TemplateView&, const BlockView&, const KernelParameters&) {}
+
 /// The kernels that a scene's parameters call for, chosen once: none does what the scene has not.
 struct PhysicsStages {
   PhysicsKernels::TimedStage drift, kick;
   // Of the evaluations after the first in a time step: Runge–Kutta's second to fourth; none elsewhere.
   std::span<const PhysicsKernels::TimedStage> furtherDrifts;
-  PhysicsKernels::Stage findSpringCoefficients, gatherRings, addPressureForces;
-  // The end of a step and the next one's drift in one, for cells that need no other (goAlone); null where
-  // there is no such kernel.
+
+  // The inner forces, in this order
+  PhysicsKernels::Stage findTensions = noOp;  // of each edge: coefficient ← spring force over edge vector
+  PhysicsKernels::Stage accumulateRings = noOp;  // of each one-ring: gradient, volume; acceleration ← springs
+  PhysicsKernels::Stage finishForces = noOp;     // all others, and the pressure; acceleration ← whole force
+
+  // finishForces, the kick and the next step's drift in one, for isolated cells; null where there is no such
+  // kernel.
   PhysicsKernels::TimedStage endAndDrift = nullptr;
 };
 
@@ -26,8 +34,11 @@ PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa, bool su
 /// cells does not pay for empty lanes. The same bits as any.
 Isa narrowestIsa(int cells, Isa widest, Precision precision);
 
-/// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`. 0 only
-/// evaluates.
+/// The egg shell as this model's vertices feel it.
+ShellShape shellShapeOf(const PhysicsParameters& parameters);
+
+/// Moves a block on by `timeStep` and evaluates its inner forces, which then stand in `acceleration`. With 0
+/// nothing moves.
 void advance(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep);
 
 /// The stages of one further evaluation of the same time step.
@@ -42,10 +53,10 @@ inline bool isSound(double volume, double pressure) {
   return volume > 0 && volume < 1e300 && pressure < 1e300;
 }
 
-/// So many whole time steps of a block whose cells nothing else acts on, one after the other while it is hot:
+/// So many whole time steps of a block of isolated cells, on which nothing else acts, while it stays in cache:
 /// the same bits as advance and kick. False at once when a cell is not sound (isSound) after a step; the
 /// block's state is then of no use.
-bool goAlone(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block, double timeStep,
-             std::uint64_t steps);
+bool stepIsolatedCells(const PhysicsStages& stages, const Bodies& bodies, const BlockView& block,
+                       double timeStep, std::uint64_t steps);
 
 }  // namespace morula

@@ -8,52 +8,39 @@
 //
 // The thesis' Verlet, x' = 2x − x_prev + a Δt² [Nilsson 2008, eq. 4.6], written with its velocity v = (x −
 // x_prev)/Δt [eq. 4.7]: v' = v + Δt a, x' = x + Δt v'. Damping sees that lagged velocity: first order.
-#include "physics/shell_kernel.h"
+#include "physics/drift_kernel.h"
 
 namespace morula::MORULA_ISA {
 
-/// One vertex: x ← x', velocity ← v½, predicted ← w; and the shell keeps what would leave it.
-template <ShellShape shell>
-MORULA_INLINE void driftVertex(const ShellSlope& slope, Lanes halfStep, Lanes step, const Vec& acceleration,
-                               Vec& x, Vec& velocity, Vec& predicted) {
+/// One vertex: x ← x', velocity ← v½, predicted ← w.
+MORULA_INLINE void driftVertex(Lanes halfStep, Lanes step, const Vec& acceleration, Vec& x, Vec& velocity,
+                               Vec& predicted) {
   const Vec impulse = halfStep * acceleration;
   velocity += impulse;
   predicted = velocity + impulse;
   x += step * velocity;
-  if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
 }
 
 template <ShellShape shell>
 inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                 double dt) {
   const Lanes halfStep = 0.5 * dt, step = dt;
-  const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      Vec x = loadVec(b.position, v, lane), velocity = loadVec(b.velocity, v, lane), predicted;
-      driftVertex<shell>(slope, halfStep, step, loadVec(b.acceleration, v, lane), x, velocity, predicted);
-      storeVec(b.velocity, v, lane, velocity);
-      storeVec(b.predicted, v, lane, predicted);
-      storeVec(b.position, v, lane, x);
-    }
+  driftVertices<shell>(
+      mesh, b, p, [&](int v, int lane, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+        driftVertex(halfStep, step, loadVec(b.acceleration, v, lane), x, velocity, predicted);
+      });
 }
 
-/// The same for the thesis' Verlet: x ← x', velocity and predicted ← v'.
+/// x ← x', velocity and predicted ← v'.
 template <ShellShape shell>
 inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                               double dt) {
   const Lanes step = dt;
-  const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      Vec velocity = loadVec(b.velocity, v, lane) + step * loadVec(b.acceleration, v, lane),
-          predicted = velocity;
-      Vec x = loadVec(b.position, v, lane) + step * velocity;
-      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
-      storeVec(b.velocity, v, lane, velocity);
-      storeVec(b.predicted, v, lane, predicted);
-      storeVec(b.position, v, lane, x);
-    }
+  driftVertices<shell>(mesh, b, p,
+                       [&](int v, int lane, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+                         predicted = velocity = velocity + step * loadVec(b.acceleration, v, lane);
+                         x = x + step * velocity;
+                       });
 }
 
 struct InverseMass {

@@ -1,6 +1,6 @@
 #pragma once
 // Extended position-based dynamics [Macklin, Müller, Chentanez 2016], in N sub-steps h = Δt/N of one sweep
-// each [Macklin et al. 2019]: every spring, and then the contents, by itself in backward Euler's closed form,
+// each [Macklin et al. 2019]: every spring, and then the fluid, by itself in backward Euler's closed form,
 // one after the other. First order, and stable with any time step.
 //
 //   1. v ← (v + h a)/(1 + h·drag),  x ← x + h v   a: of all outer forces (contacts, connections), once per
@@ -9,8 +9,8 @@
 //   2. edges, in the mesh's order: along an edge of length l = |d| an impulse h f changes stretch and rate by
 //      −2h² f/m and −2h f/m, so f = k_s (l − L0) + k_d l' after it is
 //        f/m = (k_s (l − L0) + k_d l') / (m + 2h (h k_s + k_d)) before it.
-//   3. contents: with ∇V = G/6 at x and c = h² Σ|∇V|²/m, a pressure p moves the volume to V' = V + c p. The
-//      gas' own pressure there, p = k_p/V' − P_0, is the larger root of
+//   3. fluid: with ∇V = G/6 at x and c = h² Σ|∇V|²/m, a pressure p moves the volume to V' = V + c p. The
+//      fluid's own pressure there, p = k_p/V' − P_0, is the larger root of
 //        c p² + (V + c P_0) p + P_0 V − k_p = 0, and makes V' > 0 whatever V.
 //      They come last: a sweep over stiff edges that are far from rest may halve a volume.
 //   4. angular momentum: with x = x₀ + h v it is Σ m x₀ × v, and an edge that does not point where it did at
@@ -63,7 +63,7 @@ inline void solveEdges(const TemplateView& mesh, const BlockView& b, const Kerne
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       const Vec x = loadVec(b.position, first, lane), y = loadVec(b.position, second, lane), d = y - x;
       const Vec v = loadVec(b.velocity, first, lane), w = loadVec(b.velocity, second, lane);
-      const Lanes length = squareRoot(dot(d, d) + nothing);
+      const Lanes length = sqrt(dot(d, d) + tiny);
       const Lanes inverse = 1.0 / length;
       Lanes tension = stiffness * (length - templateLength * load(b.restScale + lane));
       if constexpr (damped) tension += damping * (dot(w - v, d) * inverse);
@@ -79,14 +79,14 @@ inline void solveEdges(const TemplateView& mesh, const BlockView& b, const Kerne
 /// The larger root of c p² + (V + c P_0) p + P_0 V − k_p = 0, in the form that does not cancel.
 MORULA_INLINE Lanes implicitPressure(Lanes volume, Lanes c, Lanes constant, Lanes outside) {
   const Lanes b = volume + c * outside, u = volume - c * outside;
-  const Lanes root = squareRoot(u * u + 4.0 * c * constant);  // = √(b² − 4c (P_0 V − k_p))
+  const Lanes root = sqrt(u * u + 4.0 * c * constant);  // = √(b² − 4c (P_0 V − k_p))
   const Lanes alike = 2.0 * (constant - outside * volume) / (b + root), opposite = (root - b) / (2.0 * c);
   return select(b > Lanes(0.0), alike, opposite);
 }
 
 /// 3.
-inline void solveContents(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
-  gatherRings<false>(mesh, b, p);
+inline void solveFluid(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
+  accumulateRings<false>(mesh, b, p);
   Lanes square[blockLanes / width];
   for (Lanes& s : square) s = Lanes(0.0);
   for (int v = 0; v < mesh.vertexCount; ++v)
@@ -175,7 +175,7 @@ inline void driftXpbd(const TemplateView& mesh, const BlockView& b, const Kernel
     Spin spin;
     predictMotion(mesh, b, kept, h, spin);
     solveEdges<damped>(mesh, b, p, h);
-    solveContents(mesh, b, p, h);
+    solveFluid(mesh, b, p, h);
     keepAngularMomentum(mesh, b, h, spin);
     if (i + 1 < p.substeps) endSubstep<shell>(mesh, b, p);
   }

@@ -1,4 +1,4 @@
-// What makes the physics stop. A number that is finite and wrong is a failure too.
+// When a run ends with a NumericalError: numbers that are not finite, and finite ones that are impossible.
 #include <algorithm>
 #include <cmath>
 

@@ -3,9 +3,7 @@
 
 #include <cstring>
 
-#include "base/error.h"
-#include "base/fields.h"
-#include "simulation/saved_state.h"
+#include "simulation/checkpoint_state.h"
 #include "simulation/scene_parts.h"
 
 namespace morula {
@@ -65,35 +63,6 @@ std::string_view unsealed(std::string_view bytes) {
   return fields;
 }
 
-struct Write {
-  FieldWriter& out;
-  Precision precision;
-  void operator()(const char* name, std::uint64_t value) {
-    out.add(name, std::span<const std::uint64_t>(&value, 1));
-  }
-  void operator()(const char* name, double value) { out.add(name, std::span<const double>(&value, 1)); }
-  template <class Value>
-  void operator()(const char* name, const std::vector<Value>& values) {
-    out.add(name, std::span<const Value>(values));
-  }
-  void reals(const char* name, const Columns& values) { out.add(name, values, precision); }
-};
-
-struct Read {
-  FieldReader& in;
-  void operator()(const char* name, std::uint64_t& value) { value = one(name, in.numbers(name)); }
-  void operator()(const char* name, double& value) { value = one(name, in.reals(name)); }
-  void operator()(const char* name, Numbers& values) { values = in.numbers(name); }
-  void operator()(const char* name, Columns& values) { values = in.reals(name); }
-  void operator()(const char* name, Texts& values) { values = in.texts(name); }
-  void reals(const char* name, Columns& values) { values = in.reals(name); }
-  template <class Value>
-  static Value one(const char* name, const std::vector<Value>& values) {
-    if (values.size() != 1) refuse("the field '" + std::string(name) + "' holds no single value");
-    return values[0];
-  }
-};
-
 void writeScene(FieldWriter& out, const Scene& scene) {
   Texts names, hashes;
   for (const auto& [name, hash] : hashSceneParts(scene)) names.push_back(name), hashes.push_back(hash);
@@ -118,21 +87,16 @@ void checkScene(FieldReader& in, const Scene& scene) {
 std::string saveState(const World& world) {
   FieldWriter fields;
   writeScene(fields, world.model);
-  const SavedState state = describeState(world);
-  Write write{fields, world.bodies ? world.bodies->parameters.precision : Precision::binary64};
-  forEachField(write, state, world);
+  writeState(fields, world);
   return sealed(fields.bytes());
 }
 
 void restoreState(World& world, std::string_view checkpoint) {
   FieldReader fields(unsealed(checkpoint), "checkpoint");
   checkScene(fields, world.model);
-  SavedState state;
-  Read read{fields};
-  forEachField(read, state, world);
-  fields.end();
+  SavedState state = readState(fields, world);
   checkSavedState(state, world);
-  takeOver(world, state);
+  takeOver(world, std::move(state));
 }
 
 }  // namespace morula

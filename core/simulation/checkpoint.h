@@ -4,7 +4,7 @@
 //
 //   "MORULACP" · version · length · fields (base/fields.h) · XXH3-128 of version and fields
 //
-// The fields are listed in saved_state.h. What a scene has not is not in its checkpoints.
+// The fields are listed in state_fields.h. What a scene has not is not in its checkpoints.
 #include <string>
 #include <string_view>
 

@@ -1,49 +1,39 @@
 // Columns back into a world.
 #include <algorithm>
+#include <limits>
+#include <variant>
 
-#include "simulation/saved_state.h"
-#include "simulation/world.h"
+#include "simulation/checkpoint_state.h"
 
 namespace morula {
 
 namespace {
 
-std::vector<StateId> internStates(const Texts& descriptions, BiologicalUnit& biology) {
-  std::vector<StateId> ids;
-  for (const std::string& text : descriptions) ids.push_back(biology.stateOf(text));
-  return ids;
+/// How many numbers on file make one value.
+template <class T>
+constexpr std::size_t widthOf = 1;
+template <>
+constexpr std::size_t widthOf<Vector> = 3;
+
+void demandLength(std::size_t actual, std::size_t length, const char* table) {
+  demand(actual == length, std::string(table) + " have columns of different lengths");
 }
 
-Cells makeCells(const SavedState& s, const std::vector<StateId>& states) {
-  Cells c;
-  for (const std::string& path : s.cells.path) c.path.push_back(CellPath::parse(path));
-  for (std::uint64_t place : s.cells.state) c.state.push_back(states[place]);
-  c.lastCycle = s.cells.lastCycle;
-  c.growth = s.cells.growth;
-  c.entry.assign(s.cells.entry.begin(), s.cells.entry.end());
-  return c;
+void readFrom(FieldReader& in, const std::string& name, Numbers& column) { column = in.numbers(name); }
+void readFrom(FieldReader& in, const std::string& name, Columns& column) { column = in.reals(name); }
+void readFrom(FieldReader& in, const std::string& name, Texts& column) { column = in.texts(name); }
+template <class Column>
+Column readColumn(FieldReader& in, const std::string& name) {
+  Column column;
+  readFrom(in, name, column);
+  return column;
 }
 
-Lineage makeLineage(const SavedState& s, const std::vector<StateId>& states) {
-  const auto& l = s.lineage;
-  Lineage lineage;
-  for (std::size_t i = 0; i < l.path.size(); ++i)
-    lineage.entries.push_back({CellPath::parse(l.path[i]), l.born[i], l.ended[i], l.bornStep[i],
-                               l.endedStep[i], static_cast<Fate>(l.fate[i]), states[l.state[i]]});
-  return lineage;
-}
-
-std::vector<DivisionRecord> makeDivisions(const SavedState& s) {
-  const auto& d = s.divisions;
-  std::vector<DivisionRecord> divisions;
-  for (std::size_t i = 0; i < d.path.size(); ++i)
-    divisions.push_back({CellPath::parse(d.path[i]),
-                         d.time[i],
-                         d.step[i],
-                         {d.axis[3 * i], d.axis[3 * i + 1], d.axis[3 * i + 2]},
-                         d.share[i],
-                         d.extentRatio[i] > 0 ? std::optional(d.extentRatio[i]) : std::nullopt});
-  return divisions;
+template <class Column>
+auto readSingle(FieldReader& in, const std::string& name) {
+  const Column column = readColumn<Column>(in, name);
+  if (column.size() != 1) throw InputError("checkpoint: the field '" + name + "' holds no single value");
+  return column[0];
 }
 
 /// Of all cells, in the order of lineage paths.
@@ -54,38 +44,147 @@ void writeVectors(const Columns& values, const Bodies& b, Reals& array) {
       b.write(array, slot, v, {values[i], values[i + 1], values[i + 2]});
 }
 
-/// Places only; everything else is written over.
-void makeRoom(Bodies& b, const Numbers& coarseness) {
+/// How many numbers positions, velocities and the like have. Also that the meshes are the scene's.
+std::size_t countCoordinates(const Numbers& levels, const Bodies& bodies) {
+  std::size_t vertices = 0;
+  for (std::uint64_t level : levels) {
+    demand(level <= bodies.coarser.size(), "a cell has a mesh that the scene has not");
+    vertices += bodies.meshAt(static_cast<int>(level)).vertexCount();
+  }
+  return 3 * vertices;
+}
+
+/// Cells of these meshes, with no numbers yet.
+void makeRoom(Bodies& b, const Numbers& levels) {
   std::vector<Body> cells;
-  for (std::uint64_t c : coarseness) {
+  for (std::uint64_t level : levels) {
     Body cell;
-    cell.coarseness = static_cast<int>(c);
-    cell.position.resize(b.meshAt(cell.coarseness).vertexCount());
+    cell.meshLevel = static_cast<int>(level);
+    cell.position.resize(b.meshAt(cell.meshLevel).vertexCount());
     cell.velocity.resize(cell.position.size());
     cells.push_back(std::move(cell));
   }
   setBodies(b, cells);
 }
 
-void placeBodies(const SavedState& s, Bodies& b) {
-  for (int cell = 0; cell < b.count; ++cell) {
-    const int slot = b.slots[cell];
-    b.vertexMass[slot] = s.bodies.vertexMass[cell];
-    b.restScale[slot] = s.bodies.restScale[cell];
-    b.pressureConstant[slot] = s.bodies.pressureConstant[cell];
-  }
-  writeVectors(s.bodies.position, b, b.position);
-  writeVectors(s.bodies.velocity, b, b.velocity);
-}
+/// Reads part after part [visitState], each into the place that it has in a world.
+class StateReader {
+ public:
+  StateReader(FieldReader& in, BiologicalUnit& biology, SavedState& read)
+      : in_(in), biology_(biology), read_(read) {}
 
-/// What the last evaluation left behind.
-void placeForces(const SavedState& s, Bodies& b) {
-  for (int cell = 0; cell < b.count; ++cell) {
-    b.volume[b.slots[cell]] = s.bodies.volume[cell];
-    b.pressure[b.slots[cell]] = s.bodies.pressure[cell];
+  void operator()(const char* table, Clock& clock) {
+    visitFields(clock, [&]<class T>(const Field& field, T& value) {
+      value = readSingle<ColumnOf<T>>(in_, columnName(table, field));
+    });
   }
-  writeVectors(s.bodies.acceleration, b, b.acceleration);
-}
+
+  void operator()(const char* table, Cells& cells) {
+    for (const std::string& text : in_.texts("states")) states_.push_back(biology_.stateOf(text));
+    visitFields(cells, [&](const Field& field, auto&& member) {
+      demandLength(read(columnName(table, field), member), cells.path.size(), table);
+    });
+  }
+
+  template <class Record>
+  void operator()(const char* table, std::vector<Record>& rows) {
+    std::vector<std::variant<Numbers, Columns, Texts>> columns;
+    std::optional<std::size_t> length;
+    Record none{};
+    visitFields(none, [&]<class T>(const Field& field, const T&) {
+      auto column = readColumn<ColumnOf<T>>(in_, columnName(table, field));
+      if (!length) length = column.size();
+      demandLength(column.size(), *length * widthOf<T>, table);
+      columns.emplace_back(std::move(column));
+    });
+    rows.assign(*length, {});
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      auto next = columns.begin();
+      visitFields(rows[row], [&]<class T>(const Field&, T&& value) {
+        using Column = ColumnOf<std::remove_reference_t<T>>;
+        take(std::get<Column>(*next++), row, value);
+      });
+    }
+  }
+
+  void operator()(const char* table, Bodies& b) {
+    const Numbers levels = in_.numbers("bodies.coarseness");
+    const std::size_t cells = read_.world.cells.path.size(), coordinates = countCoordinates(levels, b);
+    demandLength(levels.size(), cells, table);
+    std::vector<Columns> columns;
+    visitFields(b, [&]<class Member>(const Field& field, const Member&) {
+      columns.push_back(in_.reals(columnName(table, field)));
+      demandLength(columns.back().size(), std::same_as<Member, Reals> ? coordinates : cells, table);
+    });
+    makeRoom(b, levels);
+    auto next = columns.begin();
+    visitFields(b, [&]<class Member>(const Field&, Member& member) {
+      const Columns& values = *next++;
+      if constexpr (std::same_as<Member, Reals>) writeVectors(values, b, member);
+      else
+        for (std::size_t cell = 0; cell < cells; ++cell) member[b.slots[cell]] = values[cell];
+    });
+  }
+
+  void operator()(const char* table, Contacts& contacts) {
+    const Bodies& b = *read_.world.bodies;
+    SavedContacts& c = read_.contacts;
+    c.radius = in_.reals("contacts.radius");
+    c.snapshotRadius = in_.reals("contacts.shown radius");
+    c.reference = in_.reals("contacts.reference");
+    c.listIsValid = readSingle<Numbers>(in_, "contacts.list is valid") != 0;
+    c.counters = in_.numbers("contacts.counters");
+    for (const Columns* column : {&c.radius, &c.snapshotRadius}) demandLength(column->size(), b.count, table);
+    demandLength(c.reference.size(), std::size_t(b.livingVertices) * 3, table);
+    demandLength(c.counters.size(), countersOf(contacts).size(), table);
+  }
+
+ private:
+  template <class T>
+  std::size_t read(const std::string& name, std::vector<T>& member) {
+    const auto column = readColumn<ColumnOf<T>>(in_, name);
+    member.resize(column.size());
+    for (std::size_t i = 0; i < column.size(); ++i) take(column, i, member[i]);
+    return column.size();
+  }
+  std::size_t read(const std::string& name, StateNumbers<std::vector<StateId>> member) {
+    const Numbers places = in_.numbers(name);
+    member.of.resize(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) take(places, i, StateNumbers{member.of[i]});
+    return places.size();
+  }
+
+  void take(const Columns& column, std::size_t row, double& value) { value = column[row]; }
+  void take(const Columns& column, std::size_t row, Vector& u) {
+    u = {column[3 * row], column[3 * row + 1], column[3 * row + 2]};
+  }
+  void take(const Columns& column, std::size_t row, std::optional<double>& value) {
+    if (column[row] > 0) value = column[row];
+  }
+  void take(const Texts& column, std::size_t row, CellPath& path) { path = CellPath::parse(column[row]); }
+  void take(const Texts& column, std::size_t row, const char*& cause) {  // null: an unknown one
+    const auto known = std::find(releaseCauses.begin(), releaseCauses.end(), column[row]);
+    cause = known == releaseCauses.end() ? nullptr : *known;
+  }
+  void take(const Numbers& column, std::size_t row, StateNumbers<StateId> state) {
+    demand(column[row] < states_.size(), "a cell has no state");
+    state.of = states_[column[row]];
+  }
+  void take(const Numbers& column, std::size_t row, std::uint64_t& value) { value = column[row]; }
+  void take(const Numbers& column, std::size_t row, std::uint32_t& value) {
+    demand(column[row] <= std::numeric_limits<std::uint32_t>::max(), "a cell's place in the lineage");
+    value = static_cast<std::uint32_t>(column[row]);
+  }
+  void take(const Numbers& column, std::size_t row, Fate& fate) {
+    demand(column[row] <= static_cast<std::uint64_t>(Fate::died), "an unknown fate");
+    fate = static_cast<Fate>(column[row]);
+  }
+
+  FieldReader& in_;
+  BiologicalUnit& biology_;
+  SavedState& read_;
+  std::vector<StateId> states_;  // [place among the descriptions]
+};
 
 /// As the last step saw the cells, for those who measure contacts before the next one. Writes over forces.
 void takeSnapshots(World& world) {
@@ -95,70 +194,69 @@ void takeSnapshots(World& world) {
     const std::size_t first = std::size_t(b.blocks[i].firstLine) * vertexStride;
     for (int k = 0; k < b.verticesPerLane(i) * vertexStride; ++k)
       b.scratch[0].predicted[k] = b.velocity[first + k];
-    const TemplateView mesh = b.meshAt(block.coarseness).view();
-    world.stages.findSpringCoefficients(mesh, block, b.kernelParameters);
-    world.stages.gatherRings(mesh, block, b.kernelParameters);
+    const TemplateView mesh = b.meshAt(block.meshLevel).view();
+    world.stages.findTensions(mesh, block, b.kernelParameters);
+    world.stages.accumulateRings(mesh, block, b.kernelParameters);
     takeSnapshot(*world.contacts, b, block, i);
   }
 }
 
-void restoreContacts(const SavedState& s, World& world) {
+void restoreContacts(const SavedContacts& s, World& world) {
   Contacts& c = *world.contacts;
   Bodies& b = *world.bodies;
   resetContacts(c, b);
   if (b.count > 0) {
-    setInfluenceRadii(c, b, s.contacts.listIsValid ? s.contacts.radius : s.contacts.shownRadius);
-    const Reals now = b.position;
-    writeVectors(s.contacts.reference, b, b.position);
+    setInfluenceRadii(c, b, s.listIsValid ? s.radius : s.snapshotRadius);
+    const Reals position = b.position, acceleration = b.acceleration;
+    const AlignedVector<double> volume = b.volume;
+    writeVectors(s.reference, b, b.position);
     buildNeighbourList(c.list, b, c.radius, world.execution.threads);
-    b.position = now;
+    b.position = position;
     takeSnapshots(world);
-    setInfluenceRadii(c, b, s.contacts.radius);
+    b.acceleration = acceleration;
+    b.volume = volume;
+    setInfluenceRadii(c, b, s.radius);
   }
-  c.listIsValid = s.contacts.listIsValid && b.count > 0;
-  const Numbers& n = s.contacts.counters;
-  c.rebuilds = n[0], c.pairEvaluations = n[1];
-  c.list.counters = {n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]};
+  c.listIsValid = s.listIsValid && b.count > 0;
+  auto counter = s.counters.begin();
+  for (std::uint64_t* own : countersOf(c)) *own = *counter++;
 }
 
-const char* causeOf(const std::string& text) {
-  return *std::find(releaseCauses.begin(), releaseCauses.end(), text);
-}
-
-void restoreConnections(const SavedState& s, Connections& connections) {
-  const auto& c = s.connections;
-  connections.history.clear();
+/// Those that hold, by pair.
+void restoreActive(Connections& connections) {
+  const auto& history = connections.history;
   connections.active.clear();
-  for (std::size_t i = 0; i < c.a.size(); ++i) {
-    connections.history.push_back(
-        {CellPath::parse(c.a[i]), CellPath::parse(c.b[i]), c.made[i], c.released[i], causeOf(c.cause[i])});
-    if (c.released[i] < 0) connections.active.push_back(i);
-  }
-  const auto pair = [&](std::size_t i) {
-    return std::pair{connections.history[i].a, connections.history[i].b};
-  };
-  std::sort(connections.active.begin(), connections.active.end(),
-            [&](std::size_t i, std::size_t j) { return pair(i) < pair(j); });
+  for (std::size_t i = 0; i < history.size(); ++i)
+    if (history[i].released < 0) connections.active.push_back(i);
+  std::sort(connections.active.begin(), connections.active.end(), [&](std::size_t i, std::size_t j) {
+    return std::pair{history[i].a, history[i].b} < std::pair{history[j].a, history[j].b};
+  });
 }
 
 }  // namespace
 
-void takeOver(World& world, const SavedState& s) {
-  world.clock = {s.time, s.step, s.timeStep, s.epochTime, s.epochStep, s.nextCycle};
-  const std::vector<StateId> states = internStates(s.states, *world.biology);
-  world.cells = makeCells(s, states);
-  world.lineage = makeLineage(s, states);
-  world.timeSteps.clear();
-  for (std::size_t i = 0; i < s.timeSteps.time.size(); ++i)
-    world.timeSteps.push_back({s.timeSteps.time[i], s.timeSteps.step[i], s.timeSteps.timeStep[i]});
-  if (world.bodies) {
-    world.divisions = makeDivisions(s);
-    makeRoom(*world.bodies, s.bodies.coarseness);
-    placeBodies(s, *world.bodies);
-    if (world.contacts) restoreContacts(s, world);
-    placeForces(s, *world.bodies);
+SavedState readState(FieldReader& in, const World& world) {
+  SavedState read;
+  if (world.bodies) read.world.bodies = *world.bodies;
+  if (world.contacts) read.world.contacts.emplace();
+  if (world.connections) read.world.connections.emplace();
+  visitState(read.world, StateReader(in, *world.biology, read));
+  in.end();
+  return read;
+}
+
+void takeOver(World& world, SavedState&& s) {
+  world.clock = s.world.clock;
+  world.cells = std::move(s.world.cells);
+  world.lineage = std::move(s.world.lineage);
+  world.timeSteps = std::move(s.world.timeSteps);
+  world.divisions = std::move(s.world.divisions);
+  if (world.bodies) world.bodies = std::move(s.world.bodies);
+  if (world.contacts) restoreContacts(s.contacts, world);
+  if (world.connections) {
+    world.connections->history = std::move(s.world.connections->history);
+    restoreActive(*world.connections);
   }
-  if (world.connections) restoreConnections(s, *world.connections);
 }
 
 }  // namespace morula

@@ -1,61 +1,14 @@
 // A world's state as columns.
+#include <array>
 #include <cmath>
 #include <map>
+#include <variant>
 
-#include "simulation/saved_state.h"
-#include "simulation/world.h"
+#include "simulation/checkpoint_state.h"
 
 namespace morula {
 
 namespace {
-
-/// The states' descriptions, each once.
-class States {
- public:
-  States(const World& world, Texts& descriptions) : world_(world), descriptions_(descriptions) {}
-  std::uint64_t placeOf(StateId state) {
-    const auto [at, isNew] = places_.try_emplace(state, descriptions_.size());
-    if (isNew) descriptions_.push_back(world_.biology->describe(state));
-    return at->second;
-  }
-
- private:
-  const World& world_;
-  Texts& descriptions_;
-  std::map<StateId, std::uint64_t> places_;
-};
-
-void describeCells(SavedState& s, States& states, const World& world) {
-  const Cells& c = world.cells;
-  for (const CellPath& path : c.path) s.cells.path.push_back(path.text());
-  for (StateId state : c.state) s.cells.state.push_back(states.placeOf(state));
-  s.cells.lastCycle = c.lastCycle;
-  s.cells.growth = c.growth;
-  s.cells.entry.assign(c.entry.begin(), c.entry.end());
-}
-
-void describeLineage(SavedState& s, States& states, const World& world) {
-  for (const LineageEntry& e : world.lineage.entries) {
-    s.lineage.path.push_back(e.path.text());
-    s.lineage.born.push_back(e.born);
-    s.lineage.ended.push_back(e.ended);
-    s.lineage.bornStep.push_back(e.bornStep);
-    s.lineage.endedStep.push_back(e.endedStep);
-    s.lineage.fate.push_back(static_cast<std::uint64_t>(e.fate));
-    s.lineage.state.push_back(states.placeOf(e.state));
-  }
-}
-
-void describeDivisions(SavedState& s, const World& world) {
-  for (const DivisionRecord& d : world.divisions) {
-    s.divisions.path.push_back(d.path.text());
-    s.divisions.time.push_back(d.time);
-    s.divisions.step.push_back(d.step);
-    s.divisions.axis.insert(s.divisions.axis.end(), {d.axis.x, d.axis.y, d.axis.z});
-    s.divisions.share.push_back(d.share);
-    s.divisions.extentRatio.push_back(d.extentRatio.value_or(0));
-  }
-}
 
 Columns vectorsOf(const Bodies& b, const Reals& array) {
   Columns values;
@@ -68,71 +21,119 @@ Columns vectorsOf(const Bodies& b, const Reals& array) {
   return values;
 }
 
-template <class Array>
-Columns ofCells(const Bodies& b, const Array& perSlot) {
+Columns valuesOf(const Bodies& b, const AlignedVector<double>& perSlot) {
   Columns values;
   for (int slot : b.slots) values.push_back(perSlot[slot]);
   return values;
 }
 
-void describeBodies(SavedState& s, const Bodies& b) {
-  for (int slot : b.slots) s.bodies.coarseness.push_back(b.blocks[slot / blockLanes].coarseness);
-  s.bodies.vertexMass = ofCells(b, b.vertexMass);
-  s.bodies.restScale = ofCells(b, b.restScale);
-  s.bodies.pressureConstant = ofCells(b, b.pressureConstant);
-  s.bodies.volume = ofCells(b, b.volume);
-  s.bodies.pressure = ofCells(b, b.pressure);
-  s.bodies.position = vectorsOf(b, b.position);
-  s.bodies.velocity = vectorsOf(b, b.velocity);
-  s.bodies.acceleration = vectorsOf(b, b.acceleration);
-}
-
-void describeContacts(SavedState& s, const Contacts& c, const Bodies& b) {
-  s.contacts.radius = ofCells(b, c.radius);
+/// [cell] The influence radii that the last snapshot holds. [length]
+Columns snapshotRadii(const Contacts& c, const Bodies& b) {
+  Columns radii;
   for (int slot : b.slots) {
     const std::size_t first = b.at(slot, 0) / vertexStride * blockLanes + slot % blockLanes;
-    s.contacts.shownRadius.push_back(
-        1 / std::sqrt(double(readRow(c.rows[first], b.parameters.precision).inverseRadiusSquared)));
+    radii.push_back(1 /
+                    std::sqrt(double(readRow(c.rows[first], b.parameters.precision).inverseRadiusSquared)));
   }
-  s.contacts.reference = vectorsOf(b, c.list.reference);
-  s.contacts.listIsValid = c.listIsValid;
-  const SearchCounters& n = c.list.counters;
-  s.contacts.counters = {c.rebuilds,  c.pairEvaluations, n.searches, n.pairs,         n.distanceTests,
-                         n.binVisits, n.rootTests,       n.boxTests, n.boxesRefitted, n.treesBuilt};
+  return radii;
 }
 
-void describeConnections(SavedState& s, const Connections& c) {
-  for (const ConnectionRecord& r : c.history) {
-    s.connections.a.push_back(r.a.text());
-    s.connections.b.push_back(r.b.text());
-    s.connections.made.push_back(r.made);
-    s.connections.released.push_back(r.released);
-    s.connections.cause.push_back(r.cause);
+/// Writes part after part [visitState].
+class StateWriter {
+ public:
+  StateWriter(FieldWriter& out, const World& world) : out_(out), world_(world) {}
+
+  void operator()(const char* table, const Clock& clock) {
+    visitFields(clock, [&]<class T>(const Field& field, const T& value) {
+      out_.add(columnName(table, field), ColumnOf<T>{value});
+    });
   }
-}
+
+  void operator()(const char* table, const Cells& cells) {
+    for (StateId state : cells.state) describe(state);
+    for (const LineageEntry& entry : world_.lineage.entries) describe(entry.state);
+    out_.add("states", descriptions_);
+    visitFields(cells, [&]<class Member>(const Field& field, const Member& member) {
+      out_.add(columnName(table, field), column(member));
+    });
+  }
+
+  template <class Record>
+  void operator()(const char* table, const std::vector<Record>& rows) {
+    std::vector<std::pair<std::string, std::variant<Numbers, Columns, Texts>>> columns;
+    const Record none{};
+    visitFields(none, [&]<class T>(const Field& field, const T&) {
+      columns.emplace_back(columnName(table, field), ColumnOf<T>{});
+    });
+    for (const Record& row : rows) {
+      auto next = columns.begin();
+      visitFields(row, [&]<class T>(const Field&, const T& value) {
+        put(std::get<ColumnOf<T>>((next++)->second), value);
+      });
+    }
+    for (const auto& [name, column] : columns)
+      std::visit([&](const auto& values) { out_.add(name, values); }, column);
+  }
+
+  void operator()(const char* table, const Bodies& b) {
+    Numbers levels;
+    for (int slot : b.slots) levels.push_back(b.blocks[slot / blockLanes].meshLevel);
+    out_.add("bodies.coarseness", levels);
+    visitFields(b, [&]<class Member>(const Field& field, const Member& member) {
+      if constexpr (std::same_as<Member, Reals>)
+        out_.add(columnName(table, field), vectorsOf(b, member), b.parameters.precision);
+      else out_.add(columnName(table, field), valuesOf(b, member));
+    });
+  }
+
+  void operator()(const char*, const Contacts& c) {
+    const Bodies& b = *world_.bodies;
+    out_.add("contacts.radius", valuesOf(b, c.radius));
+    out_.add("contacts.shown radius", snapshotRadii(c, b));
+    out_.add("contacts.reference", vectorsOf(b, c.list.reference), b.parameters.precision);
+    out_.add("contacts.list is valid", Numbers{c.listIsValid});
+    Numbers counters;
+    for (const std::uint64_t* counter : countersOf(c)) counters.push_back(*counter);
+    out_.add("contacts.counters", counters);
+  }
+
+ private:
+  /// A state's place among the descriptions, which all columns of states refer to.
+  std::uint64_t describe(StateId state) {
+    const auto [at, isNew] = places_.try_emplace(state, descriptions_.size());
+    if (isNew) descriptions_.push_back(world_.biology->describe(state));
+    return at->second;
+  }
+
+  template <class T>
+  ColumnOf<T> column(const std::vector<T>& member) {
+    ColumnOf<T> values;
+    for (const T& value : member) put(values, value);
+    return values;
+  }
+  Numbers column(StateNumbers<const std::vector<StateId>> member) {
+    Numbers values;
+    for (const StateId& state : member.of) put(values, StateNumbers{state});
+    return values;
+  }
+
+  void put(Columns& column, double value) { column.push_back(value); }
+  void put(Columns& column, const Vector& u) { column.insert(column.end(), {u.x, u.y, u.z}); }
+  void put(Columns& column, const std::optional<double>& value) { column.push_back(value.value_or(0)); }
+  void put(Texts& column, const CellPath& path) { column.push_back(path.text()); }
+  void put(Texts& column, const char* text) { column.push_back(text); }
+  void put(Numbers& column, StateNumbers<const StateId> state) { column.push_back(describe(state.of)); }
+  void put(Numbers& column, std::uint64_t value) { column.push_back(value); }
+  void put(Numbers& column, Fate fate) { column.push_back(static_cast<std::uint64_t>(fate)); }
+
+  FieldWriter& out_;
+  const World& world_;
+  std::map<StateId, std::uint64_t> places_;
+  Texts descriptions_;
+};
 
 }  // namespace
 
-SavedState describeState(const World& world) {
-  SavedState s;
-  const Clock& c = world.clock;
-  s.time = c.time, s.step = c.step, s.timeStep = c.timeStep;
-  s.epochTime = c.epochTime, s.epochStep = c.epochStep, s.nextCycle = c.nextCycle;
-  States states(world, s.states);
-  describeCells(s, states, world);
-  describeLineage(s, states, world);
-  for (const TimeStepChange& t : world.timeSteps) {
-    s.timeSteps.time.push_back(t.time);
-    s.timeSteps.step.push_back(t.step);
-    s.timeSteps.timeStep.push_back(t.timeStep);
-  }
-  if (world.bodies) {
-    describeDivisions(s, world);
-    describeBodies(s, *world.bodies);
-  }
-  if (world.contacts) describeContacts(s, *world.contacts, *world.bodies);
-  if (world.connections) describeConnections(s, *world.connections);
-  return s;
-}
+void writeState(FieldWriter& out, const World& world) { visitState(world, StateWriter(out, world)); }
 
 }  // namespace morula

@@ -4,13 +4,11 @@
 #include <map>
 #include <string>
 
-#include "simulation/world.h"
+#include "simulation/state_fields.h"
 
 namespace morula {
 
 namespace {
-
-void addPath(Hasher& h, const CellPath& p) { h.add(p.high()).add(p.low()).add(p.depth()); }
 
 /// What a state's substances are called, looked up once: a large lineage has few states.
 class StateTexts {
@@ -27,76 +25,64 @@ class StateTexts {
   std::map<StateId, std::string> texts_;
 };
 
-/// Hashes one body after the other, and keeps the memory.
-class BodyHasher {
- public:
-  explicit BodyHasher(const Bodies& bodies) : bodies_(bodies) {}
-  void add(Hasher& h, int slot) {
-    h.field("vertex mass").add(bodies_.vertexMass[slot]);
-    h.field("rest scale").add(bodies_.restScale[slot]);
-    h.field("pressure constant").add(bodies_.pressureConstant[slot]);
-    addVectors(h, "position", bodies_.position, slot);
-    addVectors(h, "velocity", bodies_.velocity, slot);
-    addVectors(h, "acceleration", bodies_.acceleration, slot);
-  }
-
- private:
-  void addVectors(Hasher& h, const char* name, const Reals& array, int slot) {
-    column_.clear();
-    for (int v = 0; v < bodies_.vertexCount(slot); ++v) {
-      const Vector a = bodies_.read(array, slot, v);
-      column_.insert(column_.end(), {a.x, a.y, a.z});
-    }
-    h.field(name).add(std::span<const double>(column_));
-  }
-
-  const Bodies& bodies_;
-  std::vector<double> column_;  // one cell's vectors, one behind the other
-};
-
-Hash hashClock(const Clock& c) {
-  Hasher h;
-  return h.add(c.time).add(c.step).add(c.timeStep).add(c.epochTime).add(c.epochStep).digest();
+void add(Hasher& h, StateTexts&, const CellPath& p) { h.add(p.high()).add(p.low()).add(p.depth()); }
+void add(Hasher& h, StateTexts&, std::uint32_t number) { h.add(std::uint64_t{number}); }
+void add(Hasher& h, StateTexts&, Fate fate) { h.add(static_cast<int>(fate)); }
+void add(Hasher& h, StateTexts& texts, StateNumbers<const StateId> state) { h.add(texts(state.of)); }
+template <class T>
+void add(Hasher& h, StateTexts&, const T& value) {
+  h.add(value);
 }
 
-std::vector<CellHash> hashCells(const World& world, StateTexts& stateText) {
-  const Cells& cells = world.cells;
-  std::optional<BodyHasher> body;
-  if (world.bodies) body.emplace(*world.bodies);
-  std::vector<CellHash> hashes;
-  hashes.reserve(cells.path.size());
-  for (std::size_t i = 0; i < cells.path.size(); ++i) {
+/// A new part of the state does not compile before it is decided here what becomes of it.
+struct PartHasher {
+  const World& world;
+  StateHashes parts{};
+  StateTexts texts{*world.biology};
+
+  auto fieldsInto(Hasher& h) {
+    return [this, &h](const Field& field, const auto& value) {
+      if (field.use == Use::result) add(h, texts, value);
+    };
+  }
+
+  void operator()(const char*, const Clock& clock) {
     Hasher h;
-    addPath(h, cells.path[i]);
-    h.add(stateText(cells.state[i])).add(cells.lastCycle[i]).add(cells.growth[i]);
-    if (body) body->add(h, world.bodies->slots[i]);
-    hashes.push_back({cells.path[i], h.digest()});
+    visitFields(clock, fieldsInto(h));
+    parts.clock = h.digest();
   }
-  return hashes;
-}
+  void operator()(const char*, const Cells& cells) {
+    parts.cells.reserve(cells.path.size());
+    for (std::size_t i = 0; i < cells.path.size(); ++i) {
+      Hasher h;
+      visitCell(cells, i, fieldsInto(h));
+      if (world.bodies)
+        visitBody(*world.bodies, world.bodies->slots[i], [&](const Field& field, const auto& value) {
+          if (field.use == Use::result) h.field(field.name).add(value);
+        });
+      parts.cells.push_back({cells.path[i], h.digest()});
+    }
+  }
+  void operator()(const char* name, const std::vector<LineageEntry>& entries) {
+    parts.lineage = hashRows(name, entries);
+  }
+  void operator()(const char* name, const std::vector<ConnectionRecord>& connections) {
+    parts.connections = hashRows(name, connections);
+  }
+  void operator()(const char*, const Bodies&) {}  // with their cells
+  // These tell of the way, or follow from positions.
+  void operator()(const char*, const std::vector<TimeStepChange>&) {}
+  void operator()(const char*, const std::vector<DivisionRecord>&) {}
+  void operator()(const char*, const Contacts&) {}
 
-Hash hashConnections(const World& world) {
-  if (!world.connections) return {};
-  Hasher h;
-  h.field("connections").add(std::uint64_t{world.connections->history.size()});
-  for (const ConnectionRecord& r : world.connections->history) {
-    addPath(h, r.a);
-    addPath(h, r.b);
-    h.add(r.made).add(r.released).add(r.cause);
+  template <class Record>
+  Hash hashRows(const char* name, const std::vector<Record>& rows) {
+    Hasher h;
+    h.field(name).add(std::uint64_t{rows.size()});
+    for (const Record& row : rows) visitFields(row, fieldsInto(h));
+    return h.digest();
   }
-  return h.digest();
-}
-
-Hash hashLineage(const World& world, StateTexts& stateText) {
-  Hasher h;
-  h.field("lineage").add(std::uint64_t{world.lineage.entries.size()});
-  for (const LineageEntry& e : world.lineage.entries) {
-    addPath(h, e.path);
-    h.add(e.born).add(e.ended).add(e.bornStep).add(e.endedStep).add(static_cast<int>(e.fate));
-    h.add(stateText(e.state));
-  }
-  return h.digest();
-}
+};
 
 }  // namespace
 
@@ -108,14 +94,10 @@ Hash hashWhole(const StateHashes& parts) {
 }
 
 StateHashes hashState(const World& world) {
-  StateTexts stateText(*world.biology);
-  StateHashes parts{{},
-                    hashClock(world.clock),
-                    hashCells(world, stateText),
-                    hashConnections(world),
-                    hashLineage(world, stateText)};
-  parts.whole = hashWhole(parts);
-  return parts;
+  PartHasher hasher{world};
+  visitState(world, hasher);
+  hasher.parts.whole = hashWhole(hasher.parts);
+  return std::move(hasher.parts);
 }
 
 Hash hashLink(const std::optional<Hash>& before, std::uint64_t step, const Hash& state) {

@@ -33,8 +33,8 @@ Hash hashWhole(const StateHashes& parts);
 StateHashes hashState(const World& world);
 inline Hash stateHash(const World& world) { return hashState(world).whole; }
 
-/// One link of a chain of hashes over the states of a run: it vouches for its own state and, through the link
-/// before, for the past, so a thinned chain still notices whatever the whole one did.
+/// One link of a chain of hashes over the states of a run. It depends on its own state and, through the link
+/// before, on all earlier ones, so a chain of which only some links are kept still shows any difference.
 struct ChainLink {
   std::uint64_t step = 0;
   Hash hash;  // over the link before, the step and the state

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "physics/integrator.h"
 
 namespace morula {
 
@@ -40,10 +41,10 @@ constexpr double perCellEver = 400;
 /// [byte] Of a vertex in storage.
 double perVertex(const MechanicsScene& m) {
   const double vector = 3 * (m.physics.precision == Precision::binary64 ? 8 : 4);
-  double bytes = 3 * vector;                                                 // place, velocity, acceleration
-  bytes += 2 * sizeof(Vector);                                               // Body, while cells divide
-  if (m.physics.integrator == Integrator::rungeKutta4) bytes += 4 * vector;  // Bodies::substeps
-  if (!m.contact && !m.connections) bytes += 3 * vector;                     // BodyCopy
+  double bytes = 3 * vector;                                              // place, velocity, acceleration
+  bytes += 2 * sizeof(Vector);                                            // Body, while cells divide
+  if (kindOf(m.physics.integrator).evaluations > 1) bytes += 4 * vector;  // Bodies::substeps
+  if (!m.contact && !m.connections) bytes += 3 * vector;                  // BodyCopy
   // Snapshot, NeighbourList::reference, PointTable, BlockLists.
   if (m.contact) bytes += sizeof(RowMemory) + vector + 6 * sizeof(double) + 4 * sizeof(std::int32_t);
   return bytes;
@@ -92,7 +93,7 @@ void requireMemoryForStart(const World& world) {
   if (!world.model.mechanics) return;
   const MechanicsScene& m = *world.model.mechanics;
   const std::size_t cells = world.cells.path.size();
-  const double each = m.physics.cell.model == CellModel::sphere ? 1 : double(m.mesh.vertices.size());
+  const double each = kindOf(m.physics.cell.model).hasMesh ? double(m.mesh.vertices.size()) : 1;
   const double lanes = double((cells + blockLanes - 1) / blockLanes * blockLanes);
   const std::string problem = problemOf(world, double(world.lineage.entries.size()), lanes * each);
   if (problem.empty()) return;

@@ -1,6 +1,6 @@
 #pragma once
-// What a world's arrays hold, by the part that they are there for, and what they will hold: a world that
-// would take more than Execution::memoryLimit is refused before it is made.
+// The memory of a world's arrays, by part, and a prediction of it: a world that would take more than
+// Execution::memoryLimit is refused before it is made.
 #include <cstddef>
 #include <string>
 

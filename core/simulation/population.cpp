@@ -29,14 +29,14 @@ Division divide(const World& world, const ObservedCell& cell) {
     return {cut, divideSphere(mother, bodies.parameters.cell.radius * mother.restScale, cut), record};
   record.extentRatio = extentRatio(mother.position);
   CutResult result =
-      cutBody(mother, bodies.meshOf(cell.slot()).mesh.faces, cut, bodies.parameters.membrane.production);
+      cutBody(mother, bodies.meshOf(cell.slot()).mesh.faces, cut, bodies.parameters.membrane.areaFactor);
   if (!result.failure.empty())
     throw NumericalError(
         cell.path.text(), world.clock.step, "it cannot divide: " + result.failure,
         "give cells time to round off (cycle.length) or stiffer membranes (physics.membrane.stiffness)");
   auto& [a, b] = result.daughters;
-  record.share = a.mass / mother.mass;                           // mass goes by volume
-  if (bodies.parameters.cell.model == CellModel::shapeMatching)  // a volume at rest, and no membrane
+  record.share = a.mass / mother.mass;  // mass goes by volume
+  if (bodies.model().hasRestShape)      // a volume at rest, and no membrane
     for (Body* daughter : {&a, &b})
       daughter->restScale = mother.restScale * cubeRoot(daughter->mass / mother.mass);
   return {cut, {coarsen(bodies, std::move(a)), coarsen(bodies, std::move(b))}, record};

@@ -1,8 +1,13 @@
 #include "simulation/scene_parts.h"
 
+#include "physics/cell_model.h"
 #include "simulation/scene.h"
 
 namespace morula {
+
+// Each function takes its struct apart into all of its members: one that is added and not hashed does not
+// compile. One that joins when there are checkpoints is hashed where it is not at its default, so that these
+// stay valid.
 
 namespace {
 
@@ -13,112 +18,115 @@ int number(Enum e) {
   return static_cast<int>(e);
 }
 
-std::string hashOf(const Dna& dna) {
-  Hasher h;
-  h.field("substances").add(std::uint64_t{dna.substances.size()});
-  for (const std::string& name : dna.substances) h.add(name);
-  h.field("start").add(std::uint64_t{dna.start.size()});
-  for (SubstanceId s : dna.start) h.add(std::uint64_t{s});
-  h.field("genes").add(std::uint64_t{dna.genes.size()});
-  for (const Gene& gene : dna.genes) {
-    h.add(std::uint64_t{gene.product}).add(std::uint64_t{gene.inputs.size()});
-    for (SubstanceId s : gene.inputs) h.add(std::uint64_t{s});
-    if (gene.repressors.empty()) continue;
-    h.field("repressors").add(std::uint64_t{gene.repressors.size()});
-    for (SubstanceId s : gene.repressors) h.add(std::uint64_t{s});
+void addPart(Hasher& h, const Dna& dna) {
+  const auto& [substances, start, genes, source, warnings] = dna;  // the last two only tell of the text
+  h.field("substances").add(std::uint64_t{substances.size()});
+  for (const std::string& name : substances) h.add(name);
+  h.field("start").add(std::uint64_t{start.size()});
+  for (SubstanceId s : start) h.add(std::uint64_t{s});
+  h.field("genes").add(std::uint64_t{genes.size()});
+  for (const auto& [name, product, inputs, repressors] : genes) {  // a name does nothing
+    h.add(std::uint64_t{product}).add(std::uint64_t{inputs.size()});
+    for (SubstanceId s : inputs) h.add(std::uint64_t{s});
+    if (repressors.empty()) continue;
+    h.field("repressors").add(std::uint64_t{repressors.size()});
+    for (SubstanceId s : repressors) h.add(std::uint64_t{s});
   }
-  return h.digest().text();
 }
 
-std::string hashOf(const CycleParameters& p) {
-  Hasher h;
-  h.field("cycle").add(p.length).add(std::uint64_t{p.perSubstance.size()});
-  for (const auto& [name, length] : p.perSubstance) h.add(name).add(length);
-  return h.digest().text();
+void addPart(Hasher& h, const CycleParameters& cycle) {
+  const auto& [length, perSubstance] = cycle;
+  h.field("cycle").add(length).add(std::uint64_t{perSubstance.size()});
+  for (const auto& [name, own] : perSubstance) h.add(name).add(own);
 }
 
-std::string hashOf(std::uint64_t seed) {
-  Hasher h;
-  h.field("seed").add(seed);
-  return h.digest().text();
+void addPart(Hasher& h, const std::uint64_t& seed) { h.field("seed").add(seed); }
+
+void addPart(Hasher& h, const PhysicsParameters& physics) {
+  const auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
+               shapeMatching, drag, growth, shell] = physics;
+  h.field("physics").add(number(integrator)).add(number(precision)).add(drag);
+  if (substeps) h.field("substeps").add(*substeps);
+  add(h, coarsen);
+  add(h, timeStep);
+  if (autoShare != 1) h.field("share of the automatic time step").add(autoShare);
+  const auto& [radius, mass, model] = cell;
+  h.field("cell").add(number(model)).add(radius).add(mass);
+  const auto& [stiffness, damping, areaFactor] = membrane;
+  h.field("membrane").add(stiffness).add(damping).add(areaFactor);
+  if (kindOf(model).hasRestShape) {
+    const auto& [pull, linear, resistance] = shapeMatching;
+    h.field("shape matching").add(pull).add(linear).add(resistance);
+  }
+  const auto& [constant, outside] = pressure;
+  h.field("pressure").add(constant).add(outside);
+  const auto& [rate] = growth.value_or(GrowthParameters{.rate = 0});
+  h.field("growth").add(growth.has_value()).add(rate);
+  h.field("shell").add(shell.has_value());
+  if (shell) {
+    const auto& [semiAxes] = *shell;
+    h.add(std::span<const double>(semiAxes));
+  }
 }
 
-std::string hashOf(const PhysicsParameters& p) {
-  Hasher h;
-  h.field("physics").add(number(p.integrator)).add(number(p.precision)).add(p.drag);
-  if (p.substeps) h.field("substeps").add(*p.substeps);
-  add(h, p.coarsen);
-  add(h, p.timeStep);
-  if (p.autoShare != 1) h.field("share of the automatic time step").add(p.autoShare);
-  h.field("cell").add(number(p.cell.model)).add(p.cell.radius).add(p.cell.mass);
-  h.field("membrane").add(p.membrane.stiffness).add(p.membrane.damping).add(p.membrane.production);
-  if (p.cell.model == CellModel::shapeMatching)
-    h.field("shape matching")
-        .add(p.shapeMatching.stiffness)
-        .add(p.shapeMatching.linear)
-        .add(p.shapeMatching.damping);
-  h.field("pressure").add(p.pressure.constant).add(p.pressure.outside);
-  h.field("growth").add(p.growth.has_value()).add(p.growth ? p.growth->rate : 0);
-  h.field("shell").add(p.shell.has_value());
-  if (p.shell) h.add(std::span<const double>(p.shell->semiAxes));
-  return h.digest().text();
+void addMesh(Hasher& h, const Mesh& mesh) {
+  const auto& [vertices, faces] = mesh;
+  h.field("vertices").add(std::uint64_t{vertices.size()});
+  for (const Point& x : vertices) h.add(x.x).add(x.y).add(x.z);
+  h.field("faces").add(std::uint64_t{faces.size()});
+  for (const Face& f : faces) h.add(f[0]).add(f[1]).add(f[2]);
 }
 
-void add(Hasher& h, const Mesh& mesh) {
-  h.field("vertices").add(std::uint64_t{mesh.vertices.size()});
-  for (const Point& x : mesh.vertices) h.add(x.x).add(x.y).add(x.z);
-  h.field("faces").add(std::uint64_t{mesh.faces.size()});
-  for (const Face& f : mesh.faces) h.add(f[0]).add(f[1]).add(f[2]);
+struct Meshes {
+  const Mesh& egg;
+  const std::vector<Mesh>& coarser;
+};
+void addPart(Hasher& h, const Meshes& meshes) {
+  addMesh(h, meshes.egg);
+  h.field("coarser").add(std::uint64_t{meshes.coarser.size()});
+  for (const Mesh& mesh : meshes.coarser) addMesh(h, mesh);
 }
 
-std::string hashOfMeshes(const MechanicsScene& m) {
-  Hasher h;
-  add(h, m.mesh);
-  h.field("coarser").add(std::uint64_t{m.coarser.size()});
-  for (const Mesh& mesh : m.coarser) add(h, mesh);
-  return h.digest().text();
+void addPart(Hasher& h, const ContactParameters& contact) {
+  const auto& [law, stiffness, damping, friction, slipSpeed, radius] = contact;
+  h.field("contact").add(number(law)).add(stiffness).add(damping).add(friction).add(slipSpeed).add(radius);
 }
 
-std::string hashOf(const ContactParameters& p) {
-  Hasher h;
-  h.field("contact")
-      .add(number(p.law))
-      .add(p.stiffness)
-      .add(p.damping)
-      .add(p.friction)
-      .add(p.slipSpeed)
-      .add(p.radius);
-  return h.digest().text();
+void addPart(Hasher& h, const DivisionParameters& division) {
+  const auto& [plane, axis] = division;
+  h.field("division").add(number(plane)).add(axis.x).add(axis.y).add(axis.z);
 }
 
-std::string hashOf(const DivisionParameters& p) {
-  Hasher h;
-  h.field("division").add(number(p.plane)).add(p.axis.x).add(p.axis.y).add(p.axis.z);
-  return h.digest().text();
-}
-
-std::string hashOf(const ConnectionParameters& p) {
-  Hasher h;
-  h.field("connections").add(number(p.make)).add(number(p.onDivision));
-  if (p.strength) h.add(*p.strength);
+void addPart(Hasher& h, const ConnectionParameters& connections) {
+  const auto& [make, onDivision, strength, releaseDistance] = connections;
+  h.field("connections").add(number(make)).add(number(onDivision));
+  if (strength) h.add(*strength);
   else h.add("shared");
-  add(h, p.releaseDistance);
-  return h.digest().text();
+  add(h, releaseDistance);
 }
 
 }  // namespace
 
 std::vector<ScenePart> hashSceneParts(const Scene& scene) {
-  const auto& m = scene.mechanics;
-  const bool touches = m && m->contact, connects = m && m->connections;
-  return {{"dna", hashOf(scene.dna)},
-          {"cycle", hashOf(scene.cycle)},
-          {"seed", hashOf(scene.seed)},
-          {"physics", m ? hashOf(m->physics) : ""},
-          {"physics.mesh", m ? hashOfMeshes(*m) : ""},
-          {"physics.contact", touches ? hashOf(*m->contact) : ""},
-          {"division", m ? hashOf(m->division) : ""},
-          {"connections", connects ? hashOf(*m->connections) : ""}};
+  const auto& [title, seed, dna, cycle, stop, mechanics, cells] = scene;
+  std::vector<ScenePart> parts;
+  const auto add = [&]<class Part>(const char* name, const Part* part) {
+    Hasher h;
+    if (part) addPart(h, *part);
+    parts.push_back({name, part ? h.digest().text() : ""});
+  };
+  add("dna", &dna);
+  add("cycle", &cycle);
+  add("seed", &seed);
+  static const MechanicsScene none{};
+  const auto& [physics, mesh, coarser, contact, division, connections] = mechanics ? *mechanics : none;
+  const Meshes meshes{mesh, coarser};
+  add("physics", mechanics ? &physics : nullptr);
+  add("physics.mesh", mechanics ? &meshes : nullptr);
+  add("physics.contact", contact ? &*contact : nullptr);
+  add("division", mechanics ? &division : nullptr);
+  add("connections", connections ? &*connections : nullptr);
+  return parts;
 }
 
 }  // namespace morula

@@ -20,10 +20,14 @@ double nextStepLength(const World& world);
 /// bodies.
 double plannedStop(const World& world);
 
-/// Moves all cells on by `timeStep` and evaluates every force at the new positions; 0 only evaluates.
+/// Moves all cells on by `timeStep` and evaluates every force at the new positions.
 void movePhysics(World& world, double timeStep);
 
-/// The part of it that evaluation number `evaluation` of the forces takes.
+/// Evaluates every force where the cells are; nothing moves.
+void evaluateForces(World& world);
+
+/// One of the evaluations of a time step, and what comes before and after it. With a time step of 0 nothing
+/// moves.
 void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep);
 
 /// Sets the world's kernels to those of an instruction set. It has bodies.
@@ -48,7 +52,7 @@ void runCellCycles(World& world, double until);
 bool hasEnoughCells(const World& world);
 
 /// [time] Until when cell cycles run in a step that goes from `before` to the clock's time: the clock's time,
-/// or in the step that reaches the planned end, that end: what falls behind it does not run, as it would not
+/// or in the step that reaches the planned end, that end: what is due later does not run, as it would not
 /// without bodies.
 double dueUntil(const World& world, double before);
 

@@ -30,7 +30,7 @@ void found(World& world, const CellPath& path, std::span<const StartCell> cells)
 
 }  // namespace
 
-void foundCells(World& world) {
+void createFounders(World& world) {
   if (world.model.cells.empty()) addFounder(world, CellPath{}, world.biology->startState());
   else found(world, CellPath{}, world.model.cells);
   world.clock.nextCycle = world.biology->cycleLength(world.cells.state[0]);
@@ -47,13 +47,13 @@ std::vector<Body> makeStartBodies(const Bodies& bodies, const std::vector<StartC
   if (cells.empty()) return {makeEgg(bodies)};
   std::vector<Body> all;
   for (const StartCell& cell : cells) {
-    const double contents = cell.scale * cell.scale * cell.scale;
+    const double share = cell.scale * cell.scale * cell.scale;
     Body body = makeEgg(bodies);
     for (Point& x : body.position) x = placeVertex(cell, x);
     for (Vector& u : body.velocity) u = cell.velocity;
-    body.mass = cell.mass.value_or(body.mass * contents);
+    body.mass = cell.mass.value_or(body.mass * share);
     body.restScale = cell.scale;
-    body.pressureConstant *= contents;
+    body.pressureConstant *= share;
     all.push_back(std::move(body));
   }
   return all;

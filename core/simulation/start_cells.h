@@ -13,11 +13,11 @@ struct World;
 
 /// One of the cells that a scene begins with: the egg at another place, of another size or shape.
 struct StartCell {
-  Point at = {};            // [length] its centre
-  Vector velocity = {};     // [length/time] of all its vertices
-  double scale = 1;         // its size at rest over the egg's: lengths; contents and mass go with the cube
-  Vector stretch{1, 1, 1};  // of its shape along x, y and z; what it is at rest with stays
-  std::optional<double> mass = {};                          // [mass]; absent: the egg's times scale³
+  Point at = {};         // [length] its centre
+  Vector velocity = {};  // [length/time] of all its vertices
+  double scale = 1;  // its size at rest over the egg's: lengths; the fluid's k_p and mass go with the cube
+  Vector stretch{1, 1, 1};          // of its shape along x, y and z; what it is at rest with stays
+  std::optional<double> mass = {};  // [mass]; absent: the egg's times scale³
   std::optional<std::vector<std::string>> substances = {};  // sorted; absent: what the DNA starts with
 };
 
@@ -25,7 +25,7 @@ struct StartCell {
 /// one egg had divided at time 0 until there were enough: the first half of them, rounded up, descends from
 /// daughter A, the others from B, and so on. So their paths are in the order of the list, and no path leads
 /// to another. Throws InputError for a substance that the biology does not know.
-void foundCells(World& world);
+void createFounders(World& world);
 
 /// Their bodies, in the same order; one egg for none.
 std::vector<Body> makeStartBodies(const Bodies& bodies, const std::vector<StartCell>& cells);

@@ -74,8 +74,7 @@ void refreshLists(World& world) {
             bytesText(world.contacts->list.mostBytes) + ", which the memory limit of " +
             bytesText(world.execution.memoryLimit) + " leaves them: cells are in one another",
         "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
-        "raise "
-        "--memory-limit");
+        "raise --memory-limit");
   }
 }
 
@@ -86,11 +85,12 @@ void movePhysics(World& world, double timeStep) {
   for (std::size_t i = 0; i <= world.stages.furtherDrifts.size(); ++i) moveAndEvaluate(world, i, timeStep);
 }
 
+void evaluateForces(World& world) { movePhysics(world, 0); }
+
 void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
   Bodies& bodies = *world.bodies;
   const int blocks = bodies.blockCount(), threads = world.execution.threads;
-  const bool alone =
-      !world.contacts && !world.connections;  // no cell needs another: one pass while a block is hot
+  const bool isolated = !world.contacts && !world.connections;  // one pass while a block is in cache
 
   const auto stagesOf = [&](const BlockView& block) {
     const PhysicsStages& stages = world.stagesOfLanes[block.liveLanes - 1];
@@ -102,9 +102,9 @@ void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
     const PhysicsStages stages = stagesOf(block);
     advance(stages, bodies, block, timeStep);
     if (world.contacts) takeSnapshot(*world.contacts, bodies, block, i);
-    if (alone) kick(stages, bodies, block, timeStep);
+    if (isolated) kick(stages, bodies, block, timeStep);
   });
-  if (alone) return;
+  if (isolated) return;
 
   if (world.connections) addConnectionForces(*world.connections, world.cells.path, bodies);
   if (world.contacts) {

@@ -1,4 +1,4 @@
-// Cells that halve lower the stability limit: springs and gas stay as strong while masses halve.
+// The stability limit falls with each division: springs and pressure stay as strong while masses halve.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/maths.h"
 #include "base/number_text.h"
+#include "physics/integrator.h"
 #include "physics/stability.h"
 #include "simulation/stages.h"
 
@@ -24,7 +25,7 @@ struct Limit {
 /// Of all modes at once: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with
 /// 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
-  if (integrator == Integrator::explicitEuler) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact);
+  if (kindOf(integrator).needsDrag) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact);
   const double least = std::min({l.spring, l.pressure, l.contact});
   if (!(least < INFINITY)) return INFINITY;
   const double a = least / l.spring, b = least / l.pressure, c = least / l.contact;  // no square is too small
@@ -157,19 +158,18 @@ void chooseTimeStep(World& world) {
   const PhysicsParameters& p = world.bodies->parameters;
   double combined;
   const Limit limit = tightestLimit(world, combined);
-  if (p.integrator == Integrator::explicitEuler && !(combined > 0)) refuseUndamped(world, limit.cell);
+  if (kindOf(p.integrator).needsDrag && !(combined > 0)) refuseUndamped(world, limit.cell);
   double timeStep;
   if (p.timeStep) {
     timeStep = *p.timeStep;
     refuseAboveCycle(world, timeStep);
     refuseAboveRun(world, timeStep);
-    refuseAbove(limit.spring, p.cell.model == CellModel::shell ? "springs" : "shape-matching", world,
-                limit.cell, timeStep);
+    refuseAbove(limit.spring, kindOf(p.cell.model).limitedBy, world, limit.cell, timeStep);
     refuseAbove(limit.pressure, "pressure", world, limit.cell, timeStep);
     refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
     refuseAbove(dragLimit(p.integrator, p.drag), "drag", world, limit.cell, timeStep);
   } else {
-    if (p.integrator == Integrator::xpbd ? std::isinf(limit.contact) : std::isinf(longest(combined, p)))
+    if (kindOf(p.integrator).solvesForces ? std::isinf(limit.contact) : std::isinf(longest(combined, p)))
       refuseUnbounded(world);
     timeStep = automaticTimeStep(world.model.cycle, p.autoShare * longest(combined, p));
   }
@@ -180,7 +180,7 @@ void chooseTimeStep(World& world) {
   clock.epochTime = clock.time;
   clock.epochStep = clock.step;
   world.timeSteps.push_back({clock.time, clock.step, timeStep});
-  movePhysics(world, 0);  // the thesis' contact law and the grip of friction depend on the time step
+  evaluateForces(world);  // the thesis' contact law and the grip of friction depend on the time step
 }
 
 }  // namespace morula

@@ -40,7 +40,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   world.execution = execution;
   world.biology = std::move(biology);
   refuseEndlessPace(scene);
-  foundCells(world);
+  createFounders(world);
   if (!scene.mechanics) return world;
 
   const MechanicsScene& m = *scene.mechanics;
@@ -72,7 +72,7 @@ void setStages(World& world, Isa isa) {
 void beginWithBodies(World& world) {
   if (world.contacts) resetContacts(*world.contacts, *world.bodies);
   if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
-  movePhysics(world, 0);
+  evaluateForces(world);
   checkBodies(world);
   chooseTimeStep(world);
 }

@@ -48,7 +48,7 @@ struct Clock {
   double nextCycle = 0;  // [time] when the next cell cycle of any cell is due
 };
 
-/// What bodies would go back to if several steps at once should fail.
+/// The bodies before several steps at once, to be restored if these fail.
 struct BodyCopy {
   Reals position, velocity, acceleration;
 };
@@ -96,7 +96,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
 void step(World& world);
 
 /// Goes on by up to `most` steps, but not past a cell cycle or the planned end: the same as so many calls of
-/// step. Where no cell needs another they go through all of these steps block by block.
+/// step. Isolated cells make all of these steps block by block.
 void takeSteps(World& world, std::uint64_t most);
 
 /// Steps until the clock shows that time [time] or a later one; 1 at least.

@@ -2,18 +2,19 @@
 
 #include "mesh/connectivity.h"
 #include "mesh/measures.h"
+#include "physics/cell_model.h"
 
 namespace morula {
 
 std::vector<CellModel> cheaperThan(CellModel model) {
-  if (model == CellModel::shell) return {CellModel::shapeMatching, CellModel::sphere};
-  if (model == CellModel::shapeMatching) return {CellModel::sphere};
-  return {};
-}
-
-const char* name(CellModel model) {
-  if (model == CellModel::shell) return "shell";
-  return model == CellModel::sphere ? "sphere" : "shape-matching";
+  const CellModelKind& own = kindOf(model);
+  std::vector<CellModel> cheaper;
+  for (const CellModel other : valuesOf<CellModel>()) {
+    const CellModelKind& kind = kindOf(other);
+    const bool leavesOut = (own.hasMembrane && !kind.hasMembrane) || (own.hasMesh && !kind.hasMesh);
+    if (leavesOut) cheaper.push_back(other);
+  }
+  return cheaper;
 }
 
 ShapeMatchingParameters matchShell(const PhysicsParameters& shell, const Mesh& egg) {

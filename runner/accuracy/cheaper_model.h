@@ -10,9 +10,6 @@ namespace morula {
 /// Those that leave out something that the model has.
 std::vector<CellModel> cheaperThan(CellModel model);
 
-/// As scenarios call it.
-const char* name(CellModel model);
-
 /// The shape matching that moves like the shell near its lengths and volume at rest:
 ///
 ///   k = (k_s ΣL² + 3 k_p + 6 P_0 V) / I              it breathes as fast, x → (1 + ε) x

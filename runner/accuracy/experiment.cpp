@@ -10,6 +10,7 @@
 #include "accuracy/reference.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "physics/integrator.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -203,8 +204,8 @@ class Experiment {
       Setting s = usual_;
       s.model = {model, matchShell(m.physics, m.mesh)};
       if (s.substeps) s.substeps = 1;
-      if (s.integrator == Integrator::xpbd) s.integrator = Integrator::velocityVerlet;
-      if (s.law && model == CellModel::sphere) s.law = ContactLaw::pair;
+      if (kindOf(s.integrator).solvesForces) s.integrator = Integrator::velocityVerlet;
+      if (s.law && !kindOf(model).hasMesh) s.law = ContactLaw::pair;
       addSeries(list, s);
     }
   }

@@ -158,7 +158,7 @@ class Study {
 MeshStudy studyMeshes(const Laboratory& lab, const Scenario& scenario, const Trial& own,
                       const std::vector<std::uint64_t>& furtherLevels) {
   MeshStudy none;
-  if (scenario.scene.mechanics->physics.cell.model == CellModel::sphere) {
+  if (!kindOf(scenario.scene.mechanics->physics.cell.model).hasMesh) {
     none.error.none = true;
     return none;
   }

@@ -2,43 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "accuracy/cheaper_model.h"
 #include "base/number_text.h"
+#include "physics/cell_model.h"
+#include "physics/integrator.h"
 
 namespace morula {
 
-namespace {
-
-const char* name(Precision precision) { return precision == Precision::binary64 ? "double" : "single"; }
-const char* name(ContactLaw law) { return law == ContactLaw::pair ? "pair" : "thesis"; }
-
-}  // namespace
-
-const char* name(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::velocityVerlet:
-      return "velocity-verlet";
-    case Integrator::thesisVerlet:
-      return "thesis-verlet";
-    case Integrator::explicitEuler:
-      return "explicit-euler";
-    case Integrator::symplecticEuler:
-      return "symplectic-euler";
-    case Integrator::rungeKutta4:
-      return "rk4";
-    case Integrator::xpbd:
-      return "xpbd";
-  }
-  return "";
-}
-
-double orderOf(Integrator integrator) {
-  if (integrator == Integrator::rungeKutta4) return 4;
-  return integrator == Integrator::velocityVerlet ? 2 : 1;
-}
-
 std::uint64_t evaluationsPerStep(const Setting& s) {
-  return s.integrator == Integrator::rungeKutta4 ? 4 : s.substeps.value_or(1);
+  return static_cast<std::uint64_t>(kindOf(s.integrator).evaluations) * s.substeps.value_or(1);
 }
 
 Setting settingOf(const Scenario& scenario, double timeStep) {
@@ -64,10 +35,10 @@ namespace {
 
 void addChanges(const OtherModel& other, std::vector<std::string>& changes) {
   const auto take = [&](const char* path) { changes.push_back(fmt::format("{}=null", path)); };
-  changes.push_back(fmt::format("physics.cell.model={}", name(other.model)));
+  changes.push_back(fmt::format("physics.cell.model={}", nameOf(other.model)));
   take("physics.membrane");
   take("physics.pressure");
-  if (other.model == CellModel::shapeMatching) {
+  if (kindOf(other.model).hasRestShape) {
     const auto give = [&](const char* key, double value) {
       changes.push_back(fmt::format("physics.shape-matching.{}={}", key, numberText(value)));
     };
@@ -88,24 +59,25 @@ std::string timeStepChange(const Setting& s) {
 }
 
 std::vector<std::string> changesFor(const Setting& s) {
-  std::vector<std::string> changes{fmt::format("physics.integrator={}", name(s.integrator)),
-                                   timeStepChange(s), fmt::format("physics.precision={}", name(s.precision))};
+  std::vector<std::string> changes{fmt::format("physics.integrator={}", nameOf(s.integrator)),
+                                   timeStepChange(s),
+                                   fmt::format("physics.precision={}", nameOf(s.precision))};
   if (s.substeps) changes.push_back(fmt::format("physics.substeps={}", *s.substeps));
   if (s.level) changes.push_back(fmt::format("physics.mesh.icosphere={}", *s.level));
   if (s.coarsen) changes.push_back("physics.mesh.coarsen=" + exactText(*s.coarsen));
-  if (s.law) changes.push_back(fmt::format("physics.contact.law={}", name(*s.law)));
+  if (s.law) changes.push_back(fmt::format("physics.contact.law={}", nameOf(*s.law)));
   if (s.model) addChanges(*s.model, changes);
   return changes;
 }
 
 std::string seriesName(const Setting& s, const Setting& usual) {
-  std::string text = name(s.integrator);
+  std::string text = nameOf(s.integrator);
   if (s.automatic) text += ", automatic";
   if (s.substeps.value_or(1) > 1) text += fmt::format(", {} sub-steps", *s.substeps);
   if (s.level != usual.level && s.level) text += fmt::format(", icosphere {}", *s.level);
-  if (s.precision != usual.precision) text += fmt::format(", {}", name(s.precision));
-  if (s.law != usual.law && s.law) text += fmt::format(", {} contact", name(*s.law));
-  if (s.model) text += fmt::format(", {}", name(s.model->model));
+  if (s.precision != usual.precision) text += fmt::format(", {}", nameOf(s.precision));
+  if (s.law != usual.law && s.law) text += fmt::format(", {} contact", nameOf(*s.law));
+  if (s.model) text += fmt::format(", {}", nameOf(s.model->model));
   return text;
 }
 

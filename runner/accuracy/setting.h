@@ -30,14 +30,6 @@ struct Setting {
   std::optional<double> coarsen;          // [length] physics.mesh.coarsen; absent: the scene's
 };
 
-inline constexpr Integrator allIntegrators[] = {Integrator::velocityVerlet, Integrator::thesisVerlet,
-                                                Integrator::explicitEuler,  Integrator::symplecticEuler,
-                                                Integrator::rungeKutta4,    Integrator::xpbd};
-
-/// As scenarios call it.
-const char* name(Integrator integrator);
-/// What theory says for a smooth scene.
-double orderOf(Integrator integrator);
 /// Of the forces, in each time step: XPBD's sub-steps count.
 std::uint64_t evaluationsPerStep(const Setting& setting);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "accuracy/accuracy.h"
+#include "physics/integrator.h"
 
 namespace morula {
 
@@ -101,8 +102,8 @@ std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows) {
     std::vector<XY> points;
     for (const AccuracyRow* row : series)
       if (counts(*row)) points.push_back({row->setting.timeStep, *row->error});
-    orders.push_back(
-        {series.front()->series, orderOf(series.front()->setting.integrator), fitPowerLaw(points)});
+    orders.push_back({series.front()->series, double(kindOf(series.front()->setting.integrator).order),
+                      fitPowerLaw(points)});
   }
   return orders;
 }

@@ -113,8 +113,8 @@ std::string referenceText(const AccuracyReference& r) {
   return fmt::format(
       "reference  {}, time step {}: its own error {:.2g} by Richardson, observed order {:.2g}\n"
       "witness    {}, time step {}: {:.2g} away, its own error {:.2g}: {}\n",
-      name(r.setting.integrator), stepText(r.setting.timeStep), r.left.error, r.left.order,
-      name(r.witness.integrator), stepText(r.witness.timeStep), r.distance, r.witnessLeft.error,
+      nameOf(r.setting.integrator), stepText(r.setting.timeStep), r.left.error, r.left.order,
+      nameOf(r.witness.integrator), stepText(r.witness.timeStep), r.distance, r.witnessLeft.error,
       r.agrees ? "they agree" : "THEY DO NOT AGREE");
 }
 

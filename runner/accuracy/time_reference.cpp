@@ -7,6 +7,7 @@
 #include "accuracy/reference.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "physics/integrator.h"
 
 namespace morula {
 
@@ -27,14 +28,15 @@ double distance(const Trial& a, const Trial& b, double eggRadius) {
 Converged converge(const Laboratory& lab, Integrator integrator, int halvings) {
   Setting s = convergent(lab.usual, integrator);
   s.timeStep = std::ldexp(lab.usual.timeStep, -halvings);
-  lab.options.tell(fmt::format("reference by {}, time step {}", name(integrator), numberText(s.timeStep)));
+  lab.options.tell(fmt::format("reference by {}, time step {}", nameOf(integrator), numberText(s.timeStep)));
   Setting middle = s, coarse = s;
   middle.timeStep *= 2, coarse.timeStep *= 4;
   Converged c{lab.trial(s, 1), {}};
   if (!c.trial.failure.empty()) return {c.trial, {INFINITY, 0}};
   const Trial m = lab.trial(middle, 1);
   const double fine = distance(m, c.trial, lab.eggRadius);
-  c.left = estimateByRichardson(distance(lab.trial(coarse, 1), m, lab.eggRadius), fine, orderOf(integrator));
+  c.left =
+      estimateByRichardson(distance(lab.trial(coarse, 1), m, lab.eggRadius), fine, kindOf(integrator).order);
   return c;
 }
 

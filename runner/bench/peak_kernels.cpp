@@ -61,9 +61,9 @@ double divideRoot(long turns) {
   const Register two = fill(2.0);
   const auto turn = [&](Register & r) __attribute__((always_inline)) {
 #if MORULA_WIDTH == 1
-    r = two / squareRoot(r);
+    r = two / sqrt(r);
 #else
-    r = two / squareRoot(Lanes(r)).v;
+    r = two / sqrt(Lanes(r)).v;
 #endif
     touch(r);
   };

@@ -71,15 +71,15 @@ void SceneBench::measureSearches() {
     const double grid = subject_.timeRebuild(isa, ContactSearch::grid);
     series("morula", Stage::step, name(isa)).searches.push_back(grid);
     if (wants(Stage::rebuild) && whole_)
-      series("morula", Stage::rebuild, name(isa), 1, false, name(ContactSearch::grid))
+      series("morula", Stage::rebuild, name(isa), 1, false, nameOf(ContactSearch::grid))
           .samples.push_back(grid);
   }
   if (!wants(Stage::rebuild) || !whole_) return;
-  for (const ContactSearch method : allContactSearches()) {
+  for (const ContactSearch method : valuesOf<ContactSearch>()) {
     if (method == ContactSearch::grid) continue;
     if (method == ContactSearch::bruteForce && subject_.vertices() > mostBruteForceVertices) continue;
     const Isa isa = isas_.back();
-    series("morula", Stage::rebuild, name(isa), 1, false, name(method))
+    series("morula", Stage::rebuild, name(isa), 1, false, nameOf(method))
         .samples.push_back(subject_.timeRebuild(isa, method));
   }
 }

@@ -75,9 +75,9 @@ double Subject::timeInternal(Isa isa) {
   const double time = secondsPerCall(ClockKind::cpu, [&] {
     for (int i = 0; i < b.blockCount(); ++i) {
       const BlockView block = b.block(i, 0);
-      world_.stages.findSpringCoefficients(mesh, block, b.kernelParameters);
-      world_.stages.gatherRings(mesh, block, b.kernelParameters);
-      world_.stages.addPressureForces(mesh, block, b.kernelParameters);
+      world_.stages.findTensions(mesh, block, b.kernelParameters);
+      world_.stages.accumulateRings(mesh, block, b.kernelParameters);
+      world_.stages.finishForces(mesh, block, b.kernelParameters);
     }
   });
   restore(before);
@@ -179,7 +179,7 @@ StepTimes Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
     resetContacts(*other, *world_.bodies);
     std::swap(other, world_.contacts);
   }
-  movePhysics(world_, 0);
+  evaluateForces(world_);
   StepTimes times = timeSteps(
       clock, count, [] {}, [](int) {});
   if (other) std::swap(other, world_.contacts);

@@ -40,15 +40,13 @@ struct AccuracyWords {
 };
 
 std::vector<Integrator> integrators(const std::vector<std::string>& words) {
-  if (words.empty()) return {std::begin(allIntegrators), std::end(allIntegrators)};
+  const auto all = valuesOf<Integrator>();
+  if (words.empty()) return {all.begin(), all.end()};
   std::vector<Integrator> list;
   for (const auto& word : words) {
-    const auto* found = std::find_if(std::begin(allIntegrators), std::end(allIntegrators),
-                                     [&](Integrator i) { return word == name(i); });
-    if (found == std::end(allIntegrators))
-      throw UsageError("--integrator: '" + word +
-                       "' is no integrator; needs velocity-verlet, thesis-verlet, explicit-euler, "
-                       "symplectic-euler, rk4 or xpbd");
+    const auto* found = std::ranges::find(all, word, nameOf<Integrator>);
+    if (found == all.end())
+      throw UsageError("--integrator: '" + word + "' is no integrator; needs " + namesOf<Integrator>());
     list.push_back(*found);
   }
   return list;

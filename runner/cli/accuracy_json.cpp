@@ -5,14 +5,14 @@
 namespace morula::cli {
 
 Json toJson(const Setting& s) {
-  return {{"integrator", name(s.integrator)},
+  return {{"integrator", nameOf(s.integrator)},
           {"time_step", s.timeStep},
           {"automatic_share", s.automatic ? Json(s.autoShare) : Json()},
           {"icosphere", orNull(s.level)},
           {"substeps", s.substeps.value_or(1)},
-          {"precision", s.precision == Precision::binary64 ? "double" : "single"},
-          {"contact_law", s.law ? Json(*s.law == ContactLaw::pair ? "pair" : "thesis") : Json()},
-          {"cell_model", s.model ? Json(name(s.model->model)) : Json()},
+          {"precision", nameOf(s.precision)},
+          {"contact_law", s.law ? Json(nameOf(*s.law)) : Json()},
+          {"cell_model", s.model ? Json(nameOf(s.model->model)) : Json()},
           {"set", changesFor(s)}};
 }
 

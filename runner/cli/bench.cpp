@@ -109,9 +109,8 @@ BenchOptions meant(const BenchWords& words) {
 Json bulletJson(const BenchRow& row) {
   if (row.bulletSettings.empty()) return {};
   const auto one = [](const BulletSettingRow& s) {
-    return Json{{"margin", s.margin},
-                {"iterations", s.iterations},
-                {"ns_per_vertex_step", s.nsPerVertexStep}};
+    return Json{
+        {"margin", s.margin}, {"iterations", s.iterations}, {"ns_per_vertex_step", s.nsPerVertexStep}};
   };
   Json all = Json::array();
   for (const auto& s : row.bulletSettings) all.push_back(one(s));
@@ -129,7 +128,7 @@ Json toJson(const BenchRow& row) {
           {"vertices", row.vertices},
           {"isa", row.isa.empty() ? Json() : Json(row.isa)},
           {"threads", row.threads},
-          {"precision", row.precision == Precision::binary64 ? "double" : "single"},
+          {"precision", nameOf(row.precision)},
           {"clock", row.wallClock ? "wall" : "cpu"},
           {"processors_free", orNull(row.processors)},
           {"search", row.search.empty() ? Json() : Json(row.search)},

@@ -51,7 +51,7 @@ bool isClosed(const World& start) {
   if (!start.bodies) return false;
   const PhysicsParameters& p = start.bodies->parameters;
   const bool boundless = p.pressure.outside == 0 && p.pressure.constant > 0;  // contents without a rest
-  return p.cell.model == CellModel::shell && !p.shell && !p.growth && !boundless && !start.connections &&
+  return start.bodies->model().hasMembrane && !p.shell && !p.growth && !boundless && !start.connections &&
          !mayTouch(start);
 }
 
@@ -89,7 +89,7 @@ std::string sentence(const SanityMeasure& m, const World& world) {
         who, v(m.value), v(m.most));
   if (m.name == "outermost")
     return fmt::format("{} stands out of the shell: its surface reaches {:.6g} of its radius{}", who, m.value,
-                       scene.physics.cell.model == CellModel::sphere
+                       !kindOf(scene.physics.cell.model).hasMesh
                            ? "; balls do so where an ellipsoid bends, other models of physics.cell do not"
                            : "");
   if (m.name == "fill")

@@ -141,7 +141,7 @@ std::string describeLimit(const World& world, const CellPath& cell) {
     double time;
   };
   const StabilityLimits own = measureLimits(b, slot);
-  std::vector<Limit> limits{{p.cell.model == CellModel::shell ? "its springs" : "its shape", own.spring},
+  std::vector<Limit> limits{{b.model().hasMembrane ? "its springs" : "its shape", own.spring},
                             {"its pressure", own.pressure},
                             {"drag", dragLimit(p.integrator, p.drag)}};
   if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
@@ -165,7 +165,7 @@ Outcome tryChange(const Trial& trial, World world, double failedTime, Budget& bu
   try {
     trial.apply(world);
     chooseTimeStep(world);
-    movePhysics(world, 0);
+    evaluateForces(world);
     checkBodies(world);
   } catch (const NumericalError&) { return Outcome::refused; }
   try {

@@ -83,7 +83,7 @@ std::vector<WorkMeter::Forces> WorkMeter::measure(World& world) const {
   Bodies& b = *world.bodies;
   const int slot = slotIn(world);
   std::vector<Forces> all;
-  if (b.parameters.cell.model == CellModel::shell) {
+  if (b.model().hasMembrane) {
     const std::vector<Vector> gradient = volumeGradients(b, slot);
     all.push_back({"springs", springForces(b, slot)});
     all.push_back({"contents", scaled(b.pressureConstant[slot] / b.volume[slot], gradient)});
@@ -97,7 +97,7 @@ std::vector<WorkMeter::Forces> WorkMeter::measure(World& world) const {
     all.push_back({"connections", addedForces(b, slot, [&] {
                      addConnectionForces(*world.connections, world.cells.path, b);
                    })});
-  if (b.parameters.cell.model == CellModel::shapeMatching) {
+  if (b.model().hasRestShape) {
     Forces shape{"its shape", {}};  // what is left of the whole
     for (int v = 0; v < b.vertexCount(slot); ++v) {
       Vector f = b.vertexMass[slot] * b.read(b.acceleration, slot, v);

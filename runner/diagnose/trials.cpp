@@ -48,7 +48,7 @@ void setOutside(World& w, double outside) {
 /// Contents that are at rest with the volume that the membrane is at rest with.
 void addPressure(std::vector<Trial>& trials, const World& world) {
   const Bodies& b = *world.bodies;
-  if (b.parameters.cell.model != CellModel::shell) return;
+  if (!b.model().hasMembrane) return;
   const PressureParameters& p = b.parameters.pressure;
   const Mesh& egg = b.mesh.mesh;
   const double volume = measureVolume(egg.vertices, egg.faces);
@@ -70,7 +70,7 @@ void addPressure(std::vector<Trial>& trials, const World& world) {
 }
 
 void addMembrane(std::vector<Trial>& trials, const World& world) {
-  if (world.bodies->parameters.cell.model != CellModel::shell) return;
+  if (!world.bodies->model().hasMembrane) return;
   for (const double factor : {4.0, 0.25, 0.0625}) {
     const double stiffness = rounded(factor * world.bodies->parameters.membrane.stiffness);
     add(trials, "physics.membrane.stiffness", stiffness, [stiffness](World& w) {

@@ -58,7 +58,7 @@ double idealLimit(const Scene& scene, int generation) {
   cell.mass *= share;
   cell.pressureConstant *= share;
   // Each cut makes `production` times the membrane, for two.
-  cell.restScale = std::pow(any.mechanics->physics.membrane.production / 2, 0.5 * generation);
+  cell.restScale = std::pow(any.mechanics->physics.membrane.areaFactor / 2, 0.5 * generation);
   World part = makeWorldOf(any, {CellPath{}}, {cell}, {});
   beginWithBodies(part);
   return timeStepLimit(part);

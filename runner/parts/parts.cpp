@@ -1,4 +1,5 @@
 #include "parts/parts.h"
+#include "physics/integrator.h"
 
 #include <fmt/format.h>
 
@@ -36,33 +37,15 @@ const char* planeText(DivisionPlane plane) {
   return "";
 }
 
-const char* integratorText(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::velocityVerlet:
-      return "velocity Verlet";
-    case Integrator::thesisVerlet:
-      return "the thesis' Verlet";
-    case Integrator::explicitEuler:
-      return "explicit Euler";
-    case Integrator::symplecticEuler:
-      return "symplectic Euler";
-    case Integrator::rungeKutta4:
-      return "Runge-Kutta of fourth order";
-    case Integrator::xpbd:
-      return "position-based dynamics";
-  }
-  return "";
-}
-
 Part absent(const char* name, const std::string& key) { return {name, false, "", key}; }
 
 void addModel(std::vector<Part>& parts, const PhysicsParameters& p, const Reasons& why) {
-  if (p.cell.model != CellModel::shell) {
+  if (!kindOf(p.cell.model).hasMembrane) {
     for (const char* name : {"springs", "damping", "pressure"})
       parts.push_back(absent(name, "physics.cell.model: shell"));
-    parts.push_back(p.cell.model == CellModel::sphere
-                        ? absent("shape-matching", "physics.cell.model: shape-matching")
-                        : Part{"shape-matching", true, "", why.of({"physics.cell.model"})});
+    parts.push_back(kindOf(p.cell.model).hasRestShape
+                        ? Part{"shape-matching", true, "", why.of({"physics.cell.model"})}
+                        : absent("shape-matching", "physics.cell.model: shape-matching"));
     return;
   }
   parts.push_back({"springs", true, "", why.of({"physics.membrane.stiffness"})});
@@ -81,7 +64,7 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
   }
   const MechanicsScene& m = *scenario.scene.mechanics;
   const PhysicsParameters& p = m.physics;
-  const bool spheres = p.cell.model == CellModel::sphere;
+  const bool spheres = !kindOf(p.cell.model).hasMesh;
   parts.push_back(
       {"bodies", true,
        fmt::format("{}{}{}", spheres ? "spheres" : fmt::format("{} vertices each", m.mesh.vertices.size()),
@@ -93,7 +76,7 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
                              : absent("drag", "physics.drag > 0"));
   parts.push_back(
       {"integration", true,
-       fmt::format("{}, {}{}", integratorText(p.integrator),
+       fmt::format("{}, {}{}", kindOf(p.integrator).title,
                    p.timeStep ? "fixed time step" : "automatic time step",
                    p.substeps.value_or(1) > 1 ? fmt::format(" in {} sub-steps", *p.substeps) : ""),
        why.of({"physics.integrator", "physics.time_step"})});
@@ -118,15 +101,15 @@ void addContact(std::vector<Part>& parts, const Scenario& scenario, const RunAsk
   const ContactParameters& c = *mechanics->contact;
   const bool thesis = c.law == ContactLaw::thesis;
   parts.push_back({"contact", true,
-                   thesis                                               ? "the thesis' law"
-                   : mechanics->physics.cell.model == CellModel::sphere ? "of spheres"
-                                                                        : "pair law",
+                   thesis                                           ? "the thesis' law"
+                   : !kindOf(mechanics->physics.cell.model).hasMesh ? "of spheres"
+                                                                    : "pair law",
                    why.of({"physics.contact.law", "physics.contact"})});
   parts.push_back(!thesis && c.friction > 0
                       ? Part{"friction", true, "", why.of({"physics.contact.friction"})}
                       : absent("friction", thesis ? "physics.contact.law: pair, and friction > 0"
                                                   : "physics.contact.friction > 0"));
-  parts.push_back({"search", true, name(ask.search),
+  parts.push_back({"search", true, nameOf(ask.search),
                    ask.search == ContactSearch::grid ? why.of({"physics.contact"}) : "--search"});
 }
 

@@ -161,7 +161,7 @@ void measureOwnStep(World& world, OtherMemory& memory, StepRates& rates) {
     leaveOut(less);
     return std::max(whole - timeOwnStep(world, trial, less), 0.0);
   };
-  const bool shells = all.cell.model == CellModel::shell;
+  const bool shells = b.model().hasMembrane;
   rates.damping = without(shells && all.membrane.damping > 0, [](auto& p) { p.membrane.damping = 0; });
   rates.drag = without(all.drag > 0, [](auto& p) { p.drag = 0; });
   rates.shell = without(all.shell.has_value(), [](auto& p) { p.shell.reset(); });
@@ -171,10 +171,10 @@ void measureOwnStep(World& world, OtherMemory& memory, StepRates& rates) {
   open.shell.reset();
   const PhysicsStages inTheOpen = chooseStages(open, world.execution.isa);
   const auto drift = [&](const BlockView& block, int) {
-    inTheOpen.drift(b.meshAt(block.coarseness).view(), block, b.kernelParameters, world.clock.timeStep);
+    inTheOpen.drift(b.meshAt(block.meshLevel).view(), block, b.kernelParameters, world.clock.timeStep);
   };
   const auto end = [&](const BlockView& block, int) {
-    inTheOpen.kick(b.meshAt(block.coarseness).view(), block, b.kernelParameters, world.clock.timeStep);
+    inTheOpen.kick(b.meshAt(block.meshLevel).view(), block, b.kernelParameters, world.clock.timeStep);
   };
   rates.integration = trial.timePass(memory, drift) + trial.timePass(memory, end);
   const double inOnePass = trial.time([&](const BlockView& block, int i) { drift(block, i), end(block, i); });

@@ -39,7 +39,7 @@ std::vector<Unfit> unfitForBullet(const Scenario& scenario, Baseline baseline) {
   const MechanicsScene& mechanics = *scenario.scene.mechanics;
   std::vector<Unfit> unfit;
   checkGenes(scenario, unfit);
-  if (mechanics.physics.cell.model != CellModel::shell)
+  if (!kindOf(mechanics.physics.cell.model).hasMembrane)
     unfit.push_back({true, "Bullet's cells are membranes around contents",
                      "use physics.cell.model: shell, or remove this"});
   if (mechanics.connections)

@@ -5,6 +5,7 @@
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "biology/substances.h"
+#include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/numbers.h"
 #include "scenario/value_types.h"
@@ -142,21 +143,21 @@ void checkModel(const Scenario& scenario, Reading& reading, const Node& root) {
   const auto refuse = [&](const std::string& path, const std::string& wrong, const std::string& right) {
     if (const Node* node = given(root, path)) reading.problems.add(node->place, path, wrong, right);
   };
-  if (physics.cell.model == CellModel::shell) {
+  const CellModelKind& kind = kindOf(physics.cell.model);
+  if (kind.hasMembrane) {
     refuse("physics.shape-matching", "is for physics.cell.model shape-matching",
            "remove this, or give cell: {model: shape-matching}");
     return;
   }
-  const bool sphere = physics.cell.model == CellModel::sphere;
-  const std::string model = sphere ? "sphere" : "shape-matching";
+  const std::string model = nameOf(physics.cell.model);
   const std::string lacking = ", which cells of model " + model + " do not have";
   for (const char* path : {"physics.membrane", "physics.pressure"})
     refuse(path, "is for physics.cell.model shell, and here it is " + model,
-           sphere ? "remove this" : "remove this; see physics.shape-matching");
-  if (sphere)
+           kind.hasRestShape ? "remove this; see physics.shape-matching" : "remove this");
+  if (!kind.hasRestShape)
     refuse("physics.shape-matching", "is for physics.cell.model shape-matching, and here it is " + model,
            "remove this");
-  if (physics.integrator == Integrator::xpbd)
+  if (kindOf(physics.integrator).solvesForces)
     refuse("physics.integrator", "xpbd solves membranes and contents" + lacking, "needs another integrator");
   if (scenario.check.energy) refuse("check.energy", "is of membranes and contents" + lacking, "remove this");
 }
@@ -164,7 +165,7 @@ void checkModel(const Scenario& scenario, Reading& reading, const Node& root) {
 /// What a sphere has not, and what it cannot do.
 void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) {
   const MechanicsScene& m = *scenario.scene.mechanics;
-  if (m.physics.cell.model != CellModel::sphere) return;
+  if (kindOf(m.physics.cell.model).hasMesh) return;
   const auto refuse = [&](const std::string& path, const char* wrong, const std::string& right) {
     reading.problems.add(placeOf(root, path), path, wrong, right);
   };

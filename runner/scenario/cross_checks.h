@@ -1,5 +1,5 @@
 #pragma once
-// What no single parameter can be blamed for.
+// Checks across parameters.
 #include "scenario/parameter.h"
 
 namespace morula::scenario {

@@ -1,4 +1,5 @@
 // Every parameter of a scenario, each described once. To add one: a field in its struct, a line here.
+#include "physics/cell_model.h"
 #include "scenario/value_types.h"
 
 namespace morula::scenario {
@@ -12,8 +13,12 @@ namespace {
 #define MECHANICS(expression) AT(scene.mechanics->expression)
 #define PHYSICS(expression) AT(scene.mechanics->physics.expression)
 
-bool hasShells(const Scenario& s) {
-  return s.scene.mechanics && s.scene.mechanics->physics.cell.model == CellModel::shell;
+bool hasMembrane(const Scenario& s) {
+  return s.scene.mechanics && kindOf(s.scene.mechanics->physics.cell.model).hasMembrane;
+}
+
+bool hasRestShape(const Scenario& s) {
+  return s.scene.mechanics && kindOf(s.scene.mechanics->physics.cell.model).hasRestShape;
 }
 
 std::vector<Section> sections() {
@@ -43,18 +48,14 @@ std::vector<Section> sections() {
       {.path = "physics.cell", .meaning = "The egg; each division halves volume and mass"},
       {.path = "physics.membrane",
        .meaning = "With cell.model shell: every mesh edge is a damped spring [Nilsson 2008, eq. 4.2]",
-       .exists = hasShells},
+       .exists = hasMembrane},
       {.path = "physics.pressure",
        .meaning = "With cell.model shell: P = constant / V − outside [Nilsson 2008, eq. 4.3]",
-       .exists = hasShells},
+       .exists = hasMembrane},
       {.path = "physics.shape-matching",
        .meaning = "With cell.model shape-matching: every vertex is drawn to its place in the shape at rest "
-                  "[Müller et "
-                  "al. 2005]",
-       .exists =
-           [](const Scenario& s) {
-             return s.scene.mechanics && s.scene.mechanics->physics.cell.model == CellModel::shapeMatching;
-           }},
+                  "[Müller et al. 2005]",
+       .exists = hasRestShape},
       {.path = "physics.growth",
        .meaning = "What cells do while their genes produce grow or shrink",
        .absent = "cells keep their size",
@@ -88,10 +89,12 @@ std::vector<Section> sections() {
        .meaning = "What must hold of the run besides its golden file",
        .decides = Decides::presentation},
       {.path = "check.bullet",
-       .meaning = "The same scene computed by Bullet, and how far apart the two may be at the end. Without "
-                  "any tolerance: positions 1e-10 radii where nothing touches and the integrator is "
-                  "velocity-verlet or thesis-verlet, as Bullet's then is too; where nothing touches otherwise "
-                  "radius and volume, 1e-6 with b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and aspect 0.02",
+       .meaning =
+           "The same scene computed by Bullet, and how far apart the two may be at the end. Without "
+           "any tolerance: positions 1e-10 radii where nothing touches and the integrator is "
+           "velocity-verlet or thesis-verlet, as Bullet's then is too; where nothing touches otherwise "
+           "radius and volume, 1e-6 with b1, 1e-8 with b3; where cells touch distance 0.01, volume 0.001 and "
+           "aspect 0.02",
        .absent = "not held against Bullet",
        .decides = Decides::presentation,
        .make = [](Scenario& s) { s.check.bullet.emplace(); },
@@ -143,20 +146,11 @@ std::vector<Parameter> parameters() {
                       AT(scene.stop.cells)),
 
       timeStep(),
-      choice(
-          "physics.integrator",
-          {"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4", "xpbd"},
-          "Second order; first order as the thesis starts it [Nilsson 2008, eq. 4.6, 4.7]; first order, "
-          "explicit [eq. 3.12, needs drag] or symplectic; fourth order with four evaluations of the forces; "
-          "first order and stable with any time step but for contacts",
-          PHYSICS(integrator)),
+      choice("physics.integrator", PHYSICS(integrator)),
       optionalNatural("physics.substeps", {1, 10'000}, "1",
                       "Of a time step, with integrator xpbd only; more: more exact and slower",
                       PHYSICS(substeps)),
-      choice("physics.precision", {"double", "single"},
-             "Of the numbers that physics computes with: 16 digits, or 7 at half the memory and up to twice "
-             "the speed",
-             PHYSICS(precision)),
+      choice("physics.precision", PHYSICS(precision)),
       real("physics.drag", "1/time", notNegative, "The medium slows every vertex: acceleration −drag·v",
            PHYSICS(drag)),
 
@@ -172,10 +166,7 @@ std::vector<Parameter> parameters() {
       optionalFile("physics.mesh.file", "Wavefront OBJ of a closed surface of roughly equal triangles",
                    AT(mesh.file)),
 
-      later(choice("physics.cell.model", {"shell", "shape-matching", "sphere"},
-                   "A membrane around contents under pressure; vertices drawn to the shape at rest, which is "
-                   "cheaper and knows no pressure; or a ball that keeps its shape, hundreds of times cheaper",
-                   PHYSICS(cell.model))),
+      later(choice("physics.cell.model", PHYSICS(cell.model))),
       real("physics.cell.radius", "length", positive,
            "Of the sphere whose volume the egg encloses, whatever its mesh", PHYSICS(cell.radius)),
       real("physics.cell.mass", "mass", positive,
@@ -187,7 +178,7 @@ std::vector<Parameter> parameters() {
            PHYSICS(membrane.damping)),
       real("physics.membrane.production", "", positive,
            "Membrane of both daughters over their mother's; 1.26 keeps a sphere's tension",
-           PHYSICS(membrane.production)),
+           PHYSICS(membrane.areaFactor)),
 
       real("physics.pressure.constant", "force·length", notNegative,
            "k_p of the egg; daughters share it by volume", PHYSICS(pressure.constant)),
@@ -210,9 +201,7 @@ std::vector<Parameter> parameters() {
       shellSphere(),
       shellEllipsoid(),
 
-      choice("physics.contact.law", {"pair", "thesis"},
-             "Pair-symmetric penalty, or implicit planes with eq. 4.8 [Nilsson 2008]",
-             MECHANICS(contact->law)),
+      choice("physics.contact.law", MECHANICS(contact->law)),
       real("physics.contact.stiffness", "force/length", positive, "K of a vertex pair; law pair only",
            MECHANICS(contact->stiffness)),
       real("physics.contact.damping", "force·time/length", notNegative, "C against approach; law pair only",
@@ -226,12 +215,8 @@ std::vector<Parameter> parameters() {
 
       divisionPlane(),
 
-      choice("connections.make", {"at-division", "by-gene", "both"},
-             "Sisters at birth; neighbours whose genes produce connect; or either",
-             MECHANICS(connections->make)),
-      choice("connections.on-division", {"plane", "both"},
-             "A dividing cell's connections: each to the daughter on its side, or all to both",
-             MECHANICS(connections->onDivision)),
+      choice("connections.make", MECHANICS(connections->make)),
+      choice("connections.on-division", MECHANICS(connections->onDivision)),
       optionalReal("connections.strength", "force", notNegative, "shared",
                    "shared: all connections of a cell together pull with at most 0.2, times its share of the "
                    "egg, so that no number of them crushes",
@@ -273,7 +258,7 @@ std::vector<Parameter> parameters() {
       saneEnd(),
       becauseText(),
 
-      presentation(choiceOf(
+      presentation(oneOf(
           "check.bullet.baseline", {"b1", "b3"},
           "b1: our forces, Bullet's integrator and contact; b3: Bullet's implicit solver, for one cell's "
           "rest",

@@ -75,8 +75,8 @@ Parameter optionalFile(std::string path, std::string meaning, Field<std::optiona
   return p;
 }
 
-Parameter choiceOf(std::string path, std::vector<std::string> names, std::string meaning,
-                   std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set) {
+Parameter oneOf(std::string path, std::vector<std::string> names, std::string meaning,
+                std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set) {
   Parameter p;
   p.path = std::move(path);
   for (const auto& name : names)

@@ -36,15 +36,22 @@ Parameter optionalBounds(std::string path, std::string meaning, Field<std::optio
 /// A list of texts; none: not given.
 Parameter texts(std::string path, std::string meaning, Field<std::vector<std::string>> field);
 
-/// An enumeration whose values count from 0.
-Parameter choiceOf(std::string path, std::vector<std::string> names, std::string meaning,
-                   std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set);
+/// One of several names; `get` and `set` take their places in the list.
+Parameter oneOf(std::string path, std::vector<std::string> names, std::string meaning,
+                std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set);
+/// An enumeration, by its rows [base/choice.h].
 template <class E>
-Parameter choice(std::string path, std::vector<std::string> names, std::string meaning, Field<E> field) {
-  return choiceOf(
+Parameter choice(std::string path, Field<E> field) {
+  std::vector<std::string> names;
+  std::string meaning;
+  for (const auto& row : choices<E>) {
+    names.push_back(row.name);
+    meaning += (meaning.empty() ? "" : "; ") + names.back() + ": " + row.meaning;
+  }
+  return oneOf(
       std::move(path), std::move(names), std::move(meaning),
       [field](Scenario& s) { return static_cast<int>(field(s)); },
-      [field](Scenario& s, int value) { field(s) = static_cast<E>(value); });
+      [field](Scenario& s, int value) { field(s) = choices<E>[value].value; });
 }
 
 // Parameters that are one of a kind.

@@ -2,9 +2,10 @@
 // A file of results: SQLite, one or many runs in it. The life of a run:
 //
 //   Store store = Store::openForWriting("results/unique-four.db");
-//   std::string id = store.begin(record);     // the row `run`, status running, is on the disk before the
-//   first step … step … store.finish(id, end, results);           // all results and the status done, failed
-//   or killed: one transaction store.addChecks(id, checks);              // what `morula check` found
+//   std::string id = store.begin(record);   // the row `run`, status running, is on the disk before the first step
+//   … step …
+//   store.finish(id, end, results);         // all results, and the status done, failed or killed: one transaction
+//   store.addChecks(id, checks);            // what `morula check` found
 //
 // A process that dies in between leaves the row with status running and no results; the file stays whole.
 // One writer at a time: others wait (StoreOptions::patience), then get a StoreError.

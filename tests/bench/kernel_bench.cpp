@@ -64,7 +64,7 @@ void addContact(Isa isa, double friction) {
 
 void addSearch(Isa isa, ContactSearch method) {
   benchmark::RegisterBenchmark(
-      (std::string("search by ") + name(method) + "/" + name(isa)).c_str(), [=](benchmark::State& state) {
+      (std::string("search by ") + nameOf(method) + "/" + name(isa)).c_str(), [=](benchmark::State& state) {
         const Bodies& bodies = *packed().bodies;
         Contacts c = makeContacts(packed().contacts->parameters, isa, {.method = method});
         resetContacts(c, bodies);
@@ -81,9 +81,9 @@ void addSearch(Isa isa, ContactSearch method) {
 int main(int argc, char** argv) {
   for (const Isa isa : availableIsas()) {
     const PhysicsKernels& k = physicsKernels(isa);
-    addStage("springs", isa, k.findSpringCoefficients);
-    addStage("damped springs", isa, k.findDampedSpringCoefficients);
-    addStage("rings", isa, k.gatherRings);
+    addStage("springs", isa, k.findTensions);
+    addStage("damped springs", isa, k.findDampedTensions);
+    addStage("rings", isa, k.accumulateRings);
     // Only the last of a step: forces pile up, which changes no time.
     addStage("pressure", isa, k.addPressureForces);
     addStage("pressure and drag", isa, k.addPressureAndDragForces);
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
     addTimedStage("kick in a shell", isa, k.kickVelocityVerlet[true]);
     addContact(isa, 0);
     addContact(isa, 0.3);
-    for (const ContactSearch method : allContactSearches()) addSearch(isa, method);
+    for (const ContactSearch method : valuesOf<ContactSearch>()) addSearch(isa, method);
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -90,7 +90,7 @@ void printSearch(const World& world, ContactSearch method, double skinShare, Isa
   const double n = vertices * static_cast<double>(c.searches - before.searches);
   const auto per = [&](std::uint64_t now, std::uint64_t then) { return static_cast<double>(now - then) / n; };
   std::printf("| %d | %s | %.2f | %.0f | %.3f | %.1f | %.0f | %.0f | %.2f | %.1f |\n", bodies.count,
-              name(method), skinShare, ns / vertices, ns / bodies.count / 1e6, per(c.pairs, before.pairs),
+              nameOf(method), skinShare, ns / vertices, ns / bodies.count / 1e6, per(c.pairs, before.pairs),
               per(c.distanceTests, before.distanceTests), per(c.binVisits, before.binVisits),
               per(c.rootTests, before.rootTests), per(c.boxTests, before.boxTests));
   std::fflush(stdout);
@@ -111,10 +111,10 @@ void printStages(World& world) {
   };
   const double internal =
       eachBlock([&](const BlockView& block, int) { advance(world.stages, bodies, block, 0); });
-  movePhysics(world, 0);
+  evaluateForces(world);
   const double law = eachBlock(
       [&](const BlockView&, int i) { addContactForces(contacts, bodies, i, world.clock.timeStep); });
-  movePhysics(world, 0);
+  evaluateForces(world);
   const auto steps = world.clock.step, rebuilds = contacts.rebuilds;
   const double start = now();
   for (int i = 0; i < 300; ++i) step(world);
@@ -139,7 +139,7 @@ int main(int argc, char** argv) {
   printHead();
   for (const World& world : worlds)
     for (double skinShare : {0.15, 0.0})
-      for (ContactSearch method : allContactSearches())
+      for (ContactSearch method : valuesOf<ContactSearch>())
         if (method != ContactSearch::bruteForce || (skinShare == 0 && world.bodies->count <= 256))
           printSearch(world, method, skinShare, isa);
 

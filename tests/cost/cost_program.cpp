@@ -58,9 +58,9 @@ const std::map<std::string, Work>& works() {
   static const std::map<std::string, Work> all{
       {"internal",
        [](World& world) {
-         overBlocks(world, world.stages.findSpringCoefficients);
-         overBlocks(world, world.stages.gatherRings);
-         overBlocks(world, world.stages.addPressureForces);
+         overBlocks(world, world.stages.findTensions);
+         overBlocks(world, world.stages.accumulateRings);
+         overBlocks(world, world.stages.finishForces);
        }},
       {"contact",
        [](World& world) {

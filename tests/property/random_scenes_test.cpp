@@ -14,6 +14,7 @@
 #include "catch.h"
 #include "cli/sanity.h"
 #include "mesh/measures.h"
+#include "mesh_oracles.h"
 #include "scenario/scenario.h"
 #include "simulation/measures.h"
 

@@ -44,7 +44,7 @@ const SeriesOrder& orderIn(const AccuracyReport& report, const std::string& seri
 }  // namespace
 
 TEST_CASE("Every setting is read back by a scenario as what it is") {
-  for (Integrator integrator : allIntegrators)
+  for (Integrator integrator : valuesOf<Integrator>())
     for (Precision precision : {Precision::binary64, Precision::binary32})
       for (ContactLaw law : {ContactLaw::pair, ContactLaw::thesis}) {
         Setting setting;
@@ -160,7 +160,7 @@ TEST_CASE("The picture shows a run that parts by a hollow point of its series' c
 
 TEST_CASE("A smooth scene: every integrator has its order, and the reference its witness") {
   AccuracyOptions options;
-  options.integrators = {std::begin(allIntegrators), std::end(allIntegrators)};
+  for (Integrator integrator : valuesOf<Integrator>()) options.integrators.push_back(integrator);
   options.levels = {0};
   options.rounds = 1;
   options.cheaperModels = false;  // cheaper_model_test.cpp

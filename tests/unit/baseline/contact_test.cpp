@@ -2,6 +2,7 @@
 #include "baseline/bullet_world.h"
 #include "catch.h"
 #include "lab.h"
+#include "mesh_oracles.h"
 #include "worst.h"
 
 using namespace morula;

@@ -32,7 +32,7 @@ TEST_CASE("Timing a stage leaves the state as it was") {
     }
     CHECK(subject.trySteps(bestIsa(), 2, ClockKind::wall, 10).size() >= 1);
     if (contact)
-      for (const ContactSearch method : allContactSearches())
+      for (const ContactSearch method : valuesOf<ContactSearch>())
         CHECK(subject.timeRebuild(bestIsa(), method) > 0);
     CHECK(stateHash(subject.world()) == before);
     CHECK(subject.world().bodies->acceleration == accelerations);

@@ -57,12 +57,12 @@ NeighbourList searched(ContactSearch search, Isa isa, const Crowd& crowd, int th
 /// How many of all ways, instruction sets and numbers of threads differ from brute force.
 int differences(const Crowd& crowd, const Lists& expected) {
   int different = 0;
-  for (ContactSearch search : allContactSearches())
+  for (ContactSearch search : valuesOf<ContactSearch>())
     for (Isa isa : availableIsas())
       for (int threads : {1, 3}) {
         const NeighbourList list = searched(search, isa, crowd, threads);
         const bool same = listsOf(list, crowd.lab.bodies) == expected;
-        if (!same) UNSCOPED_INFO(name(search) << ' ' << name(isa) << ' ' << threads << " threads");
+        if (!same) UNSCOPED_INFO(nameOf(search) << ' ' << name(isa) << ' ' << threads << " threads");
         different += !same;
       }
   return different;
@@ -201,7 +201,8 @@ TEST_CASE("Pairs a hair within their reach and a hair beyond it, anywhere and in
   const Crowd probe(limp(), {}, cube, std::vector<Body>(9, shakenBody(cube, 0, 0)));
   const double reach = probe.contacts.radius[0] * (1 + 1e-6) + probe.contacts.list.skin;
   std::vector<NeighbourList> lists;
-  for (ContactSearch search : allContactSearches()) lists.push_back(makeNeighbourList(search, bestIsa()));
+  for (ContactSearch search : valuesOf<ContactSearch>())
+    lists.push_back(makeNeighbourList(search, bestIsa()));
   int wrong = 0;
   for (double hair : {-1e-12, 1e-12})
     for (std::uint32_t key = 0; key < 1000; ++key) {
@@ -235,7 +236,8 @@ TEST_CASE("Cells on the move: trees that are refitted stay right, and are not bu
   for (Body& b : cells) b.pressureConstant = 4 * b.mass;
   Crowd crowd(p, {}, ball, cells);
   std::vector<NeighbourList> lists;
-  for (ContactSearch search : allContactSearches()) lists.push_back(makeNeighbourList(search, bestIsa()));
+  for (ContactSearch search : valuesOf<ContactSearch>())
+    lists.push_back(makeNeighbourList(search, bestIsa()));
   int different = 0;
   for (int i = 0; i < 150; ++i) {
     crowd.step(0x1p-8);
@@ -253,14 +255,14 @@ TEST_CASE("Cells on the move: trees that are refitted stay right, and are not bu
 }
 
 TEST_CASE("A list serves crowds that grow and shrink, and another mesh") {
-  for (ContactSearch search : allContactSearches()) {
+  for (ContactSearch search : valuesOf<ContactSearch>()) {
     NeighbourList list = makeNeighbourList(search, bestIsa());
     for (const Mesh& ball : {makeIcosphere(1), makeIcosphere(2), cube})
       for (int count : {9, 2, 17, 1}) {
         const Crowd crowd(limp(), {}, ball, heap(ball, count, 1.0, 0));
         list.skin = crowd.contacts.list.skin;
         buildNeighbourList(list, crowd.lab.bodies, crowd.contacts.radius, 1);
-        CAPTURE(name(search), ball.vertices.size(), count);
+        CAPTURE(nameOf(search), ball.vertices.size(), count);
         CHECK((listsOf(list, crowd.lab.bodies) == bruteForce(crowd)));
       }
   }
@@ -270,9 +272,9 @@ TEST_CASE("Counters tell the work: the same for every instruction set and number
   const Mesh ball = makeIcosphere(1);
   const Crowd crowd(limp(), {}, ball, heap(ball, 27, 1.8, 0));
   const std::uint64_t cells = 27, vertices = 27 * 42;
-  for (ContactSearch search : allContactSearches()) {
+  for (ContactSearch search : valuesOf<ContactSearch>()) {
     const SearchCounters one = searched(search, Isa::scalar, crowd).counters;
-    CAPTURE(name(search));
+    CAPTURE(nameOf(search));
     CHECK(one.searches == 1);
     CHECK(one.pairs == pairsIn(bruteForce(crowd)));
     CHECK(one.distanceTests >= one.pairs);
@@ -286,7 +288,7 @@ TEST_CASE("Counters tell the work: the same for every instruction set and number
 }
 
 TEST_CASE("Names of the ways to search: back and forth; another word is an error that names them") {
-  for (ContactSearch search : allContactSearches()) CHECK(parseContactSearch(name(search)) == search);
+  for (ContactSearch search : valuesOf<ContactSearch>()) CHECK(parseContactSearch(nameOf(search)) == search);
   CHECK_THROWS_WITH(parseContactSearch("aabbtree"), ContainsSubstring("did you mean 'aabb-tree'?"));
   CHECK_THROWS_WITH(parseContactSearch("octree"), ContainsSubstring("spatial-hash, brute-force"));
 }

@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "division/cut.h"
 #include "division/principal_axis.h"
+#include "mesh_oracles.h"
 #include "through_mean.h"
 #include "unit/physics/lab.h"
 
@@ -58,7 +59,7 @@ TEST_CASE("Round, pressed and freshly cut cells keep volume, area, mass, gas, ce
   Worst volume, area, centre, push;
   for (const Body& before : bodies()) {
     const Body after = coarsen(b, before);
-    REQUIRE(after.coarseness == 1);
+    REQUIRE(after.meshLevel == 1);
     REQUIRE(after.position.size() == 162);
     REQUIRE(after.velocity.size() == 162);
     volume.see(std::abs(measureVolume(after.position, fewer) / measureVolume(before.position, faces) - 1));
@@ -87,12 +88,12 @@ TEST_CASE("However a cut slants, volume is kept, and area to 1 %") {
     if (cut.failure != "") continue;
     for (const Body& before : {cut.daughters.a, cut.daughters.b}) {
       const Body after = coarsen(b, before);
-      const Faces faces = b.meshAt(after.coarseness).mesh.faces;
+      const Faces faces = b.meshAt(after.meshLevel).mesh.faces;
       volume.see(std::abs(
           measureVolume(after.position, faces) / measureVolume(before.position, b.mesh.mesh.faces) - 1));
       area.see(
           std::abs(measureArea(after.position, faces) / measureArea(before.position, b.mesh.mesh.faces) - 1));
-      coarser += after.coarseness;
+      coarser += after.meshLevel;
       ++all;
     }
   }
@@ -106,7 +107,7 @@ TEST_CASE("A round cell is under equal tension and pressure on either mesh") {
   const Bodies b = bodiesWith(1);
   for (double stretch : {1.02, 1.1, 1.5}) {
     const auto held = [&](const Body& body) {
-      const MeshTemplate& mesh = b.meshAt(body.coarseness);
+      const MeshTemplate& mesh = b.meshAt(body.meshLevel);
       double sum = 0;
       for (int e = 0; e < mesh.edgeCount(); ++e) {
         const double length = norm(body.position[mesh.edges[2 * e]] - body.position[mesh.edges[2 * e + 1]]);
@@ -122,15 +123,15 @@ TEST_CASE("A round cell is under equal tension and pressure on either mesh") {
 
 TEST_CASE("The coarsest mesh whose edges are short enough is taken, by the rest lengths") {
   const Bodies b = bodiesWith(0.2, 4, {makeIcosphere(3), makeIcosphere(2)});
-  for (const auto& [scale, coarseness] :
+  for (const auto& [scale, meshLevel] :
        std::vector<std::pair<double, int>>{{1.4, 0}, {1.3, 1}, {0.7, 1}, {0.65, 2}, {0.1, 2}}) {
     Body body = moving(makeIcosphere(4).vertices);
     body.restScale = scale;
     const Body after = coarsen(b, body);
     CAPTURE(scale);
-    CHECK(after.coarseness == coarseness);
-    if (coarseness < 2) CHECK(scale * b.meshAt(coarseness + 1).meanRestLength > 0.2);
-    if (coarseness > 0) CHECK(scale * b.meshAt(coarseness).meanRestLength <= 0.2);
+    CHECK(after.meshLevel == meshLevel);
+    if (meshLevel < 2) CHECK(scale * b.meshAt(meshLevel + 1).meanRestLength > 0.2);
+    if (meshLevel > 0) CHECK(scale * b.meshAt(meshLevel).meanRestLength <= 0.2);
     CHECK((coarsen(b, after).position == after.position));
   }
 }
@@ -144,6 +145,6 @@ TEST_CASE("Without coarser meshes a body stays as it is") {
 TEST_CASE("A crumpled body, whose area the coarser mesh cannot have, keeps its mesh") {
   const Bodies b = bodiesWith(1);
   const Body crumpled = shakenBody(makeIcosphere(3), 0.1, 1);
-  CHECK(coarsen(b, crumpled).coarseness == 0);
+  CHECK(coarsen(b, crumpled).meshLevel == 0);
   CHECK((coarsen(b, crumpled).position == crumpled.position));
 }

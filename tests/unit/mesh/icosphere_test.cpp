@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "mesh/measures.h"
 #include "mesh/mesh.h"
+#include "mesh_oracles.h"
 
 using namespace morula;
 

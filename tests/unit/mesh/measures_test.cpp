@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "catch.h"
+#include "mesh_oracles.h"
 #include "zoo.h"
 
 using namespace morula;

@@ -52,9 +52,8 @@ TEST_CASE("For every choice of blocks: the parts that are told are those that ma
     CHECK(parts["springs"].engaged);
     CHECK(parts["pressure"].engaged);
     CHECK(parts["integration"].engaged);
-    CHECK(parts["damping"].engaged ==
-          (world.stages.findSpringCoefficients == kernels.findDampedSpringCoefficients));
-    CHECK(parts["drag"].engaged == (world.stages.addPressureForces == kernels.addPressureAndDragForces));
+    CHECK(parts["damping"].engaged == (world.stages.findTensions == kernels.findDampedTensions));
+    CHECK(parts["drag"].engaged == (world.stages.finishForces == kernels.addPressureAndDragForces));
     CHECK(parts["shell"].engaged == (world.stages.kick == kernels.kickVelocityVerlet[true]));
     CHECK(parts["shell"].what == (choice & 4 ? choice & 2 ? "sphere" : "ellipsoid" : ""));
     CHECK(parts["contact"].engaged == world.contacts.has_value());
@@ -84,8 +83,8 @@ TEST_CASE("Cells by shape matching have no springs and no pressure, and walk rin
       auto parts = byName(scenario);
       CHECK(parts["shape-matching"].engaged);
       for (const char* name : {"springs", "damping", "pressure"}) CHECK_FALSE(parts[name].engaged);
-      CHECK(world.stages.addPressureForces == kernels.findShapeForces[resisted][!touch]);
-      CHECK((world.stages.gatherRings == kernels.gatherRingsWithoutSprings) == touch);
+      CHECK(world.stages.finishForces == kernels.findShapeForces[resisted][!touch]);
+      CHECK((world.stages.accumulateRings == kernels.accumulateAreaVectors) == touch);
     }
   CHECK_FALSE(byName(read(sceneOf(0)))["shape-matching"].engaged);
 }

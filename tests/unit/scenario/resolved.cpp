@@ -1,10 +1,28 @@
 // The resolved form and the hash of what a scenario means.
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "scenario/parameter.h"
+#include "simulation/scene_parts.h"
+// Last, because of CHECK:
 #include "helpers.h"
 
 using namespace morula;
 using namespace morula::test;
+
+namespace {
+
+struct Hashes {
+  Hash meaning;
+  std::vector<std::string> parts;  // hashSceneParts
+};
+Hashes meaningAndParts(const Scenario& scenario) {
+  Hashes hashes{scenario.meaning, {}};
+  for (const ScenePart& part : hashSceneParts(scenario.scene)) hashes.parts.push_back(part.hash);
+  return hashes;
+}
+
+}  // namespace
 
 TEST_CASE("the resolved form is a scenario that means the same") {
   for (const auto& text :
@@ -37,8 +55,8 @@ TEST_CASE("names, colours and pictures mean nothing for the results") {
   CHECK(read(replaced(everyPart, ", sane: false, because: it stops", "")).meaning == meaning);
 }
 
-TEST_CASE("every other parameter changes the meaning") {
-  const auto meaning = read(everyPart).meaning;
+TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene if states go on otherwise") {
+  const auto [meaning, parts] = meaningAndParts(read(everyPart));
   const std::vector<std::pair<std::string, std::string>> changes = {
       {"seed", "8"},
       {"dna", "START: a0, connect"},
@@ -84,12 +102,54 @@ TEST_CASE("every other parameter changes the meaning") {
       {"record.every", "0.5"},
   };
   std::vector<Hash> seen{meaning};
+  std::set<std::string> tried;
   for (const auto& [path, value] : changes) {
     INFO(path << "=" << value);
-    const auto changed = read(everyPart, {{path, value, "--set " + path}}).meaning;
+    const auto [changed, changedParts] = meaningAndParts(read(everyPart, {{path, value, "--set " + path}}));
     CHECK(std::find(seen.begin(), seen.end(), changed) == seen.end());
     seen.push_back(changed);
+    tried.insert(path);
+    const bool decidesHowStatesGoOn =
+        !path.starts_with("stop") && !path.starts_with("record") && path != "cells";
+    CHECK((changedParts != parts) == decidesHowStatesGoOn);
   }
+  for (const auto& p : scenario::parameterTable().parameters) {
+    INFO(p.path);
+    const bool isTriedElsewhere = std::set<std::string>{"morula",
+                                                        "physics.mesh.file",
+                                                        "physics.substeps",
+                                                        "physics.precision",
+                                                        "physics.cell.model",
+                                                        "physics.shell.sphere"}
+                                      .contains(p.path) ||
+                                  p.path.starts_with("physics.shape-matching");
+    if (p.decides == scenario::Decides::results && !isTriedElsewhere) CHECK(tried.contains(p.path));
+  }
+}
+
+TEST_CASE("so do those of other cell models, other integrators and single precision") {
+  const std::string text =
+      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {time_step: 0.5, shell: {sphere: 3},\n"
+      "  INTEGRATOR cell: {mass: 2, model: MODEL}}\n";
+  const auto of = [&](const std::string& model, const std::string& integrator, const Override& change) {
+    return meaningAndParts(
+        read(replaced(replaced(text, "MODEL", model), "INTEGRATOR", integrator), {change}));
+  };
+  const auto differ = [&](const std::string& model, const std::string& integrator, const std::string& path,
+                          const std::string& value, const std::string& other) {
+    INFO(path);
+    const auto [a, partsA] = of(model, integrator, {path, value, "--set"});
+    const auto [b, partsB] = of(model, integrator, {path, other, "--set"});
+    CHECK(a != b);
+    CHECK(partsA != partsB);
+  };
+  differ("shell", "", "physics.cell.model", "shell", "sphere");
+  differ("shell", "", "physics.precision", "double", "single");
+  differ("shell", "", "physics.shell.sphere", "3", "4");
+  differ("shell", "integrator: xpbd,", "physics.substeps", "2", "3");
+  differ("shape-matching", "", "physics.shape-matching.stiffness", "300", "400");
+  differ("shape-matching", "", "physics.shape-matching.linear", "0.25", "0.5");
+  differ("shape-matching", "", "physics.shape-matching.damping", "3", "4");
 }
 
 TEST_CASE("what joined the format later means nothing at its default, and something else otherwise") {

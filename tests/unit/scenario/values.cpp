@@ -31,7 +31,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(physics.cell.mass == 2);
   CHECK(physics.membrane.stiffness == 41);
   CHECK(physics.membrane.damping == 0.5);
-  CHECK(physics.membrane.production == 1.2);
+  CHECK(physics.membrane.areaFactor == 1.2);
   CHECK(physics.pressure.constant == 5);
   CHECK(physics.pressure.outside == 1.25);
   REQUIRE(physics.growth);
@@ -99,7 +99,7 @@ TEST_CASE("what is not said has the defaults of the structs") {
   CHECK(m.physics.cell.mass == physics.cell.mass);
   CHECK(m.physics.membrane.stiffness == physics.membrane.stiffness);
   CHECK(m.physics.membrane.damping == physics.membrane.damping);
-  CHECK(m.physics.membrane.production == physics.membrane.production);
+  CHECK(m.physics.membrane.areaFactor == physics.membrane.areaFactor);
   CHECK(m.physics.pressure.constant == physics.pressure.constant);
   CHECK(m.physics.pressure.outside == physics.pressure.outside);
   CHECK(m.physics.growth->rate == GrowthParameters{}.rate);

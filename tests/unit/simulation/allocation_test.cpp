@@ -86,7 +86,7 @@ TEST_CASE("A steady step allocates nothing, with contact, connections and growth
 }
 
 TEST_CASE("A step that builds the neighbour list anew allocates nothing, once there is room") {
-  for (ContactSearch search : allContactSearches()) {
+  for (ContactSearch search : valuesOf<ContactSearch>()) {
     World world = crowd(crowdedScene(), 1, {search, 0.15});
     allocationsOf(world, 2000);
     const auto rebuilds = world.contacts->rebuilds;
@@ -95,7 +95,7 @@ TEST_CASE("A step that builds the neighbour list anew allocates nothing, once th
       world.contacts->listIsValid = false;
       count += allocationsOf(world, 1);
     }
-    CAPTURE(name(search));
+    CAPTURE(nameOf(search));
     CHECK(world.contacts->rebuilds == rebuilds + 50);
     CHECK(count == 0);
   }
@@ -136,7 +136,7 @@ TEST_CASE("Threads allocate nothing of ours either; what TBB takes, it takes fro
 }
 
 TEST_CASE("Cells with different meshes allocate nothing, nor do searches among them") {
-  for (ContactSearch search : allContactSearches()) {
+  for (ContactSearch search : valuesOf<ContactSearch>()) {
     const Scene scene = scenes::mixedMeshes();
     World world = worldOf(scene, mixedCells(scene, 17, 2, 0.1), {bestIsa(), 1, {search, 0.15}});
     allocationsOf(world, 2000);  // to rest: until then lists may turn out longer than any before
@@ -145,7 +145,7 @@ TEST_CASE("Cells with different meshes allocate nothing, nor do searches among t
       world.contacts->listIsValid = false;
       count += allocationsOf(world, 1);
     }
-    CAPTURE(name(search));
+    CAPTURE(nameOf(search));
     CHECK(count == 0);
   }
 }

@@ -37,14 +37,14 @@ TEST_CASE("Cells stand by mesh in whole blocks, and are found again by number") 
   CHECK(b.slots[18] == 9);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Body body = takeBody(b, b.slots[i]);
-    CHECK(body.coarseness == cells[i].coarseness);
+    CHECK(body.meshLevel == cells[i].meshLevel);
     CHECK(body.position == cells[i].position);
     CHECK(body.velocity == cells[i].velocity);
     CHECK(body.mass == Approx(cells[i].mass).epsilon(1e-14));
     CHECK(cellMesh(world, world.cells.path[i]).vertices == cells[i].position);
     // How far its vertices reach is a matter of its own mesh: 42 vertices are twice as far apart as 162.
     CHECK(world.contacts->radius[b.slots[i]] / world.contacts->radius[0] ==
-          Approx(cells[i].coarseness == 0 ? 1 : 2).epsilon(0.02));
+          Approx(cells[i].meshLevel == 0 ? 1 : 2).epsilon(0.02));
   }
 }
 
@@ -55,14 +55,14 @@ TEST_CASE("A cell that touches nobody moves as in a world of its own kind, to th
     scene.mechanics->physics.timeStep = 0x1p-10;
     World mixed = worldOf(scene, cells, {isa, 1});
     std::vector<World> alone;
-    for (int coarseness : {0, 1}) {
+    for (int meshLevel : {0, 1}) {
       Scene own = scene;
       // The coarser mesh in the size that it has here: the finer one's volume.
-      own.mechanics->mesh = mixed.bodies->meshAt(coarseness).mesh;
+      own.mechanics->mesh = mixed.bodies->meshAt(meshLevel).mesh;
       own.mechanics->coarser.clear();
       std::vector<Body> some;
       for (Body cell : cells)
-        if (std::exchange(cell.coarseness, 0) == coarseness) some.push_back(cell);
+        if (std::exchange(cell.meshLevel, 0) == meshLevel) some.push_back(cell);
       alone.push_back(worldOf(own, some, {isa, 1}));
     }
     for (int i = 0; i < 100; ++i) step(mixed), step(alone[0]), step(alone[1]);
@@ -79,7 +79,7 @@ TEST_CASE("A cell that touches nobody moves as in a world of its own kind, to th
 
 TEST_CASE("Every search finds the neighbours between meshes: all within the mean of the two radii") {
   const Scene scene = scenes::mixedMeshes();
-  for (ContactSearch search : allContactSearches()) {
+  for (ContactSearch search : valuesOf<ContactSearch>()) {
     World world = worldOf(scene, mixedCells(scene, 13, 1.9, 0.5), {bestIsa(), 1, {search, 0.15}});
     for (int i = 0; i < 40; ++i) step(world);
     world.contacts->listIsValid = false;
@@ -102,7 +102,7 @@ TEST_CASE("Every search finds the neighbours between meshes: all within the mean
         std::sort(expected.begin(), expected.end());
         wrong += neighboursOf(c.list, numberOf(b, i, v)) != expected;
       }
-    CAPTURE(name(search));
+    CAPTURE(nameOf(search));
     CHECK(between > 100);
     CHECK(wrong == 0);
   }
@@ -180,10 +180,10 @@ TEST_CASE("A length that no daughter falls below changes no bit") {
 TEST_CASE("Who searches, and on how many threads, changes no bit between meshes") {
   const Scene scene = scenes::coarsening();
   const Hash expected = stateHash(ranToEnd(scene, {bestIsa(), 1}));
-  for (ContactSearch search : allContactSearches())
+  for (ContactSearch search : valuesOf<ContactSearch>())
     for (int threads : {1, 3}) {
       if (search == ContactSearch::bruteForce) continue;  // slow; the lists are held against it above
-      CAPTURE(name(search), threads);
+      CAPTURE(nameOf(search), threads);
       CHECK(stateHash(ranToEnd(scene, {bestIsa(), threads, {search, 0.1}})) == expected);
     }
 }

@@ -12,7 +12,7 @@ struct Pressures {
 
 Pressures pressuresWith(double production) {
   Scene scene = scenes::withBodies("START: a0\ng1(a1|a0)\ng2(divide|a0)\n", 9, makeIcosphere(2));
-  scene.mechanics->physics.membrane.production = production;
+  scene.mechanics->physics.membrane.areaFactor = production;
   scene.mechanics->physics.drag = 2;
   World world = makeWorld(scene, {bestIsa(), 1});
   Pressures p{};

@@ -45,14 +45,14 @@ TEST_CASE("A scene without drag, damping or shell calls no kernel for them") {
   const PhysicsKernels& k = physicsKernels(plain.execution.isa);
   CHECK(plain.stages.drift == k.driftVelocityVerlet[int(ShellShape::none)]);
   CHECK(plain.stages.kick == k.kickVelocityVerlet[false]);
-  CHECK(plain.stages.addPressureForces == k.addPressureForces);
-  CHECK(plain.stages.findSpringCoefficients == k.findDampedSpringCoefficients);
+  CHECK(plain.stages.finishForces == k.addPressureForces);
+  CHECK(plain.stages.findTensions == k.findDampedTensions);
   scene.mechanics->physics.membrane.damping = 0;
   scene.mechanics->physics.drag = 1;
   scene.mechanics->physics.shell = ShellParameters{{1, 1, 1}};
   const World other = makeWorld(scene);
-  CHECK(other.stages.findSpringCoefficients == k.findSpringCoefficients);
-  CHECK(other.stages.addPressureForces == k.addPressureAndDragForces);
+  CHECK(other.stages.findTensions == k.findTensions);
+  CHECK(other.stages.finishForces == k.addPressureAndDragForces);
   CHECK(other.stages.drift == k.driftVelocityVerlet[int(ShellShape::sphere)]);
   CHECK(other.stages.kick == k.kickVelocityVerlet[true]);
   scene.mechanics->physics.shell = ShellParameters{{1, 1, 1.5}};

@@ -31,12 +31,12 @@ TEST_CASE(
   const Scene scene = shortPacked();
   const End expected = endOf(scene, {Isa::scalar, 1, {ContactSearch::bruteForce, 0.15}});
   CHECK(expected.rebuilds > 10);
-  for (ContactSearch search : allContactSearches())
+  for (ContactSearch search : valuesOf<ContactSearch>())
     for (Isa isa : availableIsas())
       for (int threads : {1, 3}) {
         if (search == ContactSearch::bruteForce && isa != bestIsa()) continue;  // it has no kernels
         const End end = endOf(scene, {isa, threads, {search, 0.15}});
-        CAPTURE(name(search), name(isa), threads);
+        CAPTURE(nameOf(search), name(isa), threads);
         CHECK(end.hash == expected.hash);
         CHECK(end.rebuilds == expected.rebuilds);
       }

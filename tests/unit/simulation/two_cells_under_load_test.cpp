@@ -34,7 +34,7 @@ World pressedTogether(CellModel model, int level, double load, double stiffness,
   }
   World world = worldOf(scene, cells);
   connect(*world.connections, world.cells.path[0], world.cells.path[1], 0);
-  movePhysics(world, 0);
+  evaluateForces(world);
   return world;
 }
 

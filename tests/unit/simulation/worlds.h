@@ -66,7 +66,7 @@ inline std::vector<Body> mixedCells(const Scene& scene, int count, double distan
   const std::vector<Body> coarse = flyingCells(m.coarser[0], count, distance, speed);
   for (int i = 1; i < count; i += 2) {
     cells[i] = coarse[i];
-    cells[i].coarseness = 1;
+    cells[i].meshLevel = 1;
   }
   return cells;
 }

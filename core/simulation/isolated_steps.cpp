@@ -1,5 +1,4 @@
-// Cells that need no other: where nothing passes between them, a block goes through many time steps while it
-// is hot.
+// Isolated cells: where no force acts between them, a block goes through many time steps while it is in cache.
 #include <algorithm>
 #include <atomic>
 
@@ -10,13 +9,13 @@ namespace morula {
 
 namespace {
 
-bool areAlone(const World& world) {
+bool areIsolated(const World& world) {
   return world.bodies && !world.contacts && !world.connections &&
          std::all_of(world.cells.growth.begin(), world.cells.growth.end(), [](double g) { return g == 0; });
 }
 
 /// False if a cell did not stay sound; the bodies are then as they were.
-bool moveAlone(World& world, std::uint64_t steps) {
+bool moveIsolated(World& world, std::uint64_t steps) {
   Bodies& b = *world.bodies;
   if (!world.before) world.before.emplace();
   BodyCopy& before = *world.before;
@@ -24,7 +23,7 @@ bool moveAlone(World& world, std::uint64_t steps) {
   std::atomic<bool> sound = true;
   parallelFor(b.blockCount(), world.execution.threads, [&](int i) {
     const BlockView block = b.block(i, threadNumber());
-    if (!goAlone(world.stagesOfLanes[block.liveLanes - 1], b, block, world.clock.timeStep, steps))
+    if (!stepIsolatedCells(world.stagesOfLanes[block.liveLanes - 1], b, block, world.clock.timeStep, steps))
       sound = false;
   });
   if (sound) return true;
@@ -56,11 +55,11 @@ std::uint64_t stepsUntil(const Clock& clock, double time) {
 void takeSteps(World& world, std::uint64_t most) {
   Clock& clock = world.clock;
   std::uint64_t steps = 1;
-  if (areAlone(world))
+  if (areIsolated(world))
     steps = std::min({most, stepsUntil(clock, clock.nextCycle), wholeStepsUntilEnd(world)});
   if (steps <= 1) return step(world);
   const double before = clock.time;
-  if (!moveAlone(world, steps)) {
+  if (!moveIsolated(world, steps)) {
     for (; steps > 0; --steps) step(world);  // one of which says what is wrong
     return;
   }

@@ -1,17 +1,16 @@
 #pragma once
-// Of cells that need no other: the end of one time step and the drift of the next in one pass. Between the
-// two nobody else adds a force, so accelerations need not be kept, and velocities are read and written once
-// instead of twice.
+// Of isolated cells: the end of one time step and the drift of the next in one pass. Between the two no other
+// force is added, so accelerations need not be stored, and velocities are read and written once, not twice.
 #include "physics/pressure_kernel.h"
 #include "physics/verlet_kernel.h"
 
 namespace morula::MORULA_ISA {
 
-/// Velocity Verlet's addPressureForces, kick<Kick::half> and driftVelocityVerlet, to the bit. Leaves forces
-/// in the place of accelerations: the last step of all ends with those three.
+/// Velocity Verlet's addPressureForces, kick<Kick::half> and driftVelocityVerlet, bit for bit. Leaves forces in
+/// `acceleration`: the last of several steps ends with those three.
 template <bool dragged, ShellShape shell>
 inline void endAndDrift(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
-  const Contents<dragged> contents(b, p);
+  const EnclosedFluid<dragged> fluid(b, p);
   const Lanes halfStep = 0.5 * dt, step = dt;
   const InverseMass inverseMass(b);
   const ShellSlope slope(p);
@@ -21,8 +20,9 @@ inline void endAndDrift(const TemplateView& mesh, const BlockView& b, const Kern
     for (int lane = 0, group = 0; lane < liveLanes; lane += width, ++group) {
       Vec x = loadVec(position, v, lane), velocity = loadVec(velocities, v, lane), predicted;
       const Vec a = kickVertex<Kick::half, shell != ShellShape::none>(
-          slope, load(inverseMass.value + lane), halfStep, contents.forceWith(v, lane, group), x, velocity);
-      driftVertex<shell>(slope, halfStep, step, a, x, velocity, predicted);
+          slope, load(inverseMass.value + lane), halfStep, fluid.forceWith(v, lane, group), x, velocity);
+      driftVertex(halfStep, step, a, x, velocity, predicted);
+      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
       storeVec(velocities, v, lane, velocity);
       storeVec(predictions, v, lane, predicted);
       storeVec(position, v, lane, x);

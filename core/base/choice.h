@@ -1,0 +1,41 @@
+#pragma once
+// What a scenario may choose between: an enumeration, and one row per value.
+#include <array>
+#include <string>
+
+namespace morula {
+
+template <class E>
+struct Choice {
+  E value;
+  const char* name;     // in scenarios
+  const char* meaning;  // for people, part of a sentence
+};
+
+/// [value] The rows of E, in the order of its values; specialised beside each enumeration.
+template <class E>
+inline constexpr auto choices = nullptr;
+
+template <class E>
+constexpr auto valuesOf() {
+  std::array<E, choices<E>.size()> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = choices<E>[i].value;
+  return values;
+}
+
+/// As scenarios call it.
+template <class E>
+constexpr const char* nameOf(E value) {
+  return choices<E>[static_cast<std::size_t>(value)].name;
+}
+
+/// For people: "pair or thesis".
+template <class E>
+std::string namesOf() {
+  std::string list;
+  for (const auto& row : choices<E>)
+    list += (list.empty() ? "" : &row == &choices<E>.back() ? " or " : ", ") + std::string(row.name);
+  return list;
+}
+
+}  // namespace morula

@@ -1,0 +1,18 @@
+#pragma once
+// Prefetching what will be read soon. A processor predicts sequential reads by itself, but not those that a list
+// of indices leads to, nor that after a block comes the next.
+#include "base/lanes.h"
+
+namespace morula::MORULA_ISA {
+
+/// So many bytes, `from` bytes behind a place, into the second-level cache, which leaves the first to the work at
+/// hand. The place may lie behind the last block: a prefetch of memory that does not exist has no effect.
+template <int bytes>
+MORULA_INLINE void prefetch(const void* place, std::int64_t from) {
+  const auto address = reinterpret_cast<std::uintptr_t>(place) + static_cast<std::uintptr_t>(from);
+#pragma GCC unroll 16
+  for (int line = 0; line < bytes; line += 64)
+    __builtin_prefetch(reinterpret_cast<const void*>(address + line), 0, 2);
+}
+
+}  // namespace morula::MORULA_ISA

@@ -1,0 +1,29 @@
+#pragma once
+// What is to be known of each cell model: one row of a table per model (cell_model.cpp). Who has to do with a
+// cell's model asks what its cells have, and not which model it is. To add one: its value and its name in
+// parameters.h, a file with its row, a line in the table.
+#include "physics/parameters.h"
+
+namespace morula {
+
+struct Bodies;
+struct PhysicsKernels;
+struct PhysicsStages;
+struct StabilityLimits;
+
+struct CellModelKind {
+  // What its cells have. A scenario gives no parameters of what they have not.
+  bool hasMesh = true;        // the egg's surface; else one vertex, the centre of a sphere
+  bool hasMembrane = false;   // springs along edges around a fluid: physics.membrane, physics.pressure
+  bool hasRestShape = false;  // physics.shape-matching
+  const char* limitedBy;      // what StabilityLimits::spring limits, for people
+
+  /// Sets the stages that find the inner forces [PhysicsStages]. `surfaces`: as chooseStages.
+  void (*chooseForces)(PhysicsStages&, const PhysicsKernels&, const PhysicsParameters&, bool surfaces);
+  /// [measureLimits]
+  StabilityLimits (*limits)(const Bodies&, int slot);
+};
+
+const CellModelKind& kindOf(CellModel model);
+
+}  // namespace morula

@@ -1,0 +1,34 @@
+#pragma once
+// What is to be known of each integrator: one row of a table (integrator.cpp).
+#include <span>
+
+#include "physics/parameters.h"
+#include "physics/physics_kernels.h"
+
+namespace morula {
+
+/// The kernels around the evaluations of the forces in one time step.
+struct Movement {
+  PhysicsKernels::TimedStage drift;                           // before the first evaluation
+  std::span<const PhysicsKernels::TimedStage> furtherDrifts;  // before each of the others
+  const PhysicsKernels::TimedStage* kick;                     // [KickShell] after each
+};
+
+struct IntegratorKind {
+  const char* title;          // for people
+  int order;                  // of its error in the time step, for a smooth scene
+  int evaluations = 1;        // of the forces, in a time step
+  bool needsDrag = false;     // amplifies any motion that is not damped
+  bool solvesForces = false;  // its drift solves for inner forces, which then limit no time step
+
+  /// [time] The largest stable time step for k x + c x' + m x'' = 0.
+  double (*oscillatorLimit)(double k, double c, double m);
+  double undampedLimit = 2;  // [1] the same for c = 0, times √(k/m)
+
+  /// `shell`: ShellShape. XPBD: `damped` springs.
+  Movement (*movement)(const PhysicsKernels&, int shell, bool damped);
+};
+
+const IntegratorKind& kindOf(Integrator integrator);
+
+}  // namespace morula

@@ -1,0 +1,64 @@
+// Cells of a membrane of damped springs around a fluid under pressure [Nilsson 2008, §4.2].
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/maths.h"
+#include "mesh/measures.h"
+#include "physics/cell_model.h"
+#include "physics/integrator.h"
+#include "physics/stability.h"
+#include "physics/stages.h"
+
+namespace morula {
+
+namespace {
+
+void chooseForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool) {
+  if (kindOf(p.integrator).solvesForces) {
+    s.accumulateRings = k.accumulateAreaVectors;
+    s.finishForces = k.findPressure;
+    return;
+  }
+  s.findTensions = p.membrane.damping > 0 ? k.findDampedTensions : k.findTensions;
+  s.accumulateRings = k.accumulateRings;
+  s.finishForces = p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces;
+  if (p.integrator == Integrator::velocityVerlet)
+    s.endAndDrift = k.endAndDrift[p.drag > 0][static_cast<int>(shellShapeOf(p))];
+}
+
+/// Of an integrator that drag alone keeps stable [stability.h]. `radius` [length] and `omega` [1/time]: of
+/// the sphere of the cell's volume, and of its breathing.
+StabilityLimits limitsByDrag(const Bodies& b, int slot, double radius, double omega) {
+  const auto& membrane = b.parameters.membrane;
+  const auto oscillator = kindOf(b.parameters.integrator).oscillatorLimit;
+  const double drag = b.parameters.drag, m = b.vertexMass[slot] / 6;
+  if (!(drag > 0)) return {0, 0};
+  const Mesh& mesh = b.meshOf(slot).mesh;
+  const double fourPi = 4 * std::numbers::pi;
+  const double atRest = b.restScale[slot] * cubeRoot(3 * measureVolume(mesh.vertices, mesh.faces) / fourPi);
+  const double tension = membrane.stiffness * std::max(1 - atRest / radius, 0.0);
+  return {std::min(oscillator(membrane.stiffness, membrane.damping + drag * m, m),
+                   oscillator(tension, drag * m, m)),
+          oscillator(omega * omega, drag, 1)};
+}
+
+StabilityLimits limits(const Bodies& b, int slot) {
+  const IntegratorKind& integrator = kindOf(b.parameters.integrator);
+  if (integrator.solvesForces) return {INFINITY, INFINITY};
+  const auto& membrane = b.parameters.membrane;
+  const double fourPi = 4 * std::numbers::pi, volume = b.volume[slot];
+  const double radius = cubeRoot(3 * volume / fourPi), area = fourPi * radius * radius;
+  const double omega = std::sqrt(b.pressureConstant[slot] / b.mass(slot)) / volume * area;
+  if (integrator.needsDrag) return limitsByDrag(b, slot, radius, omega);
+  return {integrator.oscillatorLimit(membrane.stiffness, membrane.damping, b.vertexMass[slot] / 6),
+          integrator.undampedLimit / omega};
+}
+
+}  // namespace
+
+extern const CellModelKind shellCells;
+const CellModelKind shellCells{
+    .hasMembrane = true, .limitedBy = "springs", .chooseForces = chooseForces, .limits = limits};
+
+}  // namespace morula

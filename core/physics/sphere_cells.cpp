@@ -1,0 +1,24 @@
+// Cells of one vertex with a radius (sphere_kernel.h); nothing inside them oscillates.
+#include <cmath>
+
+#include "physics/cell_model.h"
+#include "physics/stability.h"
+#include "physics/stages.h"
+
+namespace morula {
+
+namespace {
+
+void chooseForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool) {
+  s.finishForces = p.drag > 0 ? k.measureDraggedSpheres : k.measureSpheres;
+}
+
+StabilityLimits limits(const Bodies&, int) { return {INFINITY, INFINITY}; }
+
+}  // namespace
+
+extern const CellModelKind sphereCells;
+const CellModelKind sphereCells{
+    .hasMesh = false, .limitedBy = "", .chooseForces = chooseForces, .limits = limits};
+
+}  // namespace morula

@@ -1,0 +1,90 @@
+#pragma once
+// A world's state as named columns on file: one per field of state_fields.h. Private to checkpoint*.cpp.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/fields.h"
+#include "simulation/state_fields.h"
+
+namespace morula {
+
+using Numbers = std::vector<std::uint64_t>;
+using Columns = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+/// The values that a member of type T has on file; whole numbers, unless told otherwise here.
+template <class T>
+struct OnFile {
+  using Column = Numbers;
+};
+template <>
+struct OnFile<double> {
+  using Column = Columns;
+};
+template <>
+struct OnFile<Vector> : OnFile<double> {};  // three in a row
+template <>
+struct OnFile<std::optional<double>> : OnFile<double> {};  // 0: absent
+template <>
+struct OnFile<CellPath> {
+  using Column = Texts;
+};
+template <>
+struct OnFile<const char*> : OnFile<CellPath> {};
+template <class T>
+using ColumnOf = typename OnFile<std::remove_const_t<T>>::Column;
+
+inline std::string columnName(const char* table, const Field& field) {
+  return std::string(table) + "." + field.name;
+}
+
+/// [10] In the order of the file.
+template <IsA<Contacts> T>
+auto countersOf(T& contacts) {
+  auto& [searches, pairs, distanceTests, binVisits, rootTests, boxTests, boxesRefitted, treesBuilt] =
+      contacts.list.counters;
+  return std::array{&contacts.rebuilds, &contacts.pairEvaluations,
+                    &searches,          &pairs,
+                    &distanceTests,     &binVisits,
+                    &rootTests,         &boxTests,
+                    &boxesRefitted,     &treesBuilt};
+}
+
+/// What a checkpoint keeps of contacts: the list is built anew from the positions that it was built at, and
+/// is then the same.
+struct SavedContacts {
+  // [cell]; radii follow growth at cell cycles only, so they do not follow from the rest scales.
+  Columns radius;
+  Columns snapshotRadius;  // in the last snapshot, that measures are taken from
+  Columns reference;       // [cell][vertex][xyz]
+  bool listIsValid = false;
+  Numbers counters;  // countersOf
+};
+
+/// What was read of a checkpoint: only the state of `world`, and of its Contacts nothing.
+struct SavedState {
+  World world;
+  SavedContacts contacts;
+};
+
+inline void demand(bool holds, const std::string& what) {
+  if (!holds) throw InputError("checkpoint: its parts contradict each other: " + what);
+}
+
+void writeState(FieldWriter& out, const World& world);
+
+/// A state with the parts that `world`'s has. Throws InputError for fields that are missing, or cannot be
+/// those of this world's scene.
+SavedState readState(FieldReader& in, const World& world);
+
+/// Throws InputError for a state that no run of this world's scene can have been in; it is then safe to take
+/// over.
+void checkSavedState(const SavedState& state, const World& world);
+
+/// Puts a checked state into the world.
+void takeOver(World& world, SavedState&& state);
+
+}  // namespace morula
