@@ -51,9 +51,9 @@ BodyShape measureShape(const Bodies& b, int slot) {
   return shape;
 }
 
-double measureMeshVolume(const Bodies& b, int coarseness) {
+double measureMeshVolume(const Bodies& b, int meshLevel) {
   const double r = b.parameters.cell.radius;
-  const Mesh& mesh = b.meshAt(coarseness).mesh;
+  const Mesh& mesh = b.meshAt(meshLevel).mesh;
   return b.areSpheres() ? ballArea / 3 * (r * r * r) : measureVolume(mesh.vertices, mesh.faces);
 }
 
@@ -65,7 +65,7 @@ double measureRestVolume(const Bodies& b, int slot, double meshVolume) {
 }
 
 double measureRestVolume(const Bodies& b, int slot) {
-  return measureRestVolume(b, slot, measureMeshVolume(b, b.blocks[slot / blockLanes].coarseness));
+  return measureRestVolume(b, slot, measureMeshVolume(b, b.blocks[slot / blockLanes].meshLevel));
 }
 
 double measureKineticEnergy(const Bodies& b, int slot) {

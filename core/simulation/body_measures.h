@@ -8,7 +8,7 @@ namespace morula {
 BodyShape measureShape(const Bodies& bodies, int slot);
 
 /// [length³] Of one of the scene's meshes at rest, at rest scale 1; of a sphere the ball's.
-double measureMeshVolume(const Bodies& bodies, int coarseness);
+double measureMeshVolume(const Bodies& bodies, int meshLevel);
 /// [length³] PhysicalUnit::getRestVolume; `meshVolume`: measureMeshVolume of its mesh.
 double measureRestVolume(const Bodies& bodies, int slot, double meshVolume);
 double measureRestVolume(const Bodies& bodies, int slot);

@@ -45,11 +45,11 @@ std::span<const Observation::Contact> Observation::contactsOf(int number) const 
       .subspan(firstContact_[number], firstContact_[number + 1] - firstContact_[number]);
 }
 
-double Observation::meshVolume(int coarseness) const {
+double Observation::meshVolume(int meshLevel) const {
   if (meshVolumes_.empty())
     for (int i = 0; i <= static_cast<int>(world.bodies->coarser.size()); ++i)
       meshVolumes_.push_back(measureMeshVolume(*world.bodies, i));
-  return meshVolumes_[coarseness];
+  return meshVolumes_[meshLevel];
 }
 
 const DivisionRecord* Observation::divisionOf(const CellPath& mother) const {
@@ -69,12 +69,12 @@ BodyUnit::BodyUnit(const Observation& observation, int slot)
 
 double BodyUnit::getRestVolume() const {
   return measureRestVolume(bodies_, slot_,
-                           observation_.meshVolume(bodies_.blocks[slot_ / blockLanes].coarseness));
+                           observation_.meshVolume(bodies_.blocks[slot_ / blockLanes].meshLevel));
 }
 
 double BodyUnit::getMeshVolume() const {
   const double scale = bodies_.restScale[slot_];
-  return observation_.meshVolume(bodies_.blocks[slot_ / blockLanes].coarseness) * scale * scale * scale;
+  return observation_.meshVolume(bodies_.blocks[slot_ / blockLanes].meshLevel) * scale * scale * scale;
 }
 
 const BodyShape& BodyUnit::getShape() const {

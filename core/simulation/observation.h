@@ -42,7 +42,7 @@ class Observation {
   std::span<const Contact> contactsOf(int number) const;
 
   /// [length³] Of one of the scene's meshes at rest, at rest scale 1.
-  double meshVolume(int coarseness) const;
+  double meshVolume(int meshLevel) const;
   /// Null if no division made daughters of this cell.
   const DivisionRecord* divisionOf(const CellPath& mother) const;
 
@@ -60,7 +60,7 @@ class Observation {
   mutable std::optional<std::vector<ContactArea>> contacts_;
   mutable std::vector<int> firstContact_;  // [cell + 1] into contactsByCell_
   mutable std::vector<Contact> contactsByCell_;
-  mutable std::vector<double> meshVolumes_;            // [coarseness]
+  mutable std::vector<double> meshVolumes_;            // [meshLevel]
   mutable std::vector<std::uint32_t> divisionByPath_;  // places in world.divisions
 };
 
