@@ -82,7 +82,8 @@ class StateReader {
   void operator()(const char* table, Cells& cells) {
     for (const std::string& text : in_.texts("states")) states_.push_back(biology_.stateOf(text));
     visitFields(cells, [&](const Field& field, auto&& member) {
-      demandLength(read(columnName(table, field), member), cells.path.size(), table);
+      const std::size_t rows = read(columnName(table, field), member);
+      demandLength(rows, cells.path.size(), table);  // of paths, which come first
     });
   }
 
