@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "bench/clock.h"
-#include "bench/statistics.h"
+#include "system/clock.h"
+#include "system/statistics.h"
 
 namespace morula {
 

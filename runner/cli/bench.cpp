@@ -8,16 +8,16 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "baseline/worker.h"
 #include "bench/picture.h"
 #include "bench/table.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/pictures.h"
 #include "cli/verb.h"
+#include "engines/worker.h"
 #include "files/folders.h"
 #include "store/machine_info.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

@@ -1,8 +1,8 @@
 // morula bullet-worker: Bullet in a process of its own, for the program itself. Not for people.
-#include "baseline/worker.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/verb.h"
+#include "engines/worker.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

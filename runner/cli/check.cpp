@@ -5,21 +5,21 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/beside.h"
-#include "cli/bullet_check.h"
-#include "cli/check_run.h"
-#include "cli/console.h"
+#include "check/check_run.h"
+#include "check/pending.h"
+#include "check/sanity.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pending.h"
-#include "cli/sanity.h"
 #include "cli/shipped.h"
 #include "cli/verb.h"
+#include "engines/bullet_check.h"
+#include "engines/engine_comparison.h"
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
 #include "golden/ci_reports.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

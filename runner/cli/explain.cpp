@@ -4,24 +4,24 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/accept_run.h"
-#include "cli/check_run.h"
-#include "cli/console.h"
+#include "check/accept_run.h"
+#include "check/check_run.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/scenario_run.h"
-#include "cli/signals.h"
-#include "cli/stored.h"
 #include "cli/verb.h"
 #include "explain/program_run.h"
+#include "explain/scenario_run.h"
 #include "explain/stored_run.h"
 #include "explain/text_difference.h"
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/change.h"
 #include "golden/facts.h"
+#include "loop/stored_scenario.h"
 #include "scenario/deciding_values.h"
 #include "store/store.h"
+#include "system/console.h"
+#include "system/signals.h"
 
 namespace morula::cli {
 

@@ -6,18 +6,18 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/pictures.h"
-#include "cli/license.h"
-#include "cli/ro_crate.h"
-#include "cli/stored.h"
 #include "cli/verb.h"
+#include "export/license.h"
+#include "export/ro_crate.h"
 #include "files/content.h"
 #include "files/folders.h"
 #include "files/safe_name.h"
 #include "golden/accept.h"
+#include "loop/stored_scenario.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/simulate.h"
-#include "cli/stored.h"
 #include "cli/verb.h"
+#include "loop/simulate.h"
+#include "loop/stored_scenario.h"
 #include "store/store.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

@@ -1,8 +1,8 @@
 // morula other-worker: a scenario's run by another engine, for the program itself. Not for people.
-#include "cli/console.h"
 #include "cli/exit_codes.h"
-#include "cli/other_run.h"
 #include "cli/verb.h"
+#include "engines/external_run.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

@@ -4,16 +4,16 @@
 #include <memory>
 
 #include "base/error.h"
-#include "bench/clock.h"
-#include "cli/check_run.h"
-#include "cli/console.h"
+#include "check/check_run.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/pictures.h"
-#include "cli/simulate.h"
 #include "cli/verb.h"
 #include "files/folders.h"
+#include "loop/simulate.h"
 #include "parts/forecast.h"
+#include "system/clock.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

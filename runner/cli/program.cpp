@@ -5,12 +5,12 @@
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "base/floating_point.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
-#include "cli/usable_memory.h"
 #include "cli/verbs.h"
 #include "store/build_info.h"
 #include "store/store_error.h"
+#include "system/console.h"
+#include "system/usable_memory.h"
 
 namespace morula::cli {
 

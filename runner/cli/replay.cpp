@@ -7,17 +7,17 @@
 #include <set>
 
 #include "base/error.h"
-#include "cli/check_run.h"
-#include "cli/console.h"
+#include "check/check_run.h"
+#include "check/sanity.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/provenance.h"
-#include "cli/sanity.h"
-#include "cli/simulate.h"
-#include "cli/stored.h"
 #include "cli/verb.h"
 #include "files/folders.h"
+#include "loop/simulate.h"
+#include "loop/stored_scenario.h"
+#include "store/provenance.h"
 #include "store/store.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

@@ -3,17 +3,17 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/accept_run.h"
-#include "cli/check_run.h"
-#include "cli/console.h"
+#include "check/accept_run.h"
+#include "check/check_run.h"
+#include "check/pending.h"
 #include "cli/exit_codes.h"
-#include "cli/git_text.h"
 #include "cli/options.h"
-#include "cli/pending.h"
 #include "cli/verb.h"
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/succession.h"
+#include "system/console.h"
+#include "system/git_text.h"
 
 namespace morula::cli {
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/verb.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

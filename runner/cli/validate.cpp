@@ -3,11 +3,11 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/simulate.h"
 #include "cli/verb.h"
+#include "loop/simulate.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

@@ -2,9 +2,9 @@
 
 #include "base/error.h"
 #include "explain/trail_text.h"
-#include "process/child_process.h"
 #include "simulation/checkpoint.h"
 #include "simulation/world.h"
+#include "system/child_process.h"
 
 namespace morula {
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/maths.h"
+#include "loop/simulate.h"
 #include "parts/outlook.h"
 #include "parts/rates.h"
 #include "simulation/measures.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "bench/clock.h"
 #include "simulation/world.h"
+#include "system/clock.h"
 
 namespace morula {
 

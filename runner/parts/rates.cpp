@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "bench/clock.h"
 #include "bench/packed_world.h"
-#include "bench/statistics.h"
 #include "bench/work.h"
 #include "simulation/hash.h"
 #include "simulation/measures.h"
+#include "system/clock.h"
+#include "system/statistics.h"
 
 namespace morula {
 

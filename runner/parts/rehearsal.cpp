@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bench/clock.h"
 #include "simulation/stages.h"
+#include "system/clock.h"
 
 namespace morula {
 

@@ -57,7 +57,7 @@ case $lint in
     ;;
 
   files)
-    mkdir -p "$work"/runner/{files,cli,store}
+    mkdir -p "$work"/runner/{files,cli,store,system}
     while IFS= read -r line; do
       printf 'int harmless;\n%s\n' "$line" >"$work/runner/cli/a.cpp"
       plant=$line
@@ -84,7 +84,7 @@ PLANTS
     printf '%s\n' '// std::ifstream, fopen(x), std::cerr' 'namespace fs = std::filesystem;' '#include <filesystem>' \
       'const std::filesystem::path file = fs::path("std::cout") / name; Stored::open(x);' 'fmt::format("x"); database.open();' >"$work/runner/cli/a.cpp"
     echo 'std::ifstream in(::open(x));' >"$work/runner/files/b.cpp"
-    echo 'std::cout << text;' >"$work/runner/cli/console.cpp"
+    echo 'std::cout << text;' >"$work/runner/system/console.cpp"
     plant=
     passes "comments, texts, paths and the rooms that may" "$here/files.sh" "$work/runner"
     finds "there is no source" "$here/files.sh" "$work/runner/store"

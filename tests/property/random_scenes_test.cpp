@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "catch.h"
-#include "cli/sanity.h"
+#include "check/sanity.h"
 #include "mesh/measures.h"
 #include "scenario/scenario.h"
 #include "simulation/measures.h"
@@ -187,7 +187,7 @@ void tryScene(std::uint64_t seed, Tally& tally) {
     UNSCOPED_INFO("seed " << seed << ": " << e.what());
     return;
   }
-  const cli::SanityCheck sanity(*world);
+  const SanityCheck sanity(*world);
   try {
     while (!finished(*world)) takeSteps(*world, 64);
   } catch (const NumericalError&) {
