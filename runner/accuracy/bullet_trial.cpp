@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "engines/worker.h"
+#include "engines/engine_worker.h"
 #include "scenario/bullet_fit.h"
 #include "system/statistics.h"
 

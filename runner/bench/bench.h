@@ -29,7 +29,7 @@ struct BenchOptions {
   bool bullet = true;
   int mostBulletCells = 256;
   std::filesystem::path folder;  // where packed scenes are kept; "": nowhere
-  std::string program;           // that answers to `bullet-worker`
+  std::string program;           // that answers to `engine-worker`
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bench/packing.h"
-#include "engines/worker.h"
+#include "engines/engine_worker.h"
 #include "system/statistics.h"
 
 namespace morula {

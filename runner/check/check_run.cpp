@@ -21,20 +21,16 @@ constexpr double shellSlack = 1e-6;
 
 CheckResult shellHolds(const World& world) {
   const double outermost = measureWorld(world).outermost.value_or(0);
-  CheckResult result;
-  result.check = "shell";
-  result.kind = "invariant";
-  result.expected = "1";
-  result.actual = scenario::formatReal(outermost);
-  result.tolerance = "abs " + scenario::formatReal(shellSlack);
-  result.passed = outermost <= 1 + shellSlack;
-  result.field = "outermost";
-  result.share = outermost <= 1 ? 0 : (outermost - 1) / shellSlack;
-  if (!result.passed) {
-    result.failureClass = "COMPUTATION";
-    result.message = "a vertex stands at " + result.actual + " of the shell's radius; needs at most 1";
-  }
-  return result;
+  const std::string text = exactText(outermost);
+  return judged({.check = "shell",
+                 .kind = "invariant",
+                 .expected = "1",
+                 .actual = text,
+                 .tolerance = "abs " + exactText(shellSlack),
+                 .field = "outermost",
+                 .share = outermost <= 1 ? 0 : (outermost - 1) / shellSlack},
+                outermost <= 1 + shellSlack,
+                "a vertex stands at " + text + " of the shell's radius; needs at most 1");
 }
 
 Hash hashOf(const Image& image) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/text.h"
 #include "mesh/measures.h"
 #include "scenario/numbers.h"
 #include "simulation/measures.h"
@@ -10,8 +11,6 @@
 namespace morula {
 
 namespace {
-
-using scenario::formatReal;
 
 /// Of the scene's meshes at rest, before their cells' rest scales.
 std::vector<double> restVolumes(const Bodies& b) {
@@ -61,22 +60,11 @@ double extentOf(const Bodies& b) {
   return extent;
 }
 
-std::string text(const Bounds& b) { return "from " + formatReal(b.least) + " to " + formatReal(b.most); }
+std::string text(const Bounds& b) { return "from " + exactText(b.least) + " to " + exactText(b.most); }
 
 CheckResult resultOf(const char* check, const std::string& expected, const std::string& actual, bool passed) {
-  CheckResult r;
-  r.check = check;
-  r.kind = "invariant";
-  r.expected = expected;
-  r.actual = actual;
-  r.tolerance = "exact";
-  r.passed = passed;
-  r.field = check;
-  if (!passed) {
-    r.failureClass = "COMPUTATION";
-    r.message = std::string("check.") + check + ": " + r.actual + "; expected " + expected;
-  }
-  return r;
+  return judged({.check = check, .kind = "invariant", .expected = expected, .actual = actual, .field = check},
+                passed, std::string("check.") + check + ": " + actual + "; expected " + expected);
 }
 
 }  // namespace
@@ -168,8 +156,7 @@ std::vector<CheckResult> Invariants::collect(const World* end) const {
         least.value >= bounds.least && !above);
   };
   const auto addMost = [&](const char* check, const std::optional<double>& bound, const Extreme& most) {
-    if (bound)
-      add(check, "at most " + formatReal(*bound), formatReal(most.value), most, most.value <= *bound);
+    if (bound) add(check, "at most " + exactText(*bound), exactText(most.value), most, most.value <= *bound);
   };
   if (check_.volume) addBounds("volume", *check_.volume, leastVolume_, mostVolume_);
   addMost("extent", check_.extent, extent_);
@@ -184,7 +171,7 @@ std::vector<CheckResult> Invariants::collect(const World* end) const {
   if (check_.endRoundness) {
     Extreme least;
     for (const CellMeasures& cell : measureCells(*end)) lower(least, cell.sphericity, *end, cell.path);
-    add("end-roundness", "at least " + formatReal(*check_.endRoundness), formatReal(least.value), least,
+    add("end-roundness", "at least " + exactText(*check_.endRoundness), exactText(least.value), least,
         least.value >= *check_.endRoundness);
   }
   if (check_.endOverlap) {
@@ -196,22 +183,16 @@ std::vector<CheckResult> Invariants::collect(const World* end) const {
 }
 
 CheckResult stopsAsItMust(const std::vector<std::string>& fails, const std::string& failure) {
-  CheckResult r;
-  r.check = "fails";
-  r.kind = "invariant";
-  r.tolerance = "exact";
-  r.actual = failure.empty() ? "it ended well" : failure;
-  std::string missing;
-  for (const std::string& text : fails) {
-    r.expected += (r.expected.empty() ? "stops and names " : ", ") + text;
-    if (failure.find(text) == failure.npos) missing += (missing.empty() ? "" : ", ") + text;
-  }
-  r.passed = !fails.empty() && missing.empty();
-  if (!r.passed) {
-    r.failureClass = "COMPUTATION";
-    r.message = "check.fails: the run should have stopped; " + r.actual + "; missing: " + missing;
-  }
-  return r;
+  std::vector<std::string> missing;
+  for (const std::string& text : fails)
+    if (failure.find(text) == failure.npos) missing.push_back(text);
+  const std::string actual = failure.empty() ? "it ended well" : failure;
+  return judged({.check = "fails",
+                 .kind = "invariant",
+                 .expected = fails.empty() ? "" : "stops and names " + join(fails),
+                 .actual = actual},
+                !fails.empty() && missing.empty(),
+                "check.fails: the run should have stopped; " + actual + "; missing: " + join(missing));
 }
 
 }  // namespace morula

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "cli/pictures.h"
-#include "engines/worker.h"
+#include "engines/engine_worker.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "files/write_file.h"

@@ -14,8 +14,6 @@ namespace morula {
 
 namespace {
 
-using scenario::formatReal;
-
 /// Of the energy at the start: an undamped scheme of second order swings within a few per cent.
 constexpr double mostEnergy = 1.5;
 /// Of what the contents hold at rest: the rounding of a scene that begins with no energy to speak of.
@@ -66,7 +64,7 @@ std::string contactAdvice(const MechanicsScene& m) {
            "physics.drag";
   return fmt::format(
       "what holds them apart is physics.contact, with stiffness {} and radius {}: try more of either",
-      formatReal(m.contact->stiffness), formatReal(m.contact->radius));
+      exactText(m.contact->stiffness), exactText(m.contact->radius));
 }
 
 std::string sentence(const SanityMeasure& m, const World& world) {
@@ -104,41 +102,34 @@ std::string sentence(const SanityMeasure& m, const World& world) {
 }
 
 std::string boundsOf(const SanityMeasure& m) {
-  if (m.least > 0) return "from " + formatReal(m.least) + " to " + formatReal(m.most);
-  return "at most " + formatReal(m.most);
+  if (m.least > 0) return "from " + exactText(m.least) + " to " + exactText(m.most);
+  return "at most " + exactText(m.most);
 }
 
 CheckResult resultOf(const SanityMeasure& m, const World& end, const CheckParameters& check) {
-  CheckResult r;
-  r.check = "sanity " + m.name;
-  r.kind = "sanity";
-  r.expected = boundsOf(m);
-  r.actual = m.name == "overlap" && m.value == 0 ? "below " + formatReal(m.most) : formatReal(m.value);
-  r.tolerance = check.sane ? "exact" : "none, for " + check.because;
-  r.passed = m.holds() || !check.sane;
-  r.field = m.name;
-  r.firstStep = end.clock.step;
-  if (m.cell) r.cell = m.cell->text();
-  if (r.passed) return r;
-  r.failureClass = "COMPUTATION";
-  r.message = "not sane at the end: " + sentence(m, end) +
-              "; if the scene is about this, say so: " + "check: {sane: false, because: \"why\"}";
-  return r;
+  const bool below = m.name == "overlap" && m.value == 0;
+  return judged({.check = "sanity " + m.name,
+                 .kind = "sanity",
+                 .expected = boundsOf(m),
+                 .actual = below ? "below " + exactText(m.most) : exactText(m.value),
+                 .tolerance = check.sane ? "exact" : "none, for " + check.because,
+                 .firstStep = end.clock.step,
+                 .cell = m.cell ? std::optional(m.cell->text()) : std::nullopt,
+                 .field = m.name},
+                m.holds() || !check.sane,
+                "not sane at the end: " + sentence(m, end) +
+                    "; if the scene is about this, say so: check: {sane: false, because: \"why\"}");
 }
 
 /// A scene that says it is not sane and is.
 CheckResult needlessExcuse(const CheckParameters& check) {
-  CheckResult r;
-  r.check = "sanity because";
-  r.kind = "sanity";
-  r.expected = "not sane, because " + check.because;
-  r.actual = "sane";
-  r.tolerance = "exact";
-  r.field = "sane";
-  r.passed = false;
-  r.failureClass = "COMPUTATION";
-  r.message = "check.sane is false, and the end lies within all bounds; remove check.sane and check.because";
-  return r;
+  return judged(
+      {.check = "sanity because",
+       .kind = "sanity",
+       .expected = "not sane, because " + check.because,
+       .actual = "sane",
+       .field = "sane"},
+      false, "check.sane is false, and the end lies within all bounds; remove check.sane and check.because");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "cli/options.h"
 #include "cli/pictures.h"
 #include "cli/verb.h"
-#include "engines/worker.h"
+#include "engines/engine_worker.h"
 #include "files/folders.h"
 #include "store/machine_info.h"
 #include "system/console.h"

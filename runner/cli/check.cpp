@@ -18,6 +18,7 @@
 #include "files/printable.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
+#include "golden/check_json.h"
 #include "golden/ci_reports.h"
 #include "system/console.h"
 
@@ -33,11 +34,12 @@ struct CheckOptions {
   std::string reports, beside, cpuLimit;
 };
 
-Json toJson(const CheckReport& report, const CheckResult& r) {
-  return {{"scenario", report.scenario}, {"check", r.check},        {"kind", r.kind},
-          {"passed", r.passed},          {"class", r.failureClass}, {"first_step", orNull(r.firstStep)},
-          {"cell", orNull(r.cell)},      {"field", r.field},        {"share_of_tolerance", orNull(r.share)},
-          {"expected", r.expected},      {"actual", r.actual},      {"tolerance", r.tolerance}};
+/// As the contract of `morula check --json` says.
+Json toJson(const CheckReport& report, const CheckResult& result) {
+  Json json{{"scenario", report.scenario}};
+  json.update(morula::toJson(result));
+  json.erase("message");
+  return json;
 }
 
 /// A run that could not end is a check that failed.
@@ -118,8 +120,8 @@ void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
   if (page) appendToFile(page, summaryPage(reports));
 }
 
-BesideOptions besideOptions(const CheckOptions& options) {
-  BesideOptions beside{parseEngines(options.beside), usualCpuSeconds, options.output.quiet};
+ComparisonOptions comparisonOptions(const CheckOptions& options) {
+  ComparisonOptions beside{parseEngines(options.beside), usualCpuSeconds, options.output.quiet};
   if (options.cpuLimit.empty()) return beside;
   if (options.beside.empty())
     throw UsageError("--cpu-limit: is for the engines of --beside; give --beside, too");
@@ -129,7 +131,7 @@ BesideOptions besideOptions(const CheckOptions& options) {
 
 int act(const CheckOptions& options) {
   const auto how = execution(options.execution);
-  const BesideOptions beside = besideOptions(options);
+  const ComparisonOptions beside = comparisonOptions(options);
   std::vector<Scenario> scenarios;
   for (const auto& file : options.scenarios.empty() ? shippedScenarios() : options.scenarios)
     scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
@@ -165,7 +167,7 @@ int act(const CheckOptions& options) {
   Json found{{"results", results}};
   std::string table;
   if (!beside.engines.empty()) {
-    const auto rows = lookBeside(scenarios, own, beside);
+    const auto rows = compareEngines(scenarios, own, beside);
     found["beside"] = toJson(rows, beside.engines);
     table = tableOf(rows, beside.engines);
   }

@@ -7,7 +7,7 @@
 #include "cli/options.h"
 #include "cli/verb.h"
 #include "explain/scenario_run.h"
-#include "explain/trail_text.h"
+#include "explain/trail_json.h"
 #include "simulation/checkpoint.h"
 #include "system/console.h"
 

@@ -12,9 +12,8 @@ namespace {
 constexpr const char* skipped = "not checked: this build has no Bullet";
 
 CheckResult about(const char* failureClass, const std::string& text) {
-  CheckResult r = failedCheck("bullet", failureClass, "an answer", text, "bullet: " + text);
-  r.kind = "bullet";
-  return r;
+  return judged({.check = "bullet", .kind = "bullet", .expected = "an answer", .actual = text}, false,
+                "bullet: " + text, failureClass);
 }
 
 /// Bullet's step is that of either Verlet (BulletScene::physics).
@@ -42,25 +41,20 @@ BulletCheck tolerancesFor(const Scenario& scenario) {
 
 BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bool quiet) {
   if (!scenario.check.bullet) return {};
-  if (!bulletIsAvailable()) {
-    CheckResult r;
-    r.check = r.kind = "bullet";
-    r.expected = r.actual = skipped;
-    r.tolerance = "exact";
-    return {{r}, {}};
-  }
+  if (!bulletIsAvailable())
+    return {{{.check = "bullet", .kind = "bullet", .expected = skipped, .actual = skipped}}, {}};
   const BulletCheck check = tolerancesFor(scenario);
   tell("the same in Bullet, " + std::string(name(check.baseline)), quiet);
-  OtherRun bullet;
+  ExternalRun bullet;
   try {
-    bullet = runElsewhere(scenario,
-                          {.engine = engineOf(check.baseline),
-                           .margin = check.margin,
-                           .integrator = scenario.scene.mechanics->physics.integrator},
-                          ownProgram());
+    bullet = runExternally(scenario,
+                           {.engine = engineOf(check.baseline),
+                            .margin = check.margin,
+                            .integrator = scenario.scene.mechanics->physics.integrator},
+                           ownProgram());
   } catch (const FileError& error) { return {{about("SETUP", error.what())}, {}}; }
-  const bool silent = bullet.end == OtherRun::End::silent;
-  if (bullet.end != OtherRun::End::done)
+  const bool silent = bullet.end == ExternalRun::End::silent;
+  if (bullet.end != ExternalRun::End::done)
     return {{about(silent ? "SETUP" : "COMPUTATION", judge({}, bullet).text)}, {}};
   if (bullet.step != end.clock.step || bullet.shapes.size() != end.cells.path.size())
     return {{about("COMPUTATION", "came to another end: step " + std::to_string(bullet.step) + ", ours " +

@@ -9,7 +9,7 @@ namespace morula {
 
 struct BulletFindings {
   std::vector<CheckResult> results;  // of kind "bullet"
-  std::optional<OtherRun> bullet;    // if it came to the same end
+  std::optional<ExternalRun> bullet;  // if it came to the same end
 };
 
 /// Nothing if the scenario does not ask. Without Bullet in this build one result that says so and passes; a

@@ -1,4 +1,5 @@
 // The metrics in which two engines may honestly be held against each other.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -11,27 +12,19 @@ namespace morula {
 
 namespace {
 
-using scenario::formatReal;
 using Shape = std::vector<Point>;
 
-/// √(largest/smallest second moment about the centre): 1 for a sphere, a/c for an ellipsoid. The moments are
-/// the roots of the characteristic polynomial of their matrix, by Viète's formula.
+/// √(largest/smallest second moment about the centre): 1 for a sphere, a/c for an ellipsoid.
 double aspect(const Shape& shape) {
   const Point centre = measureCentroid(shape);
-  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (const Point& p : shape) {
-    const Vector d = p - centre;
-    xx += d.x * d.x, yy += d.y * d.y, zz += d.z * d.z;
-    xy += d.x * d.y, xz += d.x * d.z, yz += d.y * d.z;
+    const Eigen::Vector3d d(p.x - centre.x, p.y - centre.y, p.z - centre.z);
+    moments += d * d.transpose();
   }
-  const double mean = (xx + yy + zz) / 3;
-  xx -= mean, yy -= mean, zz -= mean;
-  const double spread = std::sqrt((xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz)) / 6);
-  if (spread == 0) return 1;
-  const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-  const double angle = std::acos(std::clamp(determinant / (2 * spread * spread * spread), -1.0, 1.0)) / 3;
-  const double third = 2 * std::acos(-1.0) / 3;
-  return std::sqrt((mean + 2 * spread * std::cos(angle)) / (mean + 2 * spread * std::cos(angle + third)));
+  const auto values =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
+  return values[2] == 0 ? 1 : std::sqrt(values[2] / values[0]);
 }
 
 double meanRadius(const Shape& shape) {
@@ -48,36 +41,34 @@ double centreDistance(const Shape& a, const Shape& b) {
 /// The worst of several comparisons of one metric.
 class Metric {
  public:
-  Metric(const char* field, std::string tolerance, double allowed) : allowed_(allowed) {
-    result_.check = std::string("bullet ") + field;
-    result_.kind = "bullet";
-    result_.field = field;
-    result_.tolerance = std::move(tolerance);
-    result_.share = -1;
-  }
+  Metric(const char* field, std::string tolerance, double allowed)
+      : allowed_(allowed),
+        result_{.check = std::string("bullet ") + field,
+                .kind = "bullet",
+                .tolerance = std::move(tolerance),
+                .field = field,
+                .share = -1} {}
 
   /// What is off by a NaN is off for ever.
   void see(double expected, double actual, double off, const std::string& where) {
     const double share = off / allowed_;
     if (!(*result_.share <= share) && !std::isnan(share)) return;
     result_.share = share;
-    result_.expected = formatReal(expected);
-    result_.actual = formatReal(actual);
+    result_.expected = exactText(expected);
+    result_.actual = exactText(actual);
     result_.cell = where;
   }
   void seeRelative(double expected, double actual, const std::string& where) {
     see(expected, actual, std::abs(actual - expected) / std::abs(expected), where);
   }
 
-  CheckResult result(std::uint64_t step) {
-    result_.passed = *result_.share <= 1;
-    if (result_.passed) return result_;
-    result_.failureClass = "COMPUTATION";
-    result_.firstStep = step;
-    result_.message = "check.bullet." + result_.field + ": ours " + result_.actual + ", Bullet's " +
-                      result_.expected + "; needs " + result_.tolerance + ", at step " +
-                      std::to_string(step) + (result_.cell->empty() ? " of the egg" : " of " + *result_.cell);
-    return result_;
+  CheckResult result(std::uint64_t step) const {
+    CheckResult r = judged(result_, *result_.share <= 1,
+                           "check.bullet." + result_.field + ": ours " + result_.actual + ", Bullet's " +
+                               result_.expected + "; needs " + result_.tolerance + ", at step " +
+                               std::to_string(step) + " of " + cellName(result_.cell.value_or("")));
+    if (!r.passed) r.firstStep = step;
+    return r;
   }
 
  private:
@@ -111,7 +102,7 @@ std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<
     names.push_back(path.text());
   }
   std::vector<CheckResult> results;
-  const auto relative = [](double tolerance) { return "rel " + formatReal(tolerance); };
+  const auto relative = [](double tolerance) { return "rel " + exactText(tolerance); };
   const auto eachCell = [&](const char* field, const std::optional<double>& tolerance, const auto& measure) {
     if (!tolerance) return;
     Metric metric(field, relative(*tolerance), *tolerance);
@@ -121,7 +112,7 @@ std::vector<CheckResult> compareWithBullet(const World& ours, const std::vector<
   };
 
   if (check.positions) {
-    Metric metric("positions", "abs " + formatReal(*check.positions), *check.positions);
+    Metric metric("positions", "abs " + exactText(*check.positions), *check.positions);
     for (std::size_t i = 0; i < own.size(); ++i)
       for (std::size_t v = 0; v < own[i].size(); ++v) {
         const double off = norm(own[i][v] - shapes[i][v]);

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "engines/bullet_scene.h"
+#include "files/text.h"
 #include "golden/accept.h"
 #include "scenario/bullet_fit.h"
 #include "system/child_process.h"
@@ -25,35 +26,34 @@ std::string withoutPlace(const std::string& why, const Scenario& scenario) {
   return colon == wrong.npos ? wrong : wrong.substr(colon + 2);
 }
 
-Verdict askThesis(const Scenario& scenario, const OtherQuestion& question) {
+Verdict askThesis(const Scenario& scenario, const ExternalQuestion& question) {
   const auto& contact = scenario.scene.mechanics->contact;
   if (!contact) return notAsked("as ours: nothing touches");
   if (contact->law == ContactLaw::thesis) return notAsked("is ours");
   const Scenario changed =
       loadScenario(scenario.file, {{"physics.contact.law", "thesis", "--beside thesis"}}, scenario.allowOutside);
-  return judge(scenario.check, runElsewhere(changed, question, ownProgram()));
+  return judge(scenario.check, runExternally(changed, question, ownProgram()));
 }
 
-Verdict askBullet(const Scenario& scenario, const OtherQuestion& question, Baseline baseline) {
+Verdict askBullet(const Scenario& scenario, const ExternalQuestion& question, Baseline baseline) {
   if (!bulletIsAvailable()) return notAsked("not asked: this build has no Bullet");
   for (const auto& unfit : scenario::unfitForBullet(scenario, baseline))
     if (unfit.lacks) return notAsked("cannot be asked: " + unfit.wrong);
   if (baseline == Baseline::b3 &&
       (scenario.scene.mechanics->contact || scenario.scene.mechanics->physics.shell))
     return notAsked("cannot be asked: b3 knows neither contact nor shell");
-  const OtherRun run = runElsewhere(scenario, question, ownProgram());
-  if (run.end == OtherRun::End::refused)
+  const ExternalRun run = runExternally(scenario, question, ownProgram());
+  if (run.end == ExternalRun::End::refused)
     return notAsked("cannot be asked: " + withoutPlace(run.why, scenario));
   return judge(scenario.check, run);
 }
 
-Verdict ask(const Scenario& scenario, Engine engine, const BesideOptions& options) {
+Verdict ask(const Scenario& scenario, Engine engine, const ComparisonOptions& options) {
   if (!scenario.scene.mechanics) return notAsked("cannot be asked: cells without bodies");
-  const OtherQuestion question{.engine = engine, .cpuSeconds = options.cpuSeconds};
+  const ExternalQuestion question{.engine = engine, .cpuSeconds = options.cpuSeconds};
   try {
     if (engine == Engine::thesis) return askThesis(scenario, question);
-    return askBullet(scenario, question,
-                     static_cast<Baseline>(static_cast<int>(engine) - static_cast<int>(Engine::b1)));
+    return askBullet(scenario, question, baselineOf(engine));
   } catch (const InputError& error) {
     return notAsked(std::string("cannot be asked: ") + error.what());
   } catch (const std::exception& error) {  // whatever it is: it ends this question, not the others
@@ -68,12 +68,6 @@ const char* title(Engine engine) {
 
 /// "needle" of "hard/needle".
 std::string shortName(const std::string& scenario) { return scenario.substr(scenario.rfind('/') + 1); }
-
-/// A cell of a Markdown table.
-std::string cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2) text.insert(at, "\\");
-  return text;
-}
 
 }  // namespace
 
@@ -92,9 +86,9 @@ std::vector<Engine> parseEngines(const std::string& text) {
   return engines;
 }
 
-std::vector<BesideRow> lookBeside(const std::vector<Scenario>& scenarios, const std::vector<Verdict>& own,
-                                  const BesideOptions& options) {
-  std::vector<BesideRow> rows;
+std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios,
+                                          const std::vector<Verdict>& own, const ComparisonOptions& options) {
+  std::vector<ComparisonRow> rows;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     rows.push_back({goldenName(scenarios[i].file), {own[i]}});
     rows.back().verdicts.resize(1 + options.engines.size());
@@ -118,21 +112,21 @@ std::vector<BesideRow> lookBeside(const std::vector<Scenario>& scenarios, const 
   return rows;
 }
 
-std::string tableOf(const std::vector<BesideRow>& rows, const std::vector<Engine>& engines) {
+std::string tableOf(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines) {
   std::string text = "| case | ours |", line = "|---|---|";
   for (const Engine engine : engines) text += std::string(" ") + title(engine) + " |", line += "---|";
   text += '\n' + line + '\n';
-  for (const BesideRow& row : rows) {
+  for (const ComparisonRow& row : rows) {
     text += "| `" + shortName(row.scenario) + "` |";
-    for (const Verdict& verdict : row.verdicts) text += ' ' + cell(verdict.text) + " |";
+    for (const Verdict& verdict : row.verdicts) text += ' ' + markdownCell(verdict.text) + " |";
     text += '\n';
   }
   return text;
 }
 
-Json toJson(const std::vector<BesideRow>& rows, const std::vector<Engine>& engines) {
+Json toJson(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines) {
   Json list = Json::array();
-  for (const BesideRow& row : rows)
+  for (const ComparisonRow& row : rows)
     for (std::size_t i = 0; i < row.verdicts.size(); ++i)
       list.push_back({{"scenario", row.scenario},
                       {"engine", i == 0 ? "morula" : name(engines[i - 1])},

@@ -27,7 +27,7 @@ const char* name(Verdict::Kind kind);
 
 /// A scenario and what was found of it: first ours, then the engines in the order in which they were asked
 /// for.
-struct BesideRow {
+struct ComparisonRow {
   std::string scenario;  // "hard/needle"
   std::vector<Verdict> verdicts;
 };
@@ -36,11 +36,11 @@ struct BesideRow {
 std::vector<Engine> parseEngines(const std::string& text);
 
 /// What a run says of the check that it was judged by.
-Verdict judge(const CheckParameters& check, const OtherRun& run);
+Verdict judge(const CheckParameters& check, const ExternalRun& run);
 /// Ours, from what `morula check` found.
 Verdict judge(const CheckParameters& check, const CheckReport& report);
 
-struct BesideOptions {
+struct ComparisonOptions {
   std::vector<Engine> engines;
   int cpuSeconds = usualCpuSeconds;
   bool quiet = false;
@@ -48,12 +48,12 @@ struct BesideOptions {
 
 /// Asks all engines for all scenarios, as many processes at a time as there are processors. `own`: ours, one
 /// for each scenario.
-std::vector<BesideRow> lookBeside(const std::vector<Scenario>& scenarios, const std::vector<Verdict>& own,
-                                  const BesideOptions& options);
+std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios,
+                                          const std::vector<Verdict>& own, const ComparisonOptions& options);
 
 /// A Markdown table, a row for each scenario.
-std::string tableOf(const std::vector<BesideRow>& rows, const std::vector<Engine>& engines);
+std::string tableOf(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines);
 /// A list with a row for each scenario and engine.
-Json toJson(const std::vector<BesideRow>& rows, const std::vector<Engine>& engines);
+Json toJson(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines);
 
 }  // namespace morula

@@ -1,18 +1,12 @@
 #include "engines/external_run.h"
 
-#include <cmath>
-#include <istream>
 #include <limits>
-#include <ostream>
-#include <sstream>
 
 #include "base/error.h"
 #include "check/invariants.h"
 #include "engines/bullet_run.h"
-#include "engines/external_run_json.h"
+#include "engines/messages.h"
 #include "simulation/measures.h"
-#include "system/child_process.h"
-#include "system/console.h"
 
 namespace morula {
 
@@ -36,7 +30,7 @@ struct OwnSteps {
 
 /// `run` has world() and step().
 template <class Run>
-void goThrough(Run& run, const Scenario& scenario, OtherRun& answer, std::ostream& out) {
+void goThrough(Run& run, const Scenario& scenario, ExternalRun& answer, const OnStep& onStep) {
   Invariants demands(scenario.check), least(leastDemands());
   Recorder recorder({scenario.record.every, {}});
   const auto observe = [&] {
@@ -50,10 +44,10 @@ void goThrough(Run& run, const Scenario& scenario, OtherRun& answer, std::ostrea
     run.step();
     answer.step = run.world().clock.step;
     holds = observe();
-    out << "step " << answer.step << std::endl;  // so that a process that dies has said how far it came
+    onStep(answer.step);
   }
   answer.results = holds ? demands.results(run.world()) : least.watched();
-  answer.end = holds ? OtherRun::End::done : OtherRun::End::broken;
+  answer.end = holds ? ExternalRun::End::done : ExternalRun::End::broken;
   answer.volumes = least.volumes();
   answer.samples = recorder.samples();
   if (!holds) return;
@@ -61,40 +55,6 @@ void goThrough(Run& run, const Scenario& scenario, OtherRun& answer, std::ostrea
     answer.samples.push_back({measureWorld(run.world()), measureCells(run.world()), {}});
   for (const CellPath& path : run.world().cells.path)
     answer.shapes.push_back(cellVertices(run.world(), path));
-}
-
-OtherRun runHere(const Json& question, std::ostream& out) {
-  OtherRun answer;
-  try {
-    std::vector<NamedFile> files;
-    for (const Json& f : question.at("files")) files.push_back({f.at("role"), f.at("path"), f.at("content")});
-    const Scenario scenario = readScenario(question.at("scenario"), question.at("file"), "", {}, files);
-    const auto engine = static_cast<Engine>(question.at("engine").get<int>());
-    if (engine == Engine::thesis) {
-      OwnSteps run{makeScenarioWorld(scenario, {})};
-      goThrough(run, scenario, answer, out);
-    } else {
-      const auto baseline = static_cast<Baseline>(static_cast<int>(engine) - static_cast<int>(Engine::b1));
-      BulletRun run(scenario, baseline, question.at("margin"),
-                    static_cast<Integrator>(question.at("integrator").get<int>()));
-      goThrough(run, scenario, answer, out);
-    }
-  } catch (const NumericalError& error) {
-    answer.end = OtherRun::End::stopped;
-    answer.why = error.what();
-  } catch (const InputError& error) {
-    answer.end = OtherRun::End::refused;
-    answer.why = error.what();
-  }
-  return answer;
-}
-
-/// The number behind the last "step " of a text that may be cut anywhere.
-std::uint64_t lastStep(const std::string& said) {
-  const auto end = said.rfind('\n');
-  if (end == said.npos) return 0;
-  const auto at = said.rfind("step ", end);
-  return at == said.npos ? 0 : std::strtoull(said.c_str() + at + 5, nullptr, 10);
 }
 
 }  // namespace
@@ -108,36 +68,30 @@ Engine engineOf(Baseline baseline) {
   return static_cast<Engine>(static_cast<int>(baseline) + static_cast<int>(Engine::b1));
 }
 
-void serveOtherRun(std::istream& in, std::ostream& out) {
-  const Json question = Json::parse(in, nullptr, false);
-  if (question.is_discarded()) throw InputError("the question to another engine is no JSON");
-  const OtherRun answer = runHere(question, out);
-  out << "answer " << jsonText(toJson(answer)) << '\n' << std::flush;
+Baseline baselineOf(Engine engine) {
+  return static_cast<Baseline>(static_cast<int>(engine) - static_cast<int>(Engine::b1));
 }
 
-OtherRun runElsewhere(const Scenario& scenario, const OtherQuestion& question, const std::string& program) {
-  Json files = Json::array();
-  for (const NamedFile& f : scenario.files)
-    files.push_back({{"role", f.role}, {"path", f.path}, {"content", f.content}});
-  const Json text{{"scenario", scenario.resolved},
-                  {"file", scenario.file},
-                  {"files", files},
-                  {"engine", static_cast<int>(question.engine)},
-                  {"margin", question.margin},
-                  {"integrator", static_cast<int>(question.integrator)}};
-  const ChildEnd end =
-      runChild({program, "other-worker"}, {.input = jsonText(text), .cpuSeconds = question.cpuSeconds});
-  OtherRun silent;
-  silent.step = lastStep(end.said);
-  if (end.outOfTime())
-    silent.why = "no answer within " + std::to_string(question.cpuSeconds) + " s of CPU time";
-  else if (!end.well()) silent.why = "its process " + end.text();
-  else silent.why = "its answer is cut";
-  const auto at = end.said.rfind("answer {");
-  if (!end.well() || at == end.said.npos) return silent;
+ExternalRun runHere(const Json& json, const OnStep& onStep) {
+  ExternalRun answer;
   try {
-    return otherRunFrom(Json::parse(end.said.substr(at + 7)));
-  } catch (const Json::exception&) { return silent; }
+    const Scenario scenario = scenarioFrom(json);
+    const ExternalQuestion question = externalQuestionFrom(json);
+    if (question.engine == Engine::thesis) {
+      OwnSteps run{makeScenarioWorld(scenario, {})};
+      goThrough(run, scenario, answer, onStep);
+    } else {
+      BulletRun run(scenario, baselineOf(question.engine), question.margin, question.integrator);
+      goThrough(run, scenario, answer, onStep);
+    }
+  } catch (const NumericalError& error) {
+    answer.end = ExternalRun::End::stopped;
+    answer.why = error.what();
+  } catch (const InputError& error) {
+    answer.end = ExternalRun::End::refused;
+    answer.why = error.what();
+  }
+  return answer;
 }
 
 }  // namespace morula

@@ -1,6 +1,7 @@
 #pragma once
 // A scenario's run as another engine computes it, in a process of its own: that may hang or die, and what
 // Bullet computes depends on what it did before.
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "golden/check_result.h"
 #include "scenario/scenario.h"
 #include "store/records.h"
+#include "system/json.h"
 
 namespace morula {
 
@@ -20,18 +22,20 @@ enum class Engine {
 /// "thesis", "b1", "b2", "b3".
 const char* name(Engine engine);
 Engine engineOf(Baseline baseline);
+/// Of an engine that is Bullet.
+Baseline baselineOf(Engine engine);
 
 /// More than any of the hard cases takes, by far: whoever has not answered then is stuck or hopeless.
 inline constexpr int usualCpuSeconds = 120;
 
-struct OtherQuestion {
+struct ExternalQuestion {
   Engine engine = Engine::b1;
   double margin = 0.01;              // [radii of the egg] Bullet's
   Integrator integrator = Integrator::velocityVerlet;  // B1's, as in BulletScene
   int cpuSeconds = usualCpuSeconds;  // of the process; then it is ended
 };
 
-struct OtherRun {
+struct ExternalRun {
   enum class End {
     done,
     broken,   // a cell was no cell any more: inside out, or at a place that is no number
@@ -48,11 +52,9 @@ struct OtherRun {
   std::vector<Sample> samples;  // as the scenario records, and the end; without states and contacts
 };
 
-/// The worker's side: reads a question, says "step N" after each step, and answers.
-void serveOtherRun(std::istream& in, std::ostream& out);
+using OnStep = std::function<void(std::uint64_t)>;
 
-/// The caller's side: asks `program`. The scenario has mechanics; with the engine thesis it has that law
-/// already. Never throws for what goes wrong on the other side.
-OtherRun runElsewhere(const Scenario& scenario, const OtherQuestion& question, const std::string& program);
+/// In this process: what was asked in JSON (messages.h). `onStep` hears the number of each step that is done.
+ExternalRun runHere(const Json& question, const OnStep& onStep);
 
 }  // namespace morula

@@ -55,7 +55,7 @@ std::optional<Verdict> brokenOf(const std::vector<CheckResult>& results) {
 }
 
 /// A run that was cut short because a cell is no cell any more.
-Verdict noCell(const OtherRun& run) {
+Verdict noCell(const ExternalRun& run) {
   const auto place = std::find_if(run.results.begin(), run.results.end(),
                                   [](const CheckResult& r) { return r.check == "extent" && !r.passed; });
   return {
@@ -76,8 +76,8 @@ const char* name(Verdict::Kind kind) {
   return names[static_cast<int>(kind)];
 }
 
-Verdict judge(const CheckParameters& check, const OtherRun& run) {
-  using End = OtherRun::End;
+Verdict judge(const CheckParameters& check, const ExternalRun& run) {
+  using End = ExternalRun::End;
   const bool mustStop = !check.fails.empty();
   if (run.end == End::silent)
     return {Verdict::Kind::noAnswer, fmt::format("{}, at step {}", run.why, run.step), run.step};

@@ -1,21 +1,10 @@
 #include "explain/text_difference.h"
 
 #include <algorithm>
-#include <sstream>
-#include <vector>
+
+#include "files/text.h"
 
 namespace morula {
-
-namespace {
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-}  // namespace
 
 std::string differingLines(const std::string& theirs, const std::string& ours) {
   constexpr std::size_t most = 40, far = 50;  // lines shown; how far to look for where the two meet again

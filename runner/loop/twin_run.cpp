@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "base/error.h"
@@ -17,12 +18,10 @@ constexpr std::array decades{1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-
                              1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1, 1.0};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-void moveByOneUlp(Bodies& bodies) {
-  const double x = bodies.position[bodies.at(0, 0)];
-  bodies.position[bodies.at(0, 0)] =
-      bodies.parameters.precision == Precision::binary64
-          ? std::nextafter(x, infinity)
-          : double(std::nextafter(float(x), std::numeric_limits<float>::infinity()));
+double nextAbove(double x, Precision precision) {
+  return precision == Precision::binary64
+             ? std::nextafter(x, infinity)
+             : double(std::nextafter(float(x), std::numeric_limits<float>::infinity()));
 }
 
 double distance(const World& a, const World& b) {
@@ -33,31 +32,43 @@ double distance(const World& a, const World& b) {
   return largest;
 }
 
-/// False where the run cannot go on.
-bool advance(World& world) {
-  try {
-    step(world);
-    return true;
-  } catch (const NumericalError&) { return false; }
-}
-
 }  // namespace
 
+Twins::Twins(World world, World twin) : world_(std::move(world)), twin_(std::move(twin)) {
+  CHECK(world_.bodies && world_.clock.step == 0, "twins are born at step 0, with bodies");
+  Bodies& b = *twin_.bodies;
+  double& x = b.position[b.at(0, 0)];
+  const double before = x;
+  x = nextAbove(x, b.parameters.precision);
+  ulp_ = x - before;
+}
+
+double Twins::step() {
+  std::exception_ptr failure;
+  for (World* w : {&world_, &twin_}) {
+    try {
+      morula::step(*w);
+    } catch (const NumericalError&) { failure = std::current_exception(); }
+  }
+  if (failure) std::rethrow_exception(failure);
+  return distance(world_, twin_);
+}
+
 TwinRun runTwins(World world, World twin, const std::function<void(const World&)>& watch) {
-  CHECK(world.bodies && world.clock.step == 0, "twins are born at step 0, with bodies");
-  moveByOneUlp(*twin.bodies);
   const double radius = world.model.mechanics->physics.cell.radius;
+  Twins twins(std::move(world), std::move(twin));
   TwinRun run;
   std::size_t next = 0;
-  while (!finished(world)) {
-    if (watch) watch(world);
-    const bool bothLive = advance(world) & advance(twin);
-    const double apart = bothLive ? distance(world, twin) / radius : infinity;
+  for (bool bothLive = true; bothLive && !finished(twins.world());) {
+    if (watch) watch(twins.world());
+    double apart = infinity;
+    try {
+      apart = twins.step() / radius;
+    } catch (const NumericalError&) { bothLive = false; }
     for (; next < decades.size() && apart >= decades[next]; ++next)
-      run.growth.push_back({decades[next], world.clock.step});
-    if (!bothLive) break;
+      run.growth.push_back({decades[next], twins.world().clock.step});
   }
-  run.end = hashState(world).whole;
+  run.end = hashState(twins.world()).whole;
   return run;
 }
 

@@ -80,16 +80,10 @@ Parsed<std::uint64_t> parseNatural(std::string_view text) {
 
 std::string Range::text() const {
   if (std::isfinite(low) && std::isfinite(high) && openLow)
-    return "> " + formatReal(low) + " and ≤ " + formatReal(high);
-  if (std::isfinite(low) && std::isfinite(high)) return "from " + formatReal(low) + " to " + formatReal(high);
-  if (std::isfinite(low)) return (openLow ? "> " : "≥ ") + formatReal(low);
+    return "> " + exactText(low) + " and ≤ " + exactText(high);
+  if (std::isfinite(low) && std::isfinite(high)) return "from " + exactText(low) + " to " + exactText(high);
+  if (std::isfinite(low)) return (openLow ? "> " : "≥ ") + exactText(low);
   return "";
-}
-
-std::string formatReal(double value) {
-  char buffer[32];
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return {buffer, end};
 }
 
 }  // namespace morula::scenario

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/number_text.h"
+
 namespace morula::scenario {
 
 /// A number or what is wrong with the text, as half a sentence: "has a leading zero".
@@ -36,8 +38,5 @@ inline constexpr Range positive{.low = 0, .openLow = true, .ordinary = true};
 inline constexpr Range notNegative{.low = 0, .ordinary = true};
 /// What an ordinary number is, unless it is 0: its cube, and products of a few such numbers, are numbers still.
 inline constexpr Range ordinaryNumbers{.low = 1e-30, .high = 1e30};
-
-/// The shortest decimal text that reads back as the same number: "0.1", "40", "1e+30".
-std::string formatReal(double value);
 
 }  // namespace morula::scenario

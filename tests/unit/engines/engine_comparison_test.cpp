@@ -14,7 +14,7 @@
 #include "system/usage_error.h"
 
 using namespace morula;
-using End = OtherRun::End;
+using End = ExternalRun::End;
 
 namespace {
 
@@ -26,8 +26,8 @@ CheckResult failing(const char* check, const char* expected, const char* actual,
   return r;
 }
 
-OtherRun runWith(End end, std::vector<CheckResult> results = {}, std::string why = "") {
-  OtherRun run;
+ExternalRun runWith(End end, std::vector<CheckResult> results = {}, std::string why = "") {
+  ExternalRun run;
   run.end = end, run.why = std::move(why), run.step = 12;
   run.results = std::move(results);
   run.volumes = {0.25, 3};
@@ -78,7 +78,7 @@ TEST_CASE("Engines are named, and a name that is none is refused") {
 }
 
 TEST_CASE("A table has a row for each scenario and a column for each engine; bars do not break it") {
-  const std::vector<BesideRow> rows{
+  const std::vector<ComparisonRow> rows{
       {"hard/one", {{Verdict::Kind::holds, "holds", {}}, {Verdict::Kind::notAsked, "a|b", {}}}}};
   CHECK(tableOf(rows, {Engine::b1}) ==
         "| case | ours | Bullet, B1 |\n|---|---|---|\n| `one` | holds | a\\|b |\n");
@@ -96,9 +96,9 @@ TEST_CASE("Whatever goes wrong with a question ends that question alone") {
                    "odd.yaml", ".");
   scenario.files.push_back({"dna", "odd.dna", "\xff"});
   if (!bulletIsAvailable()) return;
-  const auto rows = lookBeside({scenario, scenario}, {{}, {}}, {{Engine::b1, Engine::b2}, 1, true});
+  const auto rows = compareEngines({scenario, scenario}, {{}, {}}, {{Engine::b1, Engine::b2}, 1, true});
   REQUIRE(rows.size() == 2);
-  for (const BesideRow& row : rows)
+  for (const ComparisonRow& row : rows)
     for (const std::size_t engine : {1, 2}) {
       CHECK(row.verdicts[engine].kind == Verdict::Kind::noAnswer);
       CHECK_FALSE(row.verdicts[engine].text.empty());
@@ -143,8 +143,8 @@ TEST_CASE("What several workers tell at a time stays in lines") {
   std::string told;
   {
     const SlowConsole console;
-    lookBeside(std::vector<Scenario>(20, scenario), std::vector<Verdict>(20),
-               {{Engine::thesis, Engine::b1}, 1, false});
+    compareEngines(std::vector<Scenario>(20, scenario), std::vector<Verdict>(20),
+                   {{Engine::thesis, Engine::b1}, 1, false});
     told = console.text();
   }
   std::istringstream lines(told);

@@ -7,7 +7,8 @@
 
 #include "catch.h"
 #include "engines/bullet_world.h"
-#include "engines/external_run_json.h"
+#include "engines/engine_worker.h"
+#include "engines/messages.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
 #include "temporary_folder.h"
@@ -25,35 +26,29 @@ const std::string two =
 Scenario scenarioOf(const std::string& text) { return readScenario(text, "two.yaml", "."); }
 
 /// The worker's side without a process.
-OtherRun serve(const Scenario& scenario, Engine engine) {
-  const Json question{{"scenario", scenario.resolved},
-                      {"file", "two.yaml"},
-                      {"files", Json::array()},
-                      {"engine", static_cast<int>(engine)},
-                      {"margin", 0.01},
-                      {"integrator", static_cast<int>(Integrator::velocityVerlet)}};
-  std::istringstream in(question.dump());
+ExternalRun serve(const Scenario& scenario, Engine engine) {
+  std::istringstream in(jsonText(toJson(scenario, ExternalQuestion{.engine = engine})));
   std::ostringstream out;
-  serveOtherRun(in, out);
+  serveEngine(in, out);
   const std::string said = out.str();
-  return otherRunFrom(Json::parse(said.substr(said.rfind("answer {") + 7)));
+  return externalRunFrom(Json::parse(said.substr(said.rfind("{\"answer\""))).at("answer"));
 }
 
 /// A program that does not do what it should: a shell script.
-OtherRun askScript(const std::string& body, int cpuSeconds = 0) {
+ExternalRun askScript(const std::string& body, int cpuSeconds = 0) {
   const TemporaryFolder folder;
   const std::string file = folder.path() / "worker";
   std::ofstream(file) << "#!/bin/sh\n" << body << '\n';
   std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-  return runElsewhere(scenarioOf(two), {.engine = Engine::b1, .cpuSeconds = cpuSeconds}, file);
+  return runExternally(scenarioOf(two), {.engine = Engine::b1, .cpuSeconds = cpuSeconds}, file);
 }
 
 }  // namespace
 
 TEST_CASE("Ours by another process is ours: steps, results, samples and shapes") {
   const Scenario scenario = scenarioOf(two);
-  const OtherRun run = serve(scenario, Engine::thesis);  // whatever law stands in the scenario
-  CHECK(run.end == OtherRun::End::done);
+  const ExternalRun run = serve(scenario, Engine::thesis);  // whatever law stands in the scenario
+  CHECK(run.end == ExternalRun::End::done);
   CHECK(run.step == 32);
   World ours = makeWorld(scenario.scene);
   while (!finished(ours)) step(ours);
@@ -72,8 +67,8 @@ TEST_CASE("Bullet moves the same cells, in the time step that is given, stable o
     WARN("this program was built without Bullet");
     return;
   }
-  const OtherRun run = serve(scenarioOf(two), Engine::b1);
-  CHECK(run.end == OtherRun::End::done);
+  const ExternalRun run = serve(scenarioOf(two), Engine::b1);
+  CHECK(run.end == ExternalRun::End::done);
   CHECK(run.step == 32);
   REQUIRE(run.shapes.size() == 2);
   double x = 0;
@@ -82,32 +77,32 @@ TEST_CASE("Bullet moves the same cells, in the time step that is given, stable o
   const auto timeStep = two.find("0.0078125"), stop = two.find("0.25");
   const std::string unstable = two.substr(0, stop) + "9" + two.substr(stop + 4, timeStep - stop - 4) +
                                "0.125" + two.substr(timeStep + 9);
-  const OtherRun broken = serve(scenarioOf(unstable), Engine::b2);
-  CHECK(broken.end == OtherRun::End::broken);
+  const ExternalRun broken = serve(scenarioOf(unstable), Engine::b2);
+  CHECK(broken.end == ExternalRun::End::broken);
   CHECK(broken.step < 72);
-  CHECK(serve(scenarioOf(unstable), Engine::thesis).end == OtherRun::End::refused);
+  CHECK(serve(scenarioOf(unstable), Engine::thesis).end == ExternalRun::End::refused);
 }
 
 TEST_CASE("A worker that is killed, cut, confused or stuck is an answer of its own kind, and never a hang") {
-  const auto why = [](const OtherRun& run) {
-    CHECK(run.end == OtherRun::End::silent);
+  const auto why = [](const ExternalRun& run) {
+    CHECK(run.end == ExternalRun::End::silent);
     return run.why;
   };
-  const OtherRun killed = askScript("echo step 7; echo ste; kill -9 $$");
+  const ExternalRun killed = askScript("echo '{\"step\": 7}'; echo '{\"ste'; kill -9 $$");
   CHECK(why(killed) == "its process was ended by signal 9");
   CHECK(killed.step == 7);
   CHECK(why(askScript("exit 3")) == "its process ended with code 3");
-  CHECK(why(askScript("echo step 2")) == "its answer is cut");
-  CHECK(why(askScript("echo 'answer {\"end\": 0, \"why\": \"'")) == "its answer is cut");
-  CHECK(why(askScript("echo 'answer {\"end\": 0}'")) == "its answer is cut");
-  CHECK(why(askScript("cat > /dev/null; echo answer")) == "its answer is cut");
+  CHECK(why(askScript("echo '{\"step\": 2}'")) == "its answer is cut");
+  CHECK(why(askScript("echo '{\"answer\": {\"end\": 0, \"why\": \"'")) == "its answer is cut");
+  CHECK(why(askScript("echo '{\"answer\": {\"end\": 0}}'")) == "its answer is cut");
+  CHECK(why(askScript("cat > /dev/null; echo answer; echo '{\"answer\": 3}'")) == "its answer is cut");
   const std::string whole =
-      "echo 'answer {\"end\": 0, \"why\": \"\", \"step\": 1, \"volumes\": [1, 1], \"results\": [], "
-      "\"shapes\": [], \"samples\": []}'; ";
-  CHECK(askScript(whole).end == OtherRun::End::done);
+      "echo '{\"answer\": {\"end\": 0, \"why\": \"\", \"step\": 1, \"volumes\": [1, 1], \"results\": [], "
+      "\"shapes\": [], \"samples\": []}}'; ";
+  CHECK(askScript(whole).end == ExternalRun::End::done);
   CHECK(why(askScript(whole + "exit 3")) == "its process ended with code 3");
-  const OtherRun stuck = askScript("echo step 4; while :; do :; done", 1);
+  const ExternalRun stuck = askScript("echo '{\"step\": 4}'; while :; do :; done", 1);
   CHECK(why(stuck) == "no answer within 1 s of CPU time");
   CHECK(stuck.step == 4);
-  CHECK(why(runElsewhere(scenarioOf(two), {}, "/nowhere/morula")) == "its process ended with code 127");
+  CHECK(why(runExternally(scenarioOf(two), {}, "/nowhere/morula")) == "its process ended with code 127");
 }

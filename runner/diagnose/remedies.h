@@ -8,13 +8,13 @@
 
 namespace morula {
 
-struct Trial {
+struct Remedy {
   std::string key;                    // "physics.time_step"
   std::string value;                  // what would stand there
   std::function<void(World&)> apply;  // to a world in the middle of its run
 };
 
 /// The changes that make sense for the scene, the mildest first; `timeStep`, unless 0, before all others.
-std::vector<Trial> trialsFor(const World& world, double timeStep);
+std::vector<Remedy> remediesFor(const World& world, double timeStep);
 
 }  // namespace morula

@@ -1,11 +1,12 @@
-// The text between the program and Bullet's process.
-#include "engines/wire.h"
+// What the program and its worker tell each other.
+#include "engines/messages.h"
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 
 #include "catch.h"
-#include "engines/worker.h"
+#include "engines/engine_worker.h"
 #include "lab.h"
 
 using namespace morula;
@@ -38,9 +39,7 @@ bool same(const Body& a, const Body& b) {
 
 TEST_CASE("A request arrives as it was sent") {
   const BulletRequest sent = everything();
-  std::stringstream line;
-  writeRequest(line, sent);
-  const BulletRequest got = readRequest(line);
+  const BulletRequest got = bulletRequestFrom(Json::parse(jsonText(toJson(sent))));
   const BulletScene &a = sent.scene, &b = got.scene;
   CHECK(got.steps == sent.steps);
   CHECK(got.reports == sent.reports);
@@ -65,43 +64,49 @@ TEST_CASE("A request arrives as it was sent") {
 
 TEST_CASE("A result arrives as it was sent") {
   const auto cells = everything().scene.cells;
-  const BulletResult sent{cells, {1e-6, 0.25}, {{cells[1]}, cells}};
-  std::stringstream line;
-  writeResult(line, sent);
-  const BulletResult got = readResult(line);
+  BulletResult sent{cells, {1e-6, 0.25}, {{cells[1]}, cells}};
+  sent.cells[0].position[0].x = std::numeric_limits<double>::quiet_NaN();
+  sent.cells[0].velocity[0].z = std::numeric_limits<double>::infinity();
+  const BulletResult got = bulletResultFrom(Json::parse(jsonText(toJson(sent))));
   CHECK(got.stepSeconds == sent.stepSeconds);
   REQUIRE(got.cells.size() == 2);
   CHECK(same(got.cells[1], sent.cells[1]));
+  CHECK(std::isnan(got.cells[0].position[0].x));  // what is no number stays none
+  CHECK(std::isnan(got.cells[0].velocity[0].z));
   REQUIRE((got.reports.size() == 2 && got.reports[0].size() == 1 && got.reports[1].size() == 2));
   CHECK(same(got.reports[0][0], cells[1]));
 }
 
-TEST_CASE("A broken message is told, wherever it breaks") {
-  std::ostringstream whole;
-  writeRequest(whole, everything());
-  const std::string text = whole.str();
-  for (std::size_t length = 0; length + 5 < text.size(); length += 97) {
-    std::istringstream cut(text.substr(0, length));
-    CHECK_THROWS_AS(readRequest(cut), InputError);
+TEST_CASE("A broken question is told, wherever it breaks") {
+  const auto serve = [](const std::string& text) {
+    std::istringstream in(text);
+    std::ostringstream out;
+    serveEngine(in, out);
+  };
+  const Json whole = toJson(everything());
+  const std::string text = jsonText(whole);
+  for (std::size_t length = 0; length + 1 < text.size(); length += 97)
+    CHECK_THROWS_AS(serve(text.substr(0, length)), InputError);
+  for (const auto& [key, value] : whole.items()) {
+    if (key == "shell") continue;  // there may be none
+    CAPTURE(key);
+    Json changed = whole;
+    changed.erase(key);
+    CHECK_THROWS_WITH(serve(jsonText(changed)), ContainsSubstring("cannot be read"));
+    changed[key] = "x";
+    CHECK_THROWS_AS(serve(jsonText(changed)), InputError);
   }
-  std::istringstream wrongWord("morula-bullet-request-1 baseline 1 stops 3");
-  CHECK_THROWS_WITH(readRequest(wrongWord), ContainsSubstring("'stops' stands where 'steps' was expected"));
-  std::istringstream wrongNumber("morula-bullet-request-1 baseline 1 steps 3x");
-  CHECK_THROWS_WITH(readRequest(wrongNumber), ContainsSubstring("'3x' stands where a number"));
 }
 
 TEST_CASE("The worker answers a request, the same each time") {
   NEEDS_BULLET
-  BulletRequest request{pressurisedCell(1, Baseline::b1, 0), 5, {2, 5}};
-  std::ostringstream text;
-  writeRequest(text, request);
+  const BulletRequest request{pressurisedCell(1, Baseline::b1, 0), 5, {2, 5}};
   std::vector<Body> first;
   for (int turn = 0; turn < 2; ++turn) {
-    std::istringstream in(text.str());
+    std::istringstream in(jsonText(toJson(request)));
     std::ostringstream out;
-    serveBullet(in, out);
-    std::istringstream reply(out.str());
-    const BulletResult result = readResult(reply);
+    serveEngine(in, out);
+    const BulletResult result = bulletResultFrom(Json::parse(out.str()).at("answer"));
     CHECK(result.stepSeconds.size() == 5);
     REQUIRE(result.cells.size() == 1);
     REQUIRE(result.reports.size() == 2);  // on the way, and the end once more
