@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "bench/chart.h"
+#include "charts/chart.h"
 
 namespace morula {
 

@@ -2,7 +2,7 @@
 // An accuracy report as a picture: error over CPU time, both on logarithmic scales; each point is labelled
 // with its time step.
 #include "accuracy/accuracy.h"
-#include "render/image.h"
+#include "image/image.h"
 
 namespace morula {
 

@@ -48,13 +48,6 @@ bool haveSameCells(const Shapes& a, const Shapes& b);
 /// Of two with the same cells.
 StateError compareShapes(const Shapes& shapes, const Shapes& reference, double eggRadius);
 
-/// [length] From each vertex of one surface to the nearest point of the other.
-std::vector<double> measureDistances(const Mesh& from, const Mesh& to);
-
-/// [length] From the vertices of either surface to the nearest points of the other: the root mean square of
-/// all. Meshes may differ. 0 for the same surface.
-double measureSurfaceDistance(const Mesh& a, const Mesh& b);
-
 /// Largest difference of the times at which cells of both lineages were born. [time]
 double compareBirths(std::span<const LineageEntry> a, std::span<const LineageEntry> b);
 

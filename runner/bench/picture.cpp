@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "bench/chart.h"
+#include "charts/chart.h"
 
 namespace morula {
 

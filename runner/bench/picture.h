@@ -1,7 +1,7 @@
 #pragma once
 // A bench report as a picture: time per vertex and step over the number of cells, both on logarithmic scales.
 #include "bench/bench.h"
-#include "render/image.h"
+#include "image/image.h"
 
 namespace morula {
 

@@ -1,11 +1,11 @@
 #include "check/check_run.h"
 
 #include "base/error.h"
-#include "cli/pictures.h"
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/observe.h"
-#include "render/renderer_name.h"
+#include "organism/renderer_name.h"
+#include "pictures/pictures.h"
 #include "scenario/deciding_values.h"
 #include "scenario/numbers.h"
 #include "simulation/measures.h"

@@ -5,14 +5,14 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "cli/pictures.h"
-#include "engines/engine_worker.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
+#include "pictures/pictures.h"
 #include "simulation/world.h"
 #include "store/build_info.h"
+#include "system/child_process.h"
 #include "system/console.h"
 
 namespace morula {

@@ -12,10 +12,10 @@
 #include "bench/table.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
 #include "cli/verb.h"
 #include "engines/engine_worker.h"
 #include "files/folders.h"
+#include "pictures/pictures.h"
 #include "store/machine_info.h"
 #include "system/console.h"
 

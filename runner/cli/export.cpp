@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
 #include "cli/verb.h"
 #include "export/license.h"
 #include "export/ro_crate.h"
@@ -17,6 +16,7 @@
 #include "files/safe_name.h"
 #include "golden/accept.h"
 #include "loop/stored_scenario.h"
+#include "pictures/pictures.h"
 #include "system/console.h"
 
 namespace morula::cli {

@@ -7,11 +7,11 @@
 #include "check/check_run.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
 #include "cli/verb.h"
 #include "files/folders.h"
 #include "loop/simulate.h"
 #include "parts/forecast.h"
+#include "pictures/pictures.h"
 #include "system/clock.h"
 #include "system/console.h"
 

@@ -7,10 +7,10 @@
 #include "base/error.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pictures.h"
 #include "cli/verb.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
+#include "pictures/pictures.h"
 #include "system/console.h"
 
 namespace morula::cli {

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "engines/bullet_scene.h"
 #include "engines/engine_comparison.h"
+#include "engines/engine_worker.h"
 #include "system/child_process.h"
 
 namespace morula {

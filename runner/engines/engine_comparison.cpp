@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "engines/bullet_scene.h"
+#include "engines/engine_worker.h"
 #include "files/text.h"
 #include "golden/accept.h"
 #include "scenario/bullet_fit.h"

@@ -37,10 +37,9 @@ double distance(const World& a, const World& b) {
 Twins::Twins(World world, World twin) : world_(std::move(world)), twin_(std::move(twin)) {
   CHECK(world_.bodies && world_.clock.step == 0, "twins are born at step 0, with bodies");
   Bodies& b = *twin_.bodies;
-  double& x = b.position[b.at(0, 0)];
-  const double before = x;
-  x = nextAbove(x, b.parameters.precision);
-  ulp_ = x - before;
+  const double before = b.position[b.at(0, 0)], after = nextAbove(before, b.parameters.precision);
+  b.position[b.at(0, 0)] = after;
+  ulp_ = after - before;
 }
 
 double Twins::step() {

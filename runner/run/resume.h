@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "cli/pictures.h"
+#include "pictures/pictures.h"
 #include "store/recorder.h"
 #include "store/store.h"
 

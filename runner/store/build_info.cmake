@@ -40,9 +40,9 @@ include(${FACTS})
 
 # The sources' digest: of their names and contents, in order of name.
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/core/*.h ${SOURCE}/core/*.cpp ${SOURCE}/core/*.cmake
-     ${SOURCE}/core/CMakeLists.txt ${SOURCE}/runner/*.h ${SOURCE}/runner/*.cpp ${SOURCE}/runner/*.cmake ${SOURCE}/runner/CMakeLists.txt
+     ${SOURCE}/core/CMakeLists.txt ${SOURCE}/reports/*.h ${SOURCE}/reports/*.cpp ${SOURCE}/reports/CMakeLists.txt ${SOURCE}/runner/*.h ${SOURCE}/runner/*.cpp ${SOURCE}/runner/*.cmake ${SOURCE}/runner/CMakeLists.txt
      ${SOURCE}/CMakeLists.txt)
-list(FILTER files INCLUDE REGEX "^(core/|runner/|CMakeLists.txt$)")
+list(FILTER files INCLUDE REGEX "^(core/|reports/|runner/|CMakeLists.txt$)")
 list(SORT files)
 set(listing "")
 foreach(file IN LISTS files)
@@ -69,7 +69,7 @@ file(REAL_PATH ${SOURCE} here)
 if(top STREQUAL here)
   git(commit rev-parse HEAD)
   git(edited status --porcelain --untracked-files=no)
-  git(added status --porcelain core runner CMakeLists.txt)  # a new source is an edit too
+  git(added status --porcelain core reports runner CMakeLists.txt)  # a new source is an edit too
   if("${edited}${added}" STREQUAL "")
     set(state clean)
   elseif(NOT commit STREQUAL "unknown")
@@ -83,7 +83,7 @@ if(state STREQUAL "modified")
   set(limit 262144)
   set(edits ${OUTPUT}.diff)
   execute_process(COMMAND git -C ${SOURCE} diff --no-ext-diff --no-color HEAD OUTPUT_FILE ${edits} ERROR_QUIET)
-  git(new -c core.quotepath=off ls-files --others --exclude-standard core runner CMakeLists.txt)
+  git(new -c core.quotepath=off ls-files --others --exclude-standard core reports runner CMakeLists.txt)
   string(REPLACE "\n" ";" new "${new}")
   foreach(file IN LISTS new)
     execute_process(COMMAND git -C ${SOURCE} diff --no-ext-diff --no-color --no-index -- /dev/null ${file}

@@ -35,7 +35,7 @@ stand_in() { # NAME, its text on stdin
   chmod +x "$scratch/bin/$1"
 }
 
-mkdir -p "$scratch/bin" "$tree/core/base" "$tree/runner" "$tree/.git/logs"
+mkdir -p "$scratch/bin" "$tree/core/base" "$tree/reports" "$tree/runner" "$tree/.git/logs"
 cp "$source/morula" "$source/.packages" "$tree"
 touch "$tree/CMakeLists.txt" "$tree/CMakePresets.json" "$tree/core/base/a.h" "$tree/core/base/b.h" "$tree/.git/logs/HEAD"
 export MORULA_TEST_SCRATCH="$scratch" # where the stand-ins write

@@ -3,12 +3,12 @@
 #include <set>
 
 #include "bench/bench.h"
-#include "bench/chart.h"
 #include "bench/picture.h"
 #include "bench/ratios.h"
 #include "bench/table.h"
 #include "bench/work.h"
 #include "catch.h"
+#include "charts/chart.h"
 
 using namespace morula;
 

@@ -1,0 +1,88 @@
+#include "drawing/annotations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawing/text.h"
+
+namespace morula {
+namespace {
+
+constexpr Colour titleInk{0x1b, 0x1f, 0x24}, captionInk{0x5c, 0x63, 0x6b};
+
+struct LegendPlace {
+  double x;
+  int row;
+};
+
+double swatch(double size) { return 0.85 * size; }
+
+std::string legendText(const LegendEntry& entry, double size, double width) {
+  return shortened(entry.label, {.size = size}, width - swatch(size) - 0.45 * size);
+}
+
+/// Entries run from left to right and wrap; every place is relative to the legend's left end.
+std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, double size, double width) {
+  std::vector<LegendPlace> places;
+  double x = 0;
+  int row = 0;
+  for (const LegendEntry& entry : legend) {
+    const double length =
+        swatch(size) + 0.45 * size + textWidth(legendText(entry, size, width), {.size = size});
+    if (x > 0 && x + length > width) x = 0, ++row;
+    places.push_back({x, row});
+    x += length + 1.3 * size;
+  }
+  return places;
+}
+
+void drawSwatch(Image& image, double x, double y, double side, Colour colour) {
+  const int left = int(std::lround(x)), top = int(std::lround(y)),
+            length = std::max(3, int(std::lround(side)));
+  paste(image, Image(length, length, colour), left, top);
+}
+
+}  // namespace
+
+double textSizeFor(int width, int height) { return std::clamp(std::min(width, height) / 56.0, 10.0, 40.0); }
+
+Bands bandsFor(const Annotations& annotations, int width, int height) {
+  const double size = textSizeFor(width, height);
+  double top = 0, bottom = 0;
+  if (!annotations.title.empty()) top += 2.0 * size;
+  if (!annotations.caption.empty()) top += 1.5 * size;
+  if (top > 0) top += 0.9 * size;
+  if (!annotations.legend.empty()) {
+    const auto places = placeLegend(annotations.legend, size, width - 3 * size);
+    bottom = (places.back().row + 1) * 1.6 * size + 1.2 * size;
+  }
+  return {int(std::min(top, height / 4.0)), int(std::min(bottom, height / 4.0))};
+}
+
+void annotate(Image& image, const Annotations& annotations) {
+  const double size = textSizeFor(image.width, image.height), left = 1.5 * size;
+  const Bands bands = bandsFor(annotations, image.width, image.height);
+  const double room = image.width - 2 * left;
+  double y = 0.9 * size;
+  if (!annotations.title.empty()) {
+    const TextStyle style{.size = 1.45 * size, .colour = titleInk, .bold = true};
+    drawText(image, left, y += 1.5 * size, shortened(annotations.title, style, room), style);
+    y += 0.5 * size;
+  }
+  if (!annotations.caption.empty()) {
+    const TextStyle style{.size = size, .colour = captionInk};
+    drawText(image, left, y + size, shortened(annotations.caption, style, room), style);
+  }
+  if (annotations.legend.empty()) return;
+  const auto places = placeLegend(annotations.legend, size, room);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double x = left + places[i].x;
+    const double baseline = image.height - bands.bottom + (places[i].row + 1) * 1.6 * size;
+    if (baseline > image.height) break;
+    drawSwatch(image, x, baseline - 0.78 * size, swatch(size), annotations.legend[i].colour);
+    drawText(image, x + swatch(size) + 0.45 * size, baseline, legendText(annotations.legend[i], size, room),
+             {.size = size, .colour = captionInk});
+  }
+}
+
+}  // namespace morula

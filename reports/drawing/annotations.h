@@ -1,0 +1,34 @@
+#pragma once
+// Title, caption and legend: bands above and below a picture, so that words never cover what is shown.
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace morula {
+
+struct LegendEntry {
+  Colour colour;
+  std::string label;
+};
+
+struct Annotations {
+  std::string title, caption;
+  std::vector<LegendEntry> legend;
+};
+
+struct Bands {
+  int top = 0, bottom = 0;  // [pixel]
+};
+
+/// The heights that the words need on a picture of this size: none without words, and never so much that the
+/// middle loses more than half of the height.
+Bands bandsFor(const Annotations& annotations, int width, int height);
+
+/// Draws the words into the bands of an image.
+void annotate(Image& image, const Annotations& annotations);
+
+/// [pixel] of ordinary text on a picture of this size.
+double textSizeFor(int width, int height);
+
+}  // namespace morula

@@ -1,0 +1,68 @@
+#include "organism/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace morula {
+namespace {
+
+constexpr double halfAngle = 0.19;  // tangent; about 21 degrees over the smaller side of the picture
+constexpr double margin = 1.06;     // room between the outermost points and the picture's edge
+
+}  // namespace
+
+EyeAxes eyeAxes(const Camera& camera) {
+  const double length = norm(camera.towardsEye);
+  if (!(length > 0) || !std::isfinite(length))
+    throw InputError("the camera's direction has no length; give it any other than (0, 0, 0)");
+  const Vector z = camera.towardsEye / length;
+  const Vector right = cross(camera.up, z);
+  const double width = norm(right);
+  if (!(width > 1e-9 * norm(camera.up)) || !std::isfinite(width))
+    throw InputError("the camera's up is parallel to its direction or has no length; choose another");
+  const Vector x = right / width;
+  return {x, cross(z, x), z};
+}
+
+Aperture apertureOf(int width, int height) {
+  const double smaller = std::min(width, height);
+  return {halfAngle * width / smaller, halfAngle * height / smaller};
+}
+
+Framing frame(const std::vector<Point>& points, const EyeAxes& axes, const Aperture& aperture) {
+  if (points.empty()) return {};
+  Vector low = axes.of(points.front()), high = low;
+  for (const Point& point : points) {
+    const Vector p = axes.of(point);
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Vector middle = (low + high) * 0.5;
+  // A point at (x, y, z) from the middle is seen if |x| <= aperture · (distance − z).
+  double distance = 0;
+  for (const Point& point : points) {
+    const Vector p = axes.of(point) - middle;
+    distance = std::max(
+        {distance, std::abs(p.x) * margin / aperture.x + p.z, std::abs(p.y) * margin / aperture.y + p.z});
+  }
+  return {axes.x * middle.x + axes.y * middle.y + axes.z * middle.z, distance > 0 ? distance : 1};
+}
+
+std::array<float, 16> projection(const Aperture& aperture, double distance, double nearClip, double farClip) {
+  const double depth = farClip - nearClip;
+  std::array<double, 16> m{};
+  m[0] = 1 / aperture.x;
+  m[5] = 1 / aperture.y;
+  // The depth d = distance − z from the eye becomes (far + near)/depth − 2·far·near/(depth·d), in [−1, 1].
+  m[10] = -(farClip + nearClip) / depth;
+  m[11] = -1;
+  m[14] = -2 * farClip * nearClip / depth + distance * (farClip + nearClip) / depth;
+  m[15] = distance;
+  std::array<float, 16> result;
+  std::transform(m.begin(), m.end(), result.begin(), [](double value) { return float(value); });
+  return result;
+}
+
+}  // namespace morula

@@ -1,0 +1,37 @@
+#pragma once
+// Where the eye stands and how space becomes a picture: a gentle perspective, so that a compact organism
+// looks solid without being bent.
+#include <array>
+#include <vector>
+
+#include "base/vec3.h"
+#include "organism/organism.h"
+
+namespace morula {
+
+/// The eye's own axes; x to the right, y up, z from the scene to the eye. Right-handed, unit length.
+struct EyeAxes {
+  Vector x, y, z;
+  Vector of(const Vector& v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
+};
+
+/// Throws InputError if the directions have no length or are parallel.
+EyeAxes eyeAxes(const Camera& camera);
+
+/// Half of the picture's width and height at distance 1 from the eye: the smaller one is fixed, the larger
+/// follows.
+struct Aperture {
+  double x, y;
+};
+Aperture apertureOf(int width, int height);
+
+/// The nearest framing from which all points are seen, with a margin, the box around them in the middle.
+/// Points at one place only (or none) give distance 1.
+Framing frame(const std::vector<Point>& points, const EyeAxes& axes, const Aperture& aperture);
+
+/// Projection of eye coordinates relative to the framing's centre (so x right, y up, z to the eye, the eye
+/// itself at z = distance), column by column as OpenGL wants it. Depths nearClip to farClip from the eye are
+/// kept.
+std::array<float, 16> projection(const Aperture& aperture, double distance, double nearClip, double farClip);
+
+}  // namespace morula

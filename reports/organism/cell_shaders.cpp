@@ -1,0 +1,138 @@
+// What runs for cells and lines.
+#include "organism/shader_parts.h"
+#include "organism/shaders.h"
+
+namespace morula {
+using namespace shader;
+
+std::string cellVertexShader() {
+  return std::string(version) + R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 direction;
+layout(location = 2) in vec3 corner;   // barycentric in the mesh's face
+layout(location = 3) in vec4 pigment;  // linear colour and opacity
+layout(location = 4) in uint cell;
+uniform mat4 projection;
+out vec3 eyeNormal, eyePosition, faceCorner;
+flat out vec4 cellPigment;
+flat out uint cellOwner;
+void main() {
+  eyePosition = position;
+  eyeNormal = direction;
+  faceCorner = corner;
+  cellPigment = pigment;
+  cellOwner = cell;
+  gl_Position = projection * vec4(position, 1.0);
+}
+)";
+}
+
+std::string cellFragmentShader(bool peel) {
+  return std::string(version) + (peel ? "#define PEEL\n" : "") + common + R"(
+in vec3 eyeNormal, eyePosition, faceCorner;
+flat in vec4 cellPigment;
+flat in uint cellOwner;
+layout(location = 0) out vec4 light;
+layout(location = 1) out uint owner;
+layout(location = 2) out vec4 shape;  // normal, depth
+uniform int wireframe;
+uniform float wireWidth;  // [sample]
+uniform vec3 paperLight;
+#ifdef PEEL
+uniform sampler2D opaqueDepth, lastDepth;
+#endif
+
+const vec3 keyLight = normalize(vec3(-0.55, 0.75, 0.70));
+const vec3 fillLight = normalize(vec3(0.85, -0.10, 0.55));
+
+// A large lamp: it reaches a little round the edge and fades out there without a visible border.
+float soft(float cosine, float reach) {
+  float share = max(0.0, (cosine + reach) / (1.0 + reach));
+  return share * share;
+}
+
+vec3 lit(vec3 pigment, vec3 n, vec3 v) {
+  float key = soft(dot(n, keyLight), 0.70), fill = soft(dot(n, fillLight), 0.50);
+  vec3 sky = mix(vec3(0.25, 0.24, 0.25), vec3(0.40, 0.42, 0.45), 0.5 + 0.5 * n.y);
+  vec3 light = sky + key * vec3(0.76, 0.74, 0.70) + fill * vec3(0.14, 0.15, 0.18);
+  float facing = max(0.0, dot(n, v));
+  float rim = (1.0 - facing) * (1.0 - facing) * (1.0 - facing);
+  float shine = max(0.0, dot(n, normalize(keyLight + v)));
+  shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;  // to the 32nd
+  return pigment * light + rim * 0.30 * (0.6 * pigment + 0.4 * vec3(0.8, 0.85, 0.95)) + 0.10 * shine;
+}
+
+// How much of the sample a mesh edge covers, with the lines thinned out where faces are only a few samples wide.
+float wire() {
+  vec3 perSample = vec3(length(vec2(dFdx(faceCorner.x), dFdy(faceCorner.x))),
+                        length(vec2(dFdx(faceCorner.y), dFdy(faceCorner.y))),
+                        length(vec2(dFdx(faceCorner.z), dFdy(faceCorner.z))));
+  vec3 away = faceCorner / max(perSample, vec3(1e-9));  // [sample] from each edge
+  float nearest = min(away.x, min(away.y, away.z));
+  float height = 1.0 / max(1e-9, max(perSample.x, max(perSample.y, perSample.z)));  // the face's smallest
+  return clamp(0.5 * wireWidth + 0.5 - nearest, 0.0, 1.0) * clamp(height / (4.0 * wireWidth), 0.25, 1.0);
+}
+
+void main() {
+#ifdef PEEL
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  float z = gl_FragCoord.z;
+  if (z >= texelFetch(opaqueDepth, at, 0).r || z <= texelFetch(lastDepth, at, 0).r) discard;
+#endif
+  vec3 n = normalize(eyeNormal);
+  vec3 v = normalize(vec3(0.0, 0.0, eyeDistance) - eyePosition);
+  vec3 pigment = cellPigment.rgb;
+  float opacity = cellPigment.a;
+  if (wireframe == 0) {
+    light = vec4(lit(pigment, n, v), opacity);
+  } else {
+    float facing = max(0.0, dot(n, v));
+    float lines = wire();
+    vec3 fill = mix(paperLight, pigment, 0.16) * (0.82 + 0.18 * facing);
+    vec3 ink = pigment * (0.40 + 0.35 * facing);
+    light = vec4(mix(fill, ink, lines), mix(opacity, 1.0, lines));
+  }
+  shape = vec4(n, eyePosition.z);
+  owner = cellOwner;
+}
+)";
+}
+
+std::string lineVertexShader() {
+  return std::string(version) + common + R"(
+layout(location = 0) in vec3 here;
+layout(location = 1) in vec3 there;  // the other end
+layout(location = 2) in float side;  // -1 or 1
+layout(location = 3) in vec3 pigment;
+uniform mat4 projection;
+uniform float width;  // [sample]
+flat out vec3 linePigment;
+out float eyeZ;
+void main() {
+  vec4 a = projection * vec4(here, 1.0), b = projection * vec4(there, 1.0);
+  vec2 along = (b.xy / b.w - a.xy / a.w) * vec2(size);
+  float reach = length(along);
+  vec2 across = reach > 1e-6 ? vec2(-along.y, along.x) / reach : vec2(1.0, 0.0);
+  linePigment = pigment;
+  eyeZ = here.z;
+  gl_Position = a + vec4(across * side * width / vec2(size) * a.w, 0.0, 0.0);
+}
+)";
+}
+
+std::string lineFragmentShader() {
+  return std::string(version) + common + R"(
+flat in vec3 linePigment;
+in float eyeZ;
+layout(location = 0) out vec4 light;
+layout(location = 1) out uint owner;
+layout(location = 2) out vec4 shape;
+void main() {
+  light = vec4(linePigment, 1.0);
+  shape = vec4(0.0, 0.0, 1.0, eyeZ);
+  owner = lineOwner;
+}
+)";
+}
+
+}  // namespace morula

@@ -1,0 +1,80 @@
+#include "organism/gl_context.h"
+
+#include <GL/osmesa.h>
+
+#include <array>
+#include <cstdlib>
+#include <mutex>
+
+#include "base/error.h"
+
+// OSMesa never frees a few hundred bytes for each context's framebuffer. The leak checker of the sanitizer
+// builds should report our leaks, not that one.
+#if defined(__has_feature)
+#define MORULA_ASAN __has_feature(address_sanitizer)
+#elif defined(__SANITIZE_ADDRESS__)
+#define MORULA_ASAN 1
+#else
+#define MORULA_ASAN 0
+#endif
+#if MORULA_ASAN
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
+#endif
+
+namespace morula {
+
+struct OffscreenContext::Handle {
+  OSMesaContext context = nullptr;
+  std::array<unsigned char, 4 * 16 * 16>
+      pixels{};  // OSMesa insists on a default framebuffer; nothing is drawn there
+};
+
+namespace {
+
+/// llvmpipe compiles shaders for the CPU it finds. At a width of 128 bits it still fuses multiplications with
+/// additions where the CPU can, which moves a pixel in ten thousand by one level; told that there is nothing
+/// beyond SSE 4.1 it does not, and gives the same pixels on every x86-64. The disk cache would write into the
+/// user's home directory.
+void settleDriver() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
+    setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  });
+}
+
+}  // namespace
+
+OffscreenContext::OffscreenContext() : handle_(new Handle) {
+  settleDriver();
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            0,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            3,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            3,
+                            0};
+  handle_->context = OSMesaCreateContextAttribs(attributes, nullptr);
+  if (!handle_->context) {
+    delete handle_;
+    throw BugError("OSMesa gives no OpenGL 3.3 context");
+  }
+  makeCurrent();
+}
+
+OffscreenContext::~OffscreenContext() {
+  OSMesaDestroyContext(handle_->context);
+  delete handle_;
+}
+
+void OffscreenContext::makeCurrent() {
+  if (!OSMesaMakeCurrent(handle_->context, handle_->pixels.data(), GL_UNSIGNED_BYTE, 16, 16))
+    throw BugError("OSMesa cannot make its context current");
+}
+
+}  // namespace morula

@@ -1,0 +1,85 @@
+#pragma once
+// OpenGL objects that clean up after themselves, and no more of OpenGL than the pictures need.
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "organism/gl_context.h"
+
+namespace morula {
+
+/// A linked pair of shaders. A mistake in them is a bug of ours: BugError with the compiler's text.
+class Program {
+ public:
+  Program(const std::string& vertexSource, const std::string& fragmentSource);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void use() const;
+  /// Uniforms of the program in use. A name the shader does not use is passed over, as OpenGL does.
+  void set(const char* name, int value) const;
+  void set(const char* name, float value) const;
+  void set(const char* name, float x, float y) const;
+  void set(const char* name, float x, float y, float z) const;
+  void setPairs(const char* name, const float* values, int pairs) const;
+  void setSize(const char* name, int x, int y) const;
+  void setMatrix(const char* name, const float* columns16) const;
+
+ private:
+  GLuint program_;
+};
+
+/// A texture as large as a picture, read texel by texel.
+class Texture {
+ public:
+  Texture(int width, int height, GLenum internalFormat);
+  ~Texture();
+  Texture(const Texture&) = delete;
+  Texture& operator=(const Texture&) = delete;
+  GLuint id() const { return texture_; }
+  void bind(int unit) const;
+
+ private:
+  GLuint texture_;
+};
+
+/// Draws into textures: some colours, up to the first that is null, and perhaps a depth.
+class Framebuffer {
+ public:
+  Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth);
+  ~Framebuffer();
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+  void bind() const;
+
+ private:
+  GLuint framebuffer_;
+};
+
+struct VertexAttribute {
+  GLint components;
+  GLenum type;
+  bool integer;     // reaches the shader as an integer
+  bool normalised;  // 0..255 reaches the shader as 0..1
+  std::size_t offset;
+};
+
+/// Vertices on their way into the pipeline; attribute number i stands at location i. Triangles are three
+/// vertices after three, or as indices say if there are any.
+class VertexBuffer {
+ public:
+  VertexBuffer(const void* data, std::size_t bytes, std::size_t stride,
+               std::initializer_list<VertexAttribute> attributes,
+               const std::vector<std::uint32_t>& indices = {});
+  ~VertexBuffer();
+  VertexBuffer(const VertexBuffer&) = delete;
+  VertexBuffer& operator=(const VertexBuffer&) = delete;
+  void drawTriangles(std::size_t firstCorner, std::size_t corners) const;
+
+ private:
+  GLuint buffer_ = 0, array_ = 0, indices_ = 0;
+};
+
+}  // namespace morula

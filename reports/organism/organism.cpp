@@ -1,0 +1,164 @@
+#include "organism/organism.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/cell_path.h"
+#include "base/error.h"
+#include "drawing/annotations.h"
+#include "organism/camera.h"
+#include "organism/organism_renderer.h"
+
+namespace morula {
+namespace {
+
+bool finite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// How many vertices a cell with these faces has at least.
+std::int32_t neededBy(const std::vector<Face>& faces) {
+  std::int32_t needed = 0;
+  for (const Face& face : faces)
+    for (const auto corner : face) {
+      if (corner < 0)
+        throw InputError("the picture's faces count vertices from 0, not from a negative number");
+      needed = std::max(needed, corner + 1);
+    }
+  return needed;
+}
+
+void checkCells(const OrganismPicture& picture) {
+  const std::int32_t neededByMost = neededBy(picture.faces);
+  for (const CellShape& cell : picture.cells) {
+    const std::int32_t needed = cell.faces.empty() ? neededByMost : neededBy(cell.faces);
+    if (cell.vertices.size() < std::size_t(needed))
+      throw InputError(cellName(cell.path) + " has " + std::to_string(cell.vertices.size()) +
+                       " vertices; its faces in the picture need " + std::to_string(needed));
+    if (!std::all_of(cell.vertices.begin(), cell.vertices.end(), finite))
+      throw InputError(cellName(cell.path) + " has a vertex that is not finite and cannot be drawn");
+    if (!cell.colours.empty() && cell.colours.size() != cell.vertices.size())
+      throw InputError(cellName(cell.path) + " has " + std::to_string(cell.colours.size()) +
+                       " colours for its " + std::to_string(cell.vertices.size()) + " vertices");
+    if (!(cell.opacity >= 0 && cell.opacity <= 1))
+      throw InputError("the opacity of " + cellName(cell.path) + " must be 0 (not drawn) to 1 (solid)");
+  }
+}
+
+void check(const OrganismPicture& picture) {
+  const auto fits = [](int side) { return side >= 16 && side <= 8192; };
+  if (!fits(picture.width) || !fits(picture.height))
+    throw InputError("a picture of " + std::to_string(picture.width) + " x " +
+                     std::to_string(picture.height) +
+                     " pixels cannot be drawn; width and height must be 16 to 8192");
+  if (picture.samples < 1 || picture.samples > 4)
+    throw InputError("a picture cannot have " + std::to_string(picture.samples) +
+                     " samples per pixel side; it must be 1 to 4");
+  constexpr long long mostSamples = 50'000'000;  // some 40 bytes each
+  if (1LL * picture.width * picture.height * picture.samples * picture.samples > mostSamples)
+    throw InputError(
+        "a picture of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+        " pixels with " + std::to_string(picture.samples) +
+        " samples per pixel side takes too much memory; width · height · samples² must not exceed " +
+        std::to_string(mostSamples));
+  if (picture.shell &&
+      !(finite(*picture.shell) && picture.shell->x > 0 && picture.shell->y > 0 && picture.shell->z > 0))
+    throw InputError("the shell's semi-axes must be greater than 0");
+  for (const LineMark& line : picture.lines)
+    if (!finite(line.from) || !finite(line.to))
+      throw InputError("a line of the picture has an end that is not finite");
+  const auto& framing = picture.camera.framing;
+  if (framing && !(finite(framing->centre) && framing->distance > 0 && std::isfinite(framing->distance)))
+    throw InputError("the camera's framing must be finite, with a distance greater than 0");
+  checkCells(picture);
+}
+
+Annotations wordsOf(const OrganismPicture& picture) {
+  return {picture.title, picture.caption, picture.legend};
+}
+
+int sceneHeight(const OrganismPicture& picture, int width) {
+  const Bands bands = bandsFor(wordsOf(picture), width, picture.height);
+  return picture.height - bands.top - bands.bottom;
+}
+
+/// What must be inside the picture.
+std::vector<Point> extent(const OrganismPicture& picture) {
+  std::vector<Point> points;
+  if (picture.shell) {
+    const Vector semi = *picture.shell * shellThickness;
+    for (const Point& p : makeIcosphere(3).vertices)
+      points.push_back({p.x * semi.x, p.y * semi.y, p.z * semi.z});
+    return points;
+  }
+  for (const CellShape& cell : picture.cells)
+    if (cell.opacity > 0) points.insert(points.end(), cell.vertices.begin(), cell.vertices.end());
+  for (const LineMark& line : picture.lines) points.push_back(line.from), points.push_back(line.to);
+  return points;
+}
+
+Framing framingOf(const std::vector<Point>& points, const OrganismPicture& picture, int width) {
+  return frame(points, eyeAxes(picture.camera), apertureOf(picture.width, sceneHeight(picture, width)));
+}
+
+OrganismRenderer& rendererOfThisThread() {
+  static thread_local OrganismRenderer renderer;
+  return renderer;
+}
+
+/// The scenes side by side, one per style, in one frame of words.
+Image compose(const OrganismPicture& picture, const std::vector<Style>& styles) {
+  check(picture);
+  const int width = picture.width * int(styles.size()), height = sceneHeight(picture, width);
+  const Framing framing =
+      picture.camera.framing ? *picture.camera.framing : framingOf(extent(picture), picture, width);
+  Image image(width, picture.height, paper);
+  const int top = bandsFor(wordsOf(picture), width, picture.height).top;
+  for (std::size_t i = 0; i < styles.size(); ++i)
+    paste(image, rendererOfThisThread().draw(picture, styles[i], framing, picture.width, height),
+          picture.width * int(i), top);
+  annotate(image, wordsOf(picture));
+  return image;
+}
+
+}  // namespace
+
+Image drawOrganism(const OrganismPicture& picture, Style style) { return compose(picture, {style}); }
+
+Image drawSolidAndWireframe(const OrganismPicture& picture) {
+  return compose(picture, {Style::solid, Style::wireframe});
+}
+
+Framing fitFraming(const OrganismPicture& picture) {
+  return fitFraming(std::vector<OrganismPicture>{picture});
+}
+
+Framing fitFraming(const std::vector<OrganismPicture>& sequence) {
+  if (sequence.empty()) throw InputError("a framing needs at least one picture");
+  std::vector<Point> points;
+  for (const OrganismPicture& picture : sequence) {
+    check(picture);
+    const std::vector<Point> more = extent(picture);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return framingOf(points, sequence.front(), sequence.front().width);
+}
+
+void addNormals(OrganismPicture& picture, double length, Colour colour) {
+  checkCells(picture);
+  for (const CellShape& cell : picture.cells) {
+    const std::vector<Vector> normals = vertexNormals(cell.vertices, facesOf(picture, cell));
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      picture.lines.push_back({cell.vertices[i], cell.vertices[i] + normals[i] * length, colour});
+  }
+}
+
+void addForces(OrganismPicture& picture, std::size_t cell, const std::vector<Vector>& forces,
+               double lengthPerForce, Colour colour) {
+  if (cell >= picture.cells.size() || forces.size() != picture.cells[cell].vertices.size())
+    throw InputError(
+        "forces to be drawn must name a cell of the picture and be one for each of its vertices");
+  const std::vector<Point>& vertices = picture.cells[cell].vertices;
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    picture.lines.push_back({vertices[i], vertices[i] + forces[i] * lengthPerForce, colour});
+}
+
+}  // namespace morula

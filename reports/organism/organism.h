@@ -1,0 +1,89 @@
+#pragma once
+// The organism in three dimensions, drawn off-screen: no display, no window, no graphics card. Knows nothing
+// of the simulator: whoever has cells with vertices and colours can have a picture of them.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec3.h"
+#include "drawing/annotations.h"
+#include "mesh/mesh.h"
+
+namespace morula {
+
+struct CellShape {
+  std::string path;             // the lineage path; only used in messages
+  std::vector<Point> vertices;  // [length] in the order that its faces count them
+  Colour colour = neutralGrey;
+  double opacity = 1;             // 0 (not drawn) to 1 (solid); lower: what is behind shines through
+  std::vector<Face> faces{};      // its own mesh; empty: the picture's
+  std::vector<Colour> colours{};  // of its vertices, for maps of something; empty: all have its colour
+};
+
+/// A straight line in space, for forces, normals and connections.
+struct LineMark {
+  Point from, to;  // [length]
+  Colour colour;
+  bool throughCells = false;  // also seen where cells stand before it
+};
+
+/// Which part of space fills the picture. Give all pictures of a sequence the same one and it does not jump.
+struct Framing {
+  Point centre;         // [length] what the eye looks at
+  double distance = 1;  // [length] of the eye from the centre
+};
+
+struct Camera {
+  Vector towardsEye{0.35, -1, 0.45};  // from the organism to the eye; any length but 0
+  Vector up{0, 0, 1};                 // what is up in the picture; not parallel to towardsEye
+  std::optional<Framing> framing;     // absent: fits the shell, or without a shell the cells
+};
+
+struct OrganismPicture {
+  std::vector<Face> faces;  // the mesh of all cells that have none of their own
+  std::vector<CellShape> cells;
+  std::optional<Vector> shell;  // semi-axes [length] of an ellipsoid about the origin, drawn as a faint rim
+  std::vector<LineMark> lines;
+  Camera camera;
+  std::string title;    // top left; all texts are UTF-8
+  std::string caption;  // one line under the title, for example time and cells
+  std::vector<LegendEntry> legend;
+  int width = 900, height = 900;  // [pixel] 16 to 8192
+  int samples = 2;  // supersampling: rays per pixel side, 1 to 4; higher: smoother edges, slower, more memory
+};
+
+enum class Style {
+  solid,      // smooth lit surfaces, dark outlines where cells meet
+  wireframe,  // the mesh's edges in the cells' colours, hidden ones hidden
+};
+
+inline const std::vector<Face>& facesOf(const OrganismPicture& picture, const CellShape& cell) {
+  return cell.faces.empty() ? picture.faces : cell.faces;
+}
+
+/// Draws the picture; equal input gives equal pixels. No cells (an empty organism) give the background, shell
+/// and texts. Throws InputError for sizes out of range, a cell whose vertex count does not fit the faces, and
+/// coordinates that are not finite.
+Image drawOrganism(const OrganismPicture& picture, Style style = Style::solid);
+
+/// Solid and wireframe side by side, 2·width × height.
+Image drawSolidAndWireframe(const OrganismPicture& picture);
+
+/// The framing that `drawOrganism` would choose.
+Framing fitFraming(const OrganismPicture& picture);
+
+/// One framing in which all of these pictures are whole. Throws InputError for none.
+Framing fitFraming(const std::vector<OrganismPicture>& sequence);
+
+/// The unit normals at a cell's vertices: means over their faces with the weights that are exact on a sphere,
+/// sin(angle) / (product of the lengths of the two edges) [Max 1999].
+std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std::vector<Face>& faces);
+
+/// Adds a line along the normal of every vertex, as the thesis draws them. [length]
+void addNormals(OrganismPicture& picture, double length, Colour colour = {0x33, 0x66, 0xcc});
+
+/// Adds a line along the force on every vertex of cell number `cell`. `lengthPerForce` in [length/force].
+void addForces(OrganismPicture& picture, std::size_t cell, const std::vector<Vector>& forces,
+               double lengthPerForce, Colour colour = {0xcc, 0x22, 0x22});
+
+}  // namespace morula

@@ -1,0 +1,115 @@
+// The last passes of OrganismRenderer: translucent cells, and everything together.
+#include "organism/organism_passes.h"
+
+namespace morula {
+namespace {
+
+constexpr int maxLayers = 16;  // of translucent surfaces, one behind the other
+
+/// How the shader gets from eye space to the world in units of the shell's semi-axes, and with normals of
+/// that unit sphere back, whose inverse transpose has the same factors.
+void setShell(const Program& program, const Vector& wall, const EyeAxes& axes, const Point& centre) {
+  const Vector rows[3] = {axes.x, axes.y, axes.z};
+  const double semi[3] = {wall.x, wall.y, wall.z};
+  const double middle[3] = {centre.x, centre.y, centre.z};
+  float toShell[16] = {}, fromNormal[16] = {};
+  for (int eye = 0; eye < 3; ++eye) {
+    const double parts[3] = {rows[eye].x, rows[eye].y, rows[eye].z};
+    for (int world = 0; world < 3; ++world) {
+      toShell[4 * eye + world] = float(parts[world] / semi[world]);
+      fromNormal[4 * world + eye] = float(parts[world] / semi[world]);
+    }
+  }
+  for (int world = 0; world < 3; ++world) toShell[12 + world] = float(middle[world] / semi[world]);
+  toShell[15] = fromNormal[15] = 1;
+  program.setMatrix("toShell", toShell);
+  program.setMatrix("fromNormal", fromNormal);
+}
+
+/// The pixels of the framebuffer in use.
+Image readBack(int width, int height) {
+  std::vector<std::uint8_t> rgba(std::size_t(4) * width * height);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  Image image(width, height, paper);
+  for (int y = 0; y < height; ++y) {
+    const std::uint8_t* row = &rgba[std::size_t(4) * width * (height - 1 - y)];  // OpenGL counts upward
+    for (int x = 0; x < width; ++x) image.at(x, y) = {row[4 * x], row[4 * x + 1], row[4 * x + 2]};
+  }
+  return image;
+}
+
+}  // namespace
+
+bool OrganismRenderer::drawVeils(const Frame& frame) {
+  const std::size_t count = frame.surface.corners.size() - frame.surface.solid;
+  if (count == 0) return false;
+  // Depth peeling [Everitt 2001]: each turn draws the nearest surfaces behind those of the last turn, so
+  // whatever the cells' order and however they interpenetrate, each sample meets its surfaces from front to
+  // back.
+  if (!targets_->veils)
+    targets_->veils = std::make_unique<Targets::Veils>(frame.gridWidth(), frame.gridHeight());
+  Targets::Veils& veils = *targets_->veils;
+  const float none[4] = {0, 0, 0, 0}, zero = 0;
+  veils.framebuffer.bind();
+  glClearBufferfv(GL_COLOR, 0, none);
+  veils.second.framebuffer.bind();
+  glClearBufferfv(GL_DEPTH, 0, &zero);  // the first layer lies behind nothing
+  GLuint query = 0;
+  glGenQueries(1, &query);
+  for (int turn = 0; turn < maxLayers; ++turn) {
+    const Targets::Layer &here = turn % 2 ? veils.second : veils.first,
+                         &last = turn % 2 ? veils.first : veils.second;
+    here.framebuffer.bind();
+    glViewport(0, 0, frame.gridWidth(), frame.gridHeight());
+    clearLayer(float(frame.framing.distance));
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    programs_->peel.use();
+    programs_->peel.set("opaqueDepth", 0);
+    programs_->peel.set("lastDepth", 1);
+    targets_->solid.depth.bind(0);
+    last.depth.bind(1);
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    frame.cells->drawTriangles(frame.surface.solid, count);
+    glEndQuery(GL_SAMPLES_PASSED);
+    GLuint passed = 0;
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
+    if (passed == 0) break;
+    frame.describe(programs_->layer);
+    programs_->layer.set("lights", 0);
+    programs_->layer.set("owners", 1);
+    here.lights.bind(0);
+    here.owners.bind(1);
+    glEnable(GL_BLEND);  // under: only what the layers before let through
+    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    fillScreen(veils.framebuffer, frame.gridWidth(), frame.gridHeight());
+    glDisable(GL_BLEND);
+  }
+  glDeleteQueries(1, &query);
+  return true;
+}
+
+Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
+  const Program& program = programs_->resolve;
+  frame.describe(program);
+  setPaper(program);
+  program.set("lights", 0);
+  program.set("shapes", 1);
+  program.set("owners", 2);
+  program.set("visibles", 3);
+  program.set("veils", 4);
+  program.set("veiled", veiled ? 1 : 0);
+  program.set("shelled", frame.picture.shell ? 1 : 0);
+  targets_->solid.lights.bind(0);
+  targets_->solid.shapes->bind(1);
+  targets_->solid.owners.bind(2);
+  targets_->firstVisible.bind(3);
+  if (veiled) targets_->veils->sum.bind(4);
+  if (frame.picture.shell)
+    setShell(program, *frame.picture.shell * shellThickness, frame.axes, frame.framing.centre);
+  fillScreen(targets_->resultBuffer, frame.width, frame.height);
+  return readBack(frame.width, frame.height);
+}
+
+}  // namespace morula

@@ -1,0 +1,201 @@
+// The passes over solid cells and lines; the others are in organism_compose.cpp.
+#include "organism/organism_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "organism/organism_passes.h"
+
+namespace morula {
+namespace {
+
+struct LineVertex {
+  float here[3], there[3], side, light[3];
+};
+
+/// Two triangles that the vertex shader spreads apart on the screen. At the far end "along" points backward,
+/// so the sides swap.
+void addRibbon(std::vector<LineVertex>& to, const LineMark& line, const EyeAxes& axes, const Point& centre) {
+  const Vector a = axes.of(line.from - centre), b = axes.of(line.to - centre);
+  const auto vertex = [&](const Vector& p, const Vector& q, float side) {
+    to.push_back({{float(p.x), float(p.y), float(p.z)},
+                  {float(q.x), float(q.y), float(q.z)},
+                  side,
+                  {float(linearLight(line.colour.r)), float(linearLight(line.colour.g)),
+                   float(linearLight(line.colour.b))}});
+  };
+  vertex(a, b, -1), vertex(b, a, 1), vertex(a, b, 1);
+  vertex(a, b, 1), vertex(b, a, 1), vertex(b, a, -1);
+}
+
+/// The mean distance of a vertex from its cell's middle: how far shadows between cells should reach.
+double meanCellSize(const OrganismPicture& picture) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const CellShape& cell : picture.cells) {
+    Point middle;
+    for (const Point& p : cell.vertices) middle += p / double(cell.vertices.size());
+    for (const Point& p : cell.vertices) sum += norm(p - middle), ++count;
+  }
+  return count ? sum / double(count) : 1;
+}
+
+/// The directions in which the occlusion shader looks: steps of the golden angle, and sixteen turns of them.
+void setSpiral(const Program& program) {
+  constexpr int taps = 18;  // as in the shader
+  float spiral[2 * taps], turns[2 * 16];
+  for (int i = 0; i < taps; ++i)
+    spiral[2 * i] = float(std::cos(2.399963 * i)), spiral[2 * i + 1] = float(std::sin(2.399963 * i));
+  for (int i = 0; i < 16; ++i) {
+    const double turn = 6.283185 * (i + 0.5) / 16;
+    turns[2 * i] = float(std::cos(turn)), turns[2 * i + 1] = float(std::sin(turn));
+  }
+  program.setPairs("spiral", spiral, taps);
+  program.setPairs("turns", turns, 16);
+}
+
+/// The depths from the eye that are kept: everything that is drawn, and the middle in any case.
+std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAxes& axes,
+                                     const Framing& framing) {
+  double nearest = framing.distance * 0.9, farthest = framing.distance * 1.1;
+  const auto keep = [&](const Point& p) {
+    const double depth = framing.distance - axes.of(p - framing.centre).z;
+    nearest = std::min(nearest, 0.98 * depth);
+    farthest = std::max(farthest, 1.02 * depth);
+  };
+  for (const CellShape& cell : picture.cells) std::for_each(cell.vertices.begin(), cell.vertices.end(), keep);
+  for (const LineMark& line : picture.lines) keep(line.from), keep(line.to);
+  return {std::max(nearest, 0.02 * framing.distance), farthest};
+}
+
+}  // namespace
+
+void clearLayer(float eyeDistance) {
+  const float none[4] = {0, 0, 0, 0}, faraway[4] = {0, 0, 0, -20 * eyeDistance}, one = 1;
+  const GLuint nobody[4] = {0, 0, 0, 0};
+  glClearBufferfv(GL_COLOR, 0, none);
+  glClearBufferuiv(GL_COLOR, 1, nobody);
+  glClearBufferfv(GL_COLOR, 2, faraway);
+  glClearBufferfv(GL_DEPTH, 0, &one);
+}
+
+void setPaper(const Program& program) {
+  program.set("paperLight", float(linearLight(paper.r)), float(linearLight(paper.g)),
+              float(linearLight(paper.b)));
+}
+
+OrganismRenderer::OrganismRenderer() : context_(new OffscreenContext), programs_(new Programs) {}
+
+OrganismRenderer::~OrganismRenderer() { context_->makeCurrent(); }
+
+Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const Framing& framing, int width,
+                             int height) {
+  context_->makeCurrent();
+  const EyeAxes axes = eyeAxes(picture.camera);
+  const Aperture aperture = apertureOf(width, height);
+  const auto [nearest, farthest] = clipDepths(picture, axes, framing);
+  Frame frame{.picture = picture,
+              .style = style,
+              .axes = axes,
+              .framing = framing,
+              .width = width,
+              .height = height,
+              .samples = picture.samples,
+              .aperture = aperture,
+              .matrix = projection(aperture, framing.distance, nearest, farthest),
+              .pixel = float(picture.samples * std::max(1.0, std::min(width, height) / 900.0)),
+              .surface = makeSurface(picture, axes, framing)};
+  const VertexBuffer cells(frame.surface.vertices.data(),
+                           frame.surface.vertices.size() * sizeof(SurfaceVertex), sizeof(SurfaceVertex),
+                           {{3, GL_FLOAT, false, false, offsetof(SurfaceVertex, position)},
+                            {3, GL_FLOAT, false, false, offsetof(SurfaceVertex, normal)},
+                            {3, GL_FLOAT, false, false, offsetof(SurfaceVertex, corner)},
+                            {4, GL_UNSIGNED_SHORT, false, true, offsetof(SurfaceVertex, light)},
+                            {1, GL_UNSIGNED_INT, true, false, offsetof(SurfaceVertex, owner)}},
+                           frame.surface.corners);
+  frame.cells = &cells;
+  if (!targets_ || targets_->width != width || targets_->height != height ||
+      targets_->samples != picture.samples) {
+    targets_.reset();
+    targets_ = std::make_unique<Targets>(width, height, picture.samples);
+  }
+  drawSolid(frame);
+  drawLines(frame);
+  findOcclusion(frame);
+  const bool veiled = drawVeils(frame);
+  return resolve(frame, veiled);
+}
+
+void OrganismRenderer::fillScreen(const Framebuffer& target, int width, int height) {
+  target.bind();
+  glViewport(0, 0, width, height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  programs_->screen.drawTriangles(0, 3);
+}
+
+void OrganismRenderer::drawSolid(const Frame& frame) {
+  targets_->solid.framebuffer.bind();
+  glViewport(0, 0, frame.gridWidth(), frame.gridHeight());
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  clearLayer(float(frame.framing.distance));
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glEnable(GL_CULL_FACE);
+  for (const Program* program : {&programs_->peel, &programs_->cell}) {
+    frame.describe(*program);
+    program->set("wireframe", frame.style == Style::wireframe ? 1 : 0);
+    program->set("wireWidth", 1.0f * frame.pixel);
+    setPaper(*program);
+  }
+  if (frame.surface.solid > 0) frame.cells->drawTriangles(0, frame.surface.solid);
+}
+
+void OrganismRenderer::drawLines(const Frame& frame) {
+  if (frame.picture.lines.empty()) return;
+  std::vector<LineVertex> vertices;
+  std::size_t hidden = 0;  // vertices of lines that cells hide
+  for (const bool through : {false, true}) {
+    for (const LineMark& line : frame.picture.lines)
+      if (line.throughCells == through) addRibbon(vertices, line, frame.axes, frame.framing.centre);
+    if (!through) hidden = vertices.size();
+  }
+  const VertexBuffer buffer(vertices.data(), vertices.size() * sizeof(LineVertex), sizeof(LineVertex),
+                            {{3, GL_FLOAT, false, false, offsetof(LineVertex, here)},
+                             {3, GL_FLOAT, false, false, offsetof(LineVertex, there)},
+                             {1, GL_FLOAT, false, false, offsetof(LineVertex, side)},
+                             {3, GL_FLOAT, false, false, offsetof(LineVertex, light)}});
+  frame.describe(programs_->line);
+  programs_->line.set("width", 1.3f * frame.pixel);
+  glDisable(GL_CULL_FACE);
+  if (hidden > 0) buffer.drawTriangles(0, hidden);
+  glDepthFunc(GL_ALWAYS);
+  if (hidden < vertices.size()) buffer.drawTriangles(hidden, vertices.size() - hidden);
+  glDepthFunc(GL_LESS);
+}
+
+void OrganismRenderer::findOcclusion(const Frame& frame) {
+  frame.describe(programs_->occlusion);
+  // As far as a cell is large, but not so far that the taps would lie too thin in the picture.
+  const double radius =
+      std::min(0.8 * meanCellSize(frame.picture), 0.4 * frame.framing.distance * frame.aperture.y);
+  programs_->occlusion.set("radius", float(radius));
+  setSpiral(programs_->occlusion);
+  programs_->occlusion.set("shapes", 0);
+  programs_->occlusion.set("owners", 1);
+  targets_->solid.shapes->bind(0);
+  targets_->solid.owners.bind(1);
+  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
+  // Twice: along an edge the first pass lacks half of the pattern that it should even out.
+  frame.describe(programs_->blur);
+  programs_->blur.set("raw", 0);
+  programs_->blur.set("owners", 1);
+  targets_->firstVisible.bind(0);
+  fillScreen(targets_->secondVisibleBuffer, frame.width, frame.height);
+  targets_->secondVisible.bind(0);
+  fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
+}
+
+}  // namespace morula

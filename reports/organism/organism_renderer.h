@@ -1,0 +1,40 @@
+#pragma once
+// The passes that make an organism's picture, with everything that stays on the graphics side from one
+// picture to the next. One per thread.
+#include <memory>
+
+#include "organism/organism.h"
+
+namespace morula {
+
+/// The shell's wall is drawn outside of it, up to so many times its semi-axes: cells that touch it stay
+/// whole.
+inline constexpr double shellThickness = 1.02;
+
+class OrganismRenderer {
+ public:
+  OrganismRenderer();
+  ~OrganismRenderer();
+  OrganismRenderer(const OrganismRenderer&) = delete;
+  OrganismRenderer& operator=(const OrganismRenderer&) = delete;
+
+  /// The scene alone, without words, width × height pixels. The input is checked already.
+  Image draw(const OrganismPicture& picture, Style style, const Framing& framing, int width, int height);
+
+ private:
+  struct Programs;
+  struct Targets;
+  struct Frame;
+  void fillScreen(const class Framebuffer& target, int width, int height);
+  void drawSolid(const Frame& frame);
+  void drawLines(const Frame& frame);
+  bool drawVeils(const Frame& frame);
+  void findOcclusion(const Frame& frame);
+  Image resolve(const Frame& frame, bool veiled);
+
+  std::unique_ptr<class OffscreenContext> context_;
+  std::unique_ptr<Programs> programs_;
+  std::unique_ptr<Targets> targets_;
+};
+
+}  // namespace morula

@@ -1,0 +1,204 @@
+// What runs over the whole picture.
+#include "organism/shader_parts.h"
+#include "organism/shaders.h"
+
+namespace morula {
+using namespace shader;
+
+namespace {
+
+// Dark lines where one cell ends and another thing begins, as a draughtsman would set them: 1 inside, less at
+// an edge. llvmpipe runs both sides of an `if`, but leaves a loop at once when no pixel wants a turn: hence
+// the number of them.
+const char* const outlines = R"(
+uniform usampler2D owners;
+uniform int outlineReach;  // in samples
+const ivec2 around[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+float outlineShade(ivec2 at, uint own, bool wanted) {
+  float edges = 0.0;
+  int turns = wanted && own != 0u && own != lineOwner ? 4 : 0;
+  for (int i = 0; i < turns; ++i) {
+    ivec2 there = clamp(at + outlineReach * around[i], ivec2(0), size - 1);
+    uint other = texelFetch(owners, there, 0).r;
+    if (other != own && other != lineOwner) edges = 1.0;
+  }
+  return 1.0 - 0.72 * edges;
+}
+)";
+
+}  // namespace
+
+std::string screenVertexShader() {
+  return std::string(version) + R"(
+void main() {  // one triangle that covers the picture
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+}
+
+// Scalable ambient obscurance [McGuire, Mara, Luebke 2012]: points nearby that rise above the tangent plane
+// take light away, more the nearer they are; beyond `radius` none.
+std::string occlusionShader() {
+  return std::string(version) + common + R"(
+uniform sampler2D shapes;
+uniform usampler2D owners;
+uniform int samples;
+uniform float radius;
+uniform vec2 spiral[18];  // directions of the taps
+uniform vec2 turns[16];   // cosine and sine of each pixel's turn
+layout(location = 0) out vec4 visible;
+const int taps = 18;
+const int spread[16] = int[16](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);  // [Bayer 1973]
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 at = pixel * samples + samples / 2;
+  uint own = texelFetch(owners, at, 0).r;
+  int wanted = own == 0u || own == lineOwner ? 0 : taps;  // as in outlineShade
+  vec4 surface = texelFetch(shapes, at, 0);
+  vec3 p = eyePoint(vec2(at), surface.w);
+  float reach = 0.5 * float(size.y) * radius / ((eyeDistance - surface.w) * aperture.y);  // [sample]
+  // Each pixel of a 4 x 4 block looks in other directions and at other distances; the blur takes the pattern out again.
+  int place = spread[(pixel.y & 3) * 4 + (pixel.x & 3)];
+  vec2 turn = turns[place];
+  float sum = 0.0;
+  for (int i = 0; i < wanted; ++i) {
+    float share = (float(i) + (float(place) + 0.5) / 16.0) / float(taps);
+    vec2 way = vec2(spiral[i].x * turn.x - spiral[i].y * turn.y, spiral[i].x * turn.y + spiral[i].y * turn.x);
+    ivec2 there = at + ivec2(round(reach * share * way));
+    there = clamp(there, ivec2(0), size - 1);
+    vec3 to = eyePoint(vec2(there), texelFetch(shapes, there, 0).w) - p;
+    float gap = max(0.0, 1.0 - dot(to, to) / (radius * radius));
+    sum += gap * gap * gap * max(0.0, dot(to, surface.xyz) - 0.02 * radius) / (dot(to, to) + 0.0004 * radius * radius);
+  }
+  visible = vec4(max(0.0, 1.0 - 2.2 * radius * sum / float(taps)));
+}
+)";
+}
+
+std::string occlusionBlurShader() {
+  return std::string(version) + common + R"(
+uniform sampler2D raw;
+uniform usampler2D owners;
+uniform int samples;
+layout(location = 0) out vec4 visible;
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy), last = size / samples - 1;
+  uint own = texelFetch(owners, pixel * samples + samples / 2, 0).r;
+  float sum = 0.0, weight = 0.0;
+  for (int dy = -2; dy < 2; ++dy)
+    for (int dx = -2; dx < 2; ++dx) {
+      ivec2 there = clamp(pixel + ivec2(dx, dy), ivec2(0), last);
+      if (texelFetch(owners, there * samples + samples / 2, 0).r != own) continue;
+      sum += texelFetch(raw, there, 0).r;
+      weight += 1.0;
+    }
+  visible = vec4(sum / weight);
+}
+)";
+}
+
+std::string layerShader() {
+  return std::string(version) + common + outlines + R"(
+uniform sampler2D lights;
+layout(location = 0) out vec4 veil;
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  uint own = texelFetch(owners, at, 0).r;
+  veil = vec4(0.0);
+  if (own == 0u) return;
+  vec4 light = texelFetch(lights, at, 0);
+  float shade = outlineShade(at, own, true);
+  float cover = mix(1.0, light.a, shade);  // outlines stay visible on faint cells
+  veil = vec4(light.rgb * shade * cover, cover);
+}
+)";
+}
+
+std::string resolveShader() {
+  return std::string(version) + common + outlines + R"(
+uniform sampler2D lights, shapes, visibles, veils;
+uniform int samples, veiled, shelled;
+uniform vec3 paperLight;
+uniform mat4 toShell;     // eye space to the space in which the shell is the unit sphere
+uniform mat4 fromNormal;  // a normal of that sphere to eye space
+layout(location = 0) out vec4 pixel;
+
+// The pixel's own, or for a sample whose cell is not that of the pixel's middle, the mean of the neighbours on this side
+// of the edge.
+float occlusion(ivec2 home, uint own, uint homeOwner, float homeVisible) {
+  ivec2 last = size / samples - 1;
+  float sum = 0.0, weight = 0.0;
+  int turns = own == homeOwner || own == 0u ? 0 : 9;
+  for (int i = 0; i < turns; ++i) {
+    ivec2 there = clamp(home + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
+    bool same = texelFetch(owners, there * samples + samples / 2, 0).r == own;
+    sum += same ? texelFetch(visibles, there, 0).r : 0.0;
+    weight += same ? 1.0 : 0.0;
+  }
+  return own == homeOwner ? homeVisible : weight > 0.0 ? sum / weight : 0.7;
+}
+
+// True if the corners of the pixel's surroundings belong to one cell: no outline can run here, and nearly all pixels
+// are spared the search for one.
+bool plain(ivec2 corner, uint own) {
+  ivec2 low = max(corner - outlineReach, ivec2(0)), high = min(corner + samples - 1 + outlineReach, size - 1);
+  return texelFetch(owners, low, 0).r == own && texelFetch(owners, high, 0).r == own &&
+         texelFetch(owners, ivec2(low.x, high.y), 0).r == own && texelFetch(owners, ivec2(high.x, low.y), 0).r == own;
+}
+
+// A thin glass shell: nearly nothing where one looks straight through it, more towards its rim. Once per pixel; its
+// edge is softened by how fast the discriminant changes from pixel to pixel.
+vec3 withShell(vec3 behind, vec2 at) {
+  vec3 eye = (toShell * vec4(0.0, 0.0, eyeDistance, 1.0)).xyz;
+  vec3 toPoint = eyePoint(at, 0.0) - vec3(0.0, 0.0, eyeDistance);
+  vec3 ray = (toShell * vec4(toPoint, 0.0)).xyz;
+  float a = dot(ray, ray), b = dot(eye, ray), c = dot(eye, eye) - 1.0;
+  float d = b * b - a * c;
+  float edge = clamp(0.5 + d / max(1e-12, length(vec2(dFdx(d), dFdy(d)))), 0.0, 1.0);
+  float t = (-b - sqrt(max(d, 0.0))) / a;
+  vec4 cell = texelFetch(shapes, ivec2(at), 0);
+  vec3 seen = (toShell * vec4(eyePoint(at, cell.w), 1.0)).xyz;
+  bool outside = dot(seen, seen) > 1.02 && cell.w > eyeDistance * (1.0 - t);  // a cell that has broken out
+  if (edge == 0.0 || t <= 0.0 || outside) return behind;
+  vec3 n = normalize((fromNormal * vec4(eye + t * ray, 0.0)).xyz);
+  vec3 v = -normalize(toPoint);
+  float slant = 1.0 - max(0.0, dot(n, v));
+  float s2 = slant * slant;
+  float cover = 0.02 + 0.12 * s2 + 0.46 * s2 * s2 * s2;
+  vec3 glass = mix(vec3(0.66, 0.74, 0.82), vec3(0.30, 0.38, 0.47), s2);
+  float shine = max(0.0, dot(n, normalize(normalize(vec3(-0.55, 0.75, 0.70)) + v)));
+  shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+  return mix(behind, mix(behind, glass, cover) + 0.14 * shine, edge);
+}
+
+void main() {
+  ivec2 home = ivec2(gl_FragCoord.xy), corner = home * samples;
+  uint homeOwner = texelFetch(owners, corner + samples / 2, 0).r;
+  float homeVisible = texelFetch(visibles, home, 0).r;
+  bool amidst = plain(corner, homeOwner);
+  vec3 sum = vec3(0.0);
+  for (int y = 0; y < samples; ++y)
+    for (int x = 0; x < samples; ++x) {
+      ivec2 at = corner + ivec2(x, y);
+      uint own = texelFetch(owners, at, 0).r;
+      vec3 light = paperLight;
+      if (own != 0u) light = texelFetch(lights, at, 0).rgb;
+      bool cell = own != 0u && own != lineOwner;
+      float shade = occlusion(home, own, homeOwner, homeVisible) * outlineShade(at, own, !amidst || own != homeOwner);
+      light *= cell ? shade : 1.0;
+      if (veiled != 0) {
+        vec4 veil = texelFetch(veils, at, 0);
+        light = veil.rgb + (1.0 - veil.a) * light;
+      }
+      sum += min(light, vec3(1.0));
+    }
+  vec3 mean = sum / float(samples * samples);
+  if (shelled != 0) mean = min(withShell(mean, vec2(corner) + 0.5 * float(samples - 1)), vec3(1.0));
+  vec3 encoded = mix(12.92 * mean, 1.055 * pow(mean, vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), mean));
+  pixel = vec4(encoded, 1.0);
+}
+)";
+}
+
+}  // namespace morula

@@ -1,0 +1,16 @@
+#pragma once
+// The organism's shape at one time, kept until its sequence of pictures is drawn.
+#include <string>
+
+#include "organism/organism.h"
+
+namespace morula {
+
+/// What changes from one picture of a sequence to the next: cells and caption.
+std::string frameBytes(const OrganismPicture& picture);
+
+/// The picture again; `blank` has what all pictures of the sequence share. Throws InputError for bytes that
+/// are not a frame's.
+OrganismPicture pictureFrom(const std::string& bytes, OrganismPicture blank);
+
+}  // namespace morula

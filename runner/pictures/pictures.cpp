@@ -1,0 +1,161 @@
+#include "pictures/pictures.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "base/error.h"
+#include "base/multiples.h"
+#include "files/folders.h"
+#include "pictures/frame_file.h"
+#include "simulation/measures.h"
+
+namespace morula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int sequenceSize = 600;  // [pixel] many of them, so smaller than the picture of the end
+
+}  // namespace
+
+Colour Palette::colourOf(const std::string& substances) {
+  std::istringstream words(substances);
+  std::vector<Colour> colours;
+  for (std::string substance; words >> substance;)
+    if (const auto* entry = colourEntryOf(scenario_, substance)) {
+      colours.push_back(parseColour(entry->second));
+      used_.insert(*entry);
+    }
+  return mixColours(colours);
+}
+
+std::vector<LegendEntry> Palette::legend() const {
+  std::vector<LegendEntry> entries;
+  for (const auto& [substance, colour] : used_) entries.push_back({parseColour(colour), substance});
+  return entries;
+}
+
+namespace {
+
+/// What all pictures of the scenario share.
+OrganismPicture blankPicture(const Scenario& scenario) {
+  const auto& mechanics = *scenario.scene.mechanics;
+  OrganismPicture picture;
+  picture.faces = mechanics.mesh.faces;
+  if (const auto& shell = mechanics.physics.shell)
+    picture.shell = Vector{shell->semiAxes[0], shell->semiAxes[1], shell->semiAxes[2]};
+  picture.title = scenario.scene.name;
+  return picture;
+}
+
+/// The pictures of a sequence share one legend, so that the organism does not move when a colour comes or
+/// goes.
+void shareLegend(std::vector<OrganismPicture>& frames) {
+  std::map<std::string, Colour> all;
+  for (const auto& frame : frames)
+    for (const auto& entry : frame.legend) all.emplace(entry.label, entry.colour);
+  for (auto& frame : frames) {
+    frame.legend.clear();
+    for (const auto& [label, colour] : all) frame.legend.push_back({colour, label});
+  }
+}
+
+}  // namespace
+
+OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
+  Palette palette(scenario);
+  OrganismPicture picture = blankPicture(scenario);
+  for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
+    Mesh mesh = cellMesh(world, world.cells.path[i]);
+    if (mesh.faces == picture.faces) mesh.faces.clear();
+    picture.cells.push_back({world.cells.path[i].text(), std::move(mesh.vertices),
+                             palette.colourOf(world.biology->describe(world.cells.state[i])), 1,
+                             std::move(mesh.faces)});
+  }
+  picture.legend = palette.legend();
+  picture.caption = fmt::format("time {:.4g}, {} cell{}", world.clock.time, world.cells.path.size(),
+                                world.cells.path.size() == 1 ? "" : "s");
+  return picture;
+}
+
+TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
+  Palette palette(scenario);
+  TreePicture picture;
+  for (const auto& entry : world.lineage.entries) {
+    const auto substances = world.biology->describe(entry.state);
+    picture.nodes.push_back({entry.path.text(), entry.born,
+                             entry.fate == Fate::alive ? world.clock.time : entry.ended, entry.fate,
+                             palette.colourOf(substances), substances});
+  }
+  picture.title = scenario.scene.name;
+  picture.caption = fmt::format("{} cells, {} of them alive at time {:.4g}", world.lineage.entries.size(),
+                                world.cells.path.size(), world.clock.time);
+  picture.legend = palette.legend();
+  return picture;
+}
+
+void FrameCollector::observe(const World& world) {
+  if (!every_ || !world.bodies || world.clock.time < static_cast<double>(next_) * *every_) return;
+  frames_.push_back(pictureOf(world, scenario_));
+  expectNext(world.clock.time);
+}
+
+void FrameCollector::expectNext(double time) { next_ = firstMultipleAfter(time, *every_); }
+
+void FrameCollector::resume(const World& world, const std::vector<std::string>& kept) {
+  if (!every_ || !world.bodies) return;
+  for (const std::string& bytes : kept) frames_.push_back(pictureFrom(bytes, blankPicture(scenario_)));
+  expectNext(world.clock.time);
+}
+
+namespace {
+
+/// "0007.png": the number, or nothing for other names.
+std::optional<std::size_t> frameNumber(const fs::path& name) {
+  const std::string digits = name.stem().string();
+  const bool isFrame = name.extension() == ".png" && digits.size() >= 4 && digits.size() <= 9 &&
+                       digits.find_first_not_of("0123456789") == digits.npos;
+  return isFrame ? std::optional<std::size_t>(std::stoul(digits)) : std::nullopt;
+}
+
+/// An earlier run of the same name may have been longer. The folder may hold files of the user's, too.
+void removeFramesFrom(const fs::path& folder, std::size_t first) {
+  for (const fs::path& name : namesIn(folder)) {
+    const auto number = frameNumber(name);
+    if (number && *number >= first && isOwnPng(folder / name)) removeFile(folder / name);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> writePictures(const World& world, const Scenario& scenario,
+                                       FrameCollector& collector, const fs::path& folder) {
+  std::vector<std::string> files;
+  const auto write = [&](const Image& image, const fs::path& name) {
+    files.push_back((folder / name).string());
+    writePng(image, files.back());
+  };
+  if (world.bodies) {
+    const auto picture = pictureOf(world, scenario);
+    write(drawOrganism(picture), "organism.png");
+    write(drawOrganism(picture, Style::wireframe), "wireframe.png");
+  }
+  write(drawLineage(lineagePictureOf(world, scenario)), "lineage.png");
+
+  auto& frames = collector.frames();
+  if (frames.empty()) return files;
+  makeFolder(folder / "sequence");
+  shareLegend(frames);
+  removeFramesFrom(folder / "sequence", frames.size());
+  const auto framing = fitFraming(frames);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i].camera.framing = framing;
+    frames[i].width = frames[i].height = sequenceSize;
+    write(drawOrganism(frames[i]), fs::path("sequence") / fmt::format("{:04}.png", i));
+  }
+  return files;
+}
+
+}  // namespace morula

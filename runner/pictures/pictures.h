@@ -1,0 +1,60 @@
+#pragma once
+// From worlds to pictures: which colour a cell has, what stands beside it, which files are written.
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "organism/organism.h"
+#include "scenario/scenario.h"
+#include "simulation/world.h"
+#include "trees/lineage_tree.h"
+
+namespace morula {
+
+/// The colours of cells by their substances, as the scenario wants them.
+class Palette {
+ public:
+  explicit Palette(const Scenario& scenario) : scenario_(scenario) {}
+
+  /// The mixture of the colours of all coloured substances in "a0 a1 divide"; grey without any.
+  Colour colourOf(const std::string& substances);
+  /// The colours that were asked for so far, and the names or patterns that they stand for.
+  std::vector<LegendEntry> legend() const;
+
+ private:
+  const Scenario& scenario_;
+  std::map<std::string, std::string> used_;  // of the scenario's colours
+};
+
+/// The organism as it is now. The world has bodies.
+OrganismPicture pictureOf(const World& world, const Scenario& scenario);
+/// The lineage as far as it has come.
+TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
+
+/// Keeps the organism's shape at 0, every, 2·every, … for a sequence of pictures.
+class FrameCollector {
+ public:
+  FrameCollector(const Scenario& scenario, std::optional<double> every)
+      : scenario_(scenario), every_(every) {}
+  void observe(const World& world);
+  /// Goes on with the frames that were kept (frame_file.h) when the world was stopped.
+  void resume(const World& world, const std::vector<std::string>& kept);
+  std::vector<OrganismPicture>& frames() { return frames_; }
+
+ private:
+  void expectNext(double time);
+
+  const Scenario& scenario_;
+  std::optional<double> every_;
+  std::uint64_t next_ = 0;  // number of the next due frame: due at time next_·every
+  std::vector<OrganismPicture> frames_;
+};
+
+/// Writes organism.png, wireframe.png (with bodies), lineage.png and sequence/0000.png … into the folder.
+/// Returns the files. Pictures that an earlier, longer run left in the sequence are removed; other files
+/// stay.
+std::vector<std::string> writePictures(const World& world, const Scenario& scenario,
+                                       FrameCollector& collector, const std::filesystem::path& folder);
+
+}  // namespace morula

@@ -1,0 +1,134 @@
+#include "trees/lineage_tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "catch.h"
+#include "drawing/text.h"
+#include "pictures.h"
+
+namespace morula {
+namespace {
+
+/// All cells of a tree in which every cell divides until there are 2^depth leaves, one time unit each.
+TreePicture fullTree(int depth) {
+  TreePicture tree;
+  std::vector<std::string> level{""};
+  for (int d = 0; d <= depth; ++d) {
+    std::vector<std::string> next;
+    for (const std::string& path : level) {
+      tree.nodes.push_back({.path = path,
+                            .born = double(d),
+                            .ended = d + 1.0,
+                            .fate = d == depth ? Fate::alive : Fate::divided,
+                            .colour = path.empty()     ? neutralGrey
+                                      : path[0] == 'A' ? red
+                                                       : blue,
+                            .label = fmt::format("s{}", d)});
+      next.push_back(path + "A");
+      next.push_back(path + "B");
+    }
+    level = next;
+  }
+  return tree;
+}
+
+int count(const Image& image, Colour colour) {
+  return int(std::count(image.pixels.begin(), image.pixels.end(), colour));
+}
+
+/// The columns in which a colour occurs, first and last.
+std::pair<int, int> columnsOf(const Image& image, Colour colour) {
+  int first = image.width, last = -1;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (image.at(x, y) == colour) first = std::min(first, x), last = std::max(last, x);
+  return {first, last};
+}
+
+}  // namespace
+
+TEST_CASE("branch A is drawn left of branch B, each in its colour", "[lineage]") {
+  const Image image = drawLineage(fullTree(2));
+  const auto [redFirst, redLast] = columnsOf(image, red);
+  const auto [blueFirst, blueLast] = columnsOf(image, blue);
+  REQUIRE(redFirst < redLast);
+  REQUIRE(redLast < blueFirst);
+  REQUIRE(blueFirst < blueLast);
+  REQUIRE(count(image, neutralGrey) > 100);
+}
+
+TEST_CASE("the tree is the same in whatever order its cells are given", "[lineage]") {
+  TreePicture tree = fullTree(4);
+  const Image first = drawLineage(tree);
+  REQUIRE(drawLineage(tree) == first);
+  std::reverse(tree.nodes.begin(), tree.nodes.end());
+  REQUIRE(drawLineage(tree) == first);
+}
+
+TEST_CASE("1024 leaves keep their colours", "[lineage]") {
+  const Image image = drawLineage(fullTree(10));
+  REQUIRE(image.width <= 2000);
+  const int bottom = image.height - 60;  // among the leaves
+  int reddish = 0, bluish = 0;
+  for (int x = 0; x < image.width; ++x) {
+    const Colour c = image.at(x, bottom);
+    reddish += c.r > c.b + 40;
+    bluish += c.b > c.r + 40;
+  }
+  REQUIRE(reddish > 0.4 * image.width);
+  REQUIRE(bluish > 0.4 * image.width);
+}
+
+TEST_CASE("death is marked", "[lineage]") {
+  TreePicture tree = fullTree(1);
+  const Image living = drawLineage(tree);
+  tree.nodes[1].fate = Fate::died;
+  tree.nodes[1].ended = 1.5;
+  const Image dead = drawLineage(tree);
+  // The cross is dark ink where no ink was.
+  const auto dark = [](Colour c) { return brightness(c) < 200; };
+  int crosses = 0;
+  for (int y = 100; y < living.height - 120; ++y)
+    for (int x = 100; x < living.width / 2; ++x) crosses += dark(dead.at(x, y)) && !dark(living.at(x, y));
+  REQUIRE(crosses > 10);
+}
+
+TEST_CASE("few leaves are labelled, many are not", "[lineage]") {
+  for (const auto& [depth, labelled] : {std::pair{3, true}, {5, true}, {6, false}}) {
+    TreePicture tree = fullTree(depth);
+    tree.width = 1600, tree.height = 900;
+    const Image image = drawLineage(tree);
+    for (LineageNode& node : tree.nodes)
+      if (node.label == fmt::format("s{}", depth)) node.label = "X9";
+    const bool font =
+        !findFont(false).empty();  // without one there are no labels, and both pictures are equal
+    REQUIRE((drawLineage(tree) != image) == (labelled && font));
+  }
+}
+
+TEST_CASE("one cell is a line, and none is paper", "[lineage]") {
+  TreePicture one;
+  one.nodes = {{"", 0, 3, Fate::alive, red, "a0"}};
+  REQUIRE(count(drawLineage(one), red) > 300);
+  one.nodes[0].ended = 0;  // before the first step
+  REQUIRE_NOTHROW(drawLineage(one));
+  const Image none = drawLineage({});
+  REQUIRE(count(none, paper) == none.width * none.height);
+}
+
+TEST_CASE("sizes are kept or refused", "[lineage]") {
+  TreePicture tree = fullTree(3);
+  tree.width = 333, tree.height = 222;
+  const Image image = drawLineage(tree);
+  REQUIRE(image.width == 333);
+  REQUIRE(image.height == 222);
+  for (const auto& [w, h] : {std::pair{63, 500}, {500, 16385}, {-1, 500}}) {
+    tree.width = w, tree.height = h;
+    REQUIRE_THROWS_AS(drawLineage(tree), InputError);
+  }
+}
+
+}  // namespace morula

@@ -1,0 +1,286 @@
+#include "organism/organism.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include "base/error.h"
+#include "catch.h"
+#include "drawing/annotations.h"
+#include "pictures.h"
+
+namespace morula {
+
+TEST_CASE("a red ball is red in the middle, and the paper shows in the corners", "[organism]") {
+  const Image image = drawOrganism(picture({ball("", {0, 0, 0}, 1, red)}));
+  REQUIRE(image.width == 120);
+  REQUIRE(image.height == 120);
+  REQUIRE(isReddish(centre(image)));
+  for (const auto& [x, y] : {std::pair{0, 0}, {119, 0}, {0, 119}, {119, 119}})
+    REQUIRE(image.at(x, y) == paper);
+}
+
+TEST_CASE("a ball covers the disc that perspective says", "[organism]") {
+  const Image image = drawOrganism(picture({ball("", {0, 0, 0}, 1, red)}, 400));
+  const auto inked =
+      std::count_if(image.pixels.begin(), image.pixels.end(), [](Colour c) { return c != paper; });
+  // The silhouette of a unit ball from distance 10: tangent 1/√99, of 0.19 for half the picture.
+  const double radius = 200 / 0.19 / std::sqrt(99.0);
+  REQUIRE(double(inked) == Approx(3.14159265 * radius * radius).epsilon(0.02));
+}
+
+TEST_CASE("vertices may have colours of their own, one for each", "[organism]") {
+  CellShape cell = ball("", {0, 0, 0}, 1, neutralGrey);
+  for (const Point& p : cell.vertices) cell.colours.push_back(p.x < 0 ? red : blue);
+  const Image image = drawOrganism(picture({cell}));
+  CHECK(isReddish(image.at(image.width / 2 - 20, image.height / 2)));
+  CHECK(isBluish(image.at(image.width / 2 + 20, image.height / 2)));
+  cell.colours.pop_back();
+  CHECK_THROWS_AS(drawOrganism(picture({cell})), InputError);
+}
+
+TEST_CASE("right is right and up is up", "[organism]") {
+  const Image image =
+      drawOrganism(picture({ball("A", {1, 0, 0}, 0.5, red), ball("B", {0, 1, 0}, 0.5, blue)}));
+  REQUIRE(isReddish(image.at(60 + 31, 60)));
+  REQUIRE(isBluish(image.at(60, 60 - 31)));
+  REQUIRE(image.at(60 - 31, 60) == paper);
+  REQUIRE(image.at(60, 60 + 31) == paper);
+}
+
+TEST_CASE("nearer cells hide farther ones, in whatever order they are given", "[organism]") {
+  const CellShape nearer = ball("A", {0, 0, 0.8}, 0.6, blue), farther = ball("B", {0, 0, -0.8}, 1, red);
+  for (const Style style : {Style::solid, Style::wireframe}) {
+    const Image one = drawOrganism(picture({nearer, farther}), style);
+    REQUIRE(one == drawOrganism(picture({farther, nearer}), style));
+    if (style == Style::solid) {
+      REQUIRE(isBluish(centre(one)));
+      REQUIRE(isReddish(one.at(60 + 24, 60)));
+    }
+  }
+}
+
+TEST_CASE("the wireframe shows no hidden lines", "[organism]") {
+  const CellShape front = ball("A", {0, 0, 0.5}, 1, red), hidden = ball("B", {0, 0, -1.6}, 1, blue);
+  // The second ball is as large but farther away, so the first one covers it whole.
+  REQUIRE(drawOrganism(picture({front}), Style::wireframe) ==
+          drawOrganism(picture({front, hidden}), Style::wireframe));
+}
+
+TEST_CASE("the wireframe is lines on pale faces", "[organism]") {
+  const Image image = drawOrganism(picture({ball("", {0, 0, 0}, 1.5, red)}, 500), Style::wireframe);
+  int lines = 0, pale = 0;
+  for (int y = 200; y < 300; ++y)
+    for (int x = 200; x < 300; ++x) {
+      const Colour c = image.at(x, y);
+      (c.g < 170 ? lines : pale) += 1;
+      if (c.g >= 200) REQUIRE(c.r >= c.g);
+    }
+  REQUIRE(lines > 200);
+  REQUIRE(pale > 6000);
+}
+
+TEST_CASE("two pictures of one thing are equal, whatever was drawn between them and on any thread",
+          "[organism]") {
+  OrganismPicture p = picture({ball("A", {-0.5, 0, 0}, 0.8, red), ball("B", {0.5, 0, 0}, 0.8, blue)});
+  p.shell = Vector{1.4, 1.2, 1.2};
+  p.title = "title";
+  const Image first = drawOrganism(p);
+  REQUIRE(drawOrganism(p) == first);
+  drawOrganism(picture({ball("", {0, 0, 0}, 1, red)}, 64), Style::wireframe);
+  REQUIRE(drawOrganism(p) == first);
+  Image elsewhere;
+  std::thread([&] { elsewhere = drawOrganism(p); }).join();
+  REQUIRE(elsewhere == first);
+  REQUIRE(std::string(std::getenv("LP_NATIVE_VECTOR_WIDTH")) == "128");  // the same on every x86-64
+}
+
+TEST_CASE("cells are parted by dark lines", "[organism]") {
+  const Colour colour{200, 200, 60};
+  const Image parted =
+      drawOrganism(picture({ball("A", {-0.5, 0, 0}, 0.8, colour), ball("B", {0.5, 0, 0}, 0.8, colour)}));
+  REQUIRE(brightness(centre(parted)) < 0.7 * brightness(parted.at(60 - 16, 60)));
+}
+
+TEST_CASE("light falls from the upper left, and creases between cells are darker", "[organism]") {
+  const Image alone = drawOrganism(picture({ball("A", {-0.6, 0, 0}, 0.6, red)}));
+  REQUIRE(brightness(alone.at(60 - 24, 60 - 6)) > brightness(alone.at(60 - 12, 60 + 10)));
+  const Image pair =
+      drawOrganism(picture({ball("A", {-0.6, 0, 0}, 0.6, red), ball("B", {0.6, 0, 0}, 0.6, red)}));
+  REQUIRE(brightness(pair.at(60 - 3, 60)) < brightness(alone.at(60 - 3, 60)));
+}
+
+TEST_CASE("what lies behind a translucent cell shines through", "[organism]") {
+  CellShape veil = ball("A", {0, 0, 0.8}, 0.6, blue);
+  const CellShape back = ball("B", {0, 0, -0.8}, 1, red);
+  int lastRed = centre(drawOrganism(picture({back}))).r;
+  for (const double opacity : {0.25, 0.5, 0.75}) {
+    veil.opacity = opacity;
+    const Colour mixed = centre(drawOrganism(picture({veil, back})));
+    REQUIRE(mixed.r < lastRed);
+    REQUIRE(mixed.r > red.r / 3);
+    lastRed = mixed.r;
+  }
+  veil.opacity = 0;
+  REQUIRE(drawOrganism(picture({back})) == drawOrganism(picture({veil, back})));
+}
+
+TEST_CASE("translucent cells before each other and before a solid one are composed in linear light",
+          "[organism]") {
+  CellShape front = ball("A", {0, 0, 2}, 0.5, blue), middle = ball("B", {0, 0, 0.6}, 0.5, {40, 200, 40});
+  const CellShape back = ball("C", {0, 0, -1}, 0.5, red);
+  std::vector<Colour> alone;
+  for (const CellShape& cell : {front, middle, back}) alone.push_back(centre(drawOrganism(picture({cell}))));
+  front.opacity = 0.3;
+  middle.opacity = 0.6;
+  const Colour together = centre(drawOrganism(picture({back, front, middle})));
+  const auto expected = [&](std::uint8_t Colour::*channel) {
+    const double f = linearLight(alone[0].*channel), m = linearLight(alone[1].*channel),
+                 b = linearLight(alone[2].*channel);
+    return int(channelOf(0.3 * f + 0.7 * (0.6 * m + 0.4 * b)));
+  };
+  REQUIRE(std::abs(together.r - expected(&Colour::r)) <= 2);
+  REQUIRE(std::abs(together.g - expected(&Colour::g)) <= 2);
+  REQUIRE(std::abs(together.b - expected(&Colour::b)) <= 2);
+}
+
+TEST_CASE("a solid cell hides the translucent ones behind it", "[organism]") {
+  const CellShape front = ball("A", {0, 0, 0.5}, 1, red);
+  CellShape hidden = ball("B", {0, 0, -1.6}, 1, blue);
+  hidden.opacity = 0.5;
+  REQUIRE(drawOrganism(picture({front, hidden})) == drawOrganism(picture({front})));
+}
+
+TEST_CASE("the order of translucent cells does not matter, even where they cut through each other",
+          "[organism]") {
+  std::vector<CellShape> cells{ball("A", {-0.3, 0, 0.1}, 0.8, red), ball("B", {0.3, 0, 0}, 0.8, blue),
+                               ball("C", {0, 0.3, -0.4}, 0.8, {40, 200, 40})};
+  for (CellShape& cell : cells) cell.opacity = 0.4;
+  const Image first = drawOrganism(picture(cells));
+  std::rotate(cells.begin(), cells.begin() + 1, cells.end());
+  REQUIRE(drawOrganism(picture(cells)) == first);
+  std::swap(cells[0], cells[1]);
+  REQUIRE(drawOrganism(picture(cells)) == first);
+}
+
+TEST_CASE("a shell is a faint rim that leaves cells their colour", "[organism]") {
+  OrganismPicture p = picture({ball("", {0, 0, 0}, 0.5, red)});
+  const Image bare = drawOrganism(p);
+  p.shell = Vector{1.5, 1, 1};
+  const Image shelled = drawOrganism(p);
+  REQUIRE(isReddish(centre(shelled)));
+  REQUIRE(std::abs(centre(shelled).r - centre(bare).r) < 30);
+  const int end = int(60 + 60 / 1.9 * 1.5);  // of the shell along x
+  int darkest = brightness(paper);
+  for (int x = end - 4; x <= end + 4; ++x) darkest = std::min(darkest, brightness(shelled.at(x, 60)));
+  REQUIRE(darkest < brightness(paper) - 40);
+  REQUIRE(shelled.at(end + 6, 60) == paper);
+  REQUIRE(shelled.at(60, 119) == paper);
+}
+
+TEST_CASE("lines are seen before cells, and behind them only if they should be", "[organism]") {
+  OrganismPicture p = picture({ball("", {0, 0, 0}, 1, red)});
+  const Image bare = drawOrganism(p);
+  p.lines = {{{-0.5, 0, -1.5}, {0.5, 0, -1.5}, {0, 0, 0}}};
+  REQUIRE(drawOrganism(p) == bare);
+  p.lines[0].throughCells = true;
+  REQUIRE(brightness(centre(drawOrganism(p))) < brightness(centre(bare)) - 60);
+  p.lines = {{{-0.5, 0, 1.5}, {0.5, 0, 1.5}, {0, 0, 0}}};
+  REQUIRE(brightness(centre(drawOrganism(p))) < brightness(centre(bare)) - 60);
+}
+
+TEST_CASE("normals and forces become lines from the vertices", "[organism]") {
+  OrganismPicture p = picture({ball("", {0, 0, 0}, 1, red), ball("", {2, 0, 0}, 1, red)});
+  addNormals(p, 0.25);
+  REQUIRE(p.lines.size() == 2 * 162);
+  for (std::size_t i = 0; i < 162; ++i) {
+    REQUIRE(p.lines[i].from == p.cells[0].vertices[i]);
+    REQUIRE(norm(p.lines[i].to) == Approx(1.25).margin(1e-3));
+  }
+  p.lines.clear();
+  addForces(p, 1, std::vector<Vector>(162, Vector{0, 4, 0}), 0.5);
+  REQUIRE(p.lines[7].to == p.cells[1].vertices[7] + Vector{0, 2, 0});
+  REQUIRE_THROWS_AS(addForces(p, 2, std::vector<Vector>(162), 1), InputError);
+  REQUIRE_THROWS_AS(addForces(p, 0, std::vector<Vector>(161), 1), InputError);
+}
+
+TEST_CASE("an empty organism is paper, with its shell if it has one", "[organism]") {
+  OrganismPicture p = picture({});
+  const Image empty = drawOrganism(p);
+  REQUIRE(std::all_of(empty.pixels.begin(), empty.pixels.end(), [](Colour c) { return c == paper; }));
+  p.camera.framing.reset();
+  REQUIRE(drawOrganism(p) == empty);
+  p.shell = Vector{1, 1, 1};
+  REQUIRE(drawOrganism(p) != empty);
+}
+
+TEST_CASE("solid and wireframe stand side by side", "[organism]") {
+  const OrganismPicture p = picture({ball("", {0, 0, 0}, 1, red)});
+  const Image both = drawSolidAndWireframe(p);
+  REQUIRE(both.width == 240);
+  Image joined(240, 120, paper);
+  paste(joined, drawOrganism(p, Style::solid), 0, 0);
+  paste(joined, drawOrganism(p, Style::wireframe), 120, 0);
+  REQUIRE(both == joined);
+}
+
+TEST_CASE("one framing holds a whole sequence", "[organism]") {
+  OrganismPicture small = picture({ball("", {0, 0, 0}, 0.5, red)}),
+                  moved = picture({ball("", {4, 0, 0}, 1, red)});
+  small.camera.framing.reset();
+  moved.camera.framing.reset();
+  const Framing both = fitFraming({small, moved});
+  REQUIRE(both.distance > fitFraming(small).distance);
+  REQUIRE(both.distance > fitFraming(moved).distance);
+  REQUIRE(both.centre.x == Approx(2.25));
+  // With a shell it is the shell that counts, so cells may come and go.
+  small.shell = moved.shell = Vector{2, 2, 2};
+  REQUIRE(fitFraming(small).distance == fitFraming(moved).distance);
+  REQUIRE_THROWS_AS(fitFraming(std::vector<OrganismPicture>{}), InputError);
+}
+
+TEST_CASE("words stay out of the scene", "[organism]") {
+  OrganismPicture p = picture({ball("", {0, 0, 0}, 1, red)}, 300);
+  p.title = "A title";
+  p.caption = "and its caption";
+  p.legend = {{red, "a4"}, {blue, "a5"}};
+  const Image words = drawOrganism(p);
+  p.title = "Another title";
+  p.caption = "with another caption";
+  p.legend = {{red, "x4"}, {blue, "y5"}};
+  const Image others = drawOrganism(p);
+  const Bands bands = bandsFor({p.title, p.caption, p.legend}, 300, 300);
+  REQUIRE(bands.top + bands.bottom < 150);
+  for (int y = bands.top; y < 300 - bands.bottom; ++y)
+    for (int x = 0; x < 300; ++x) REQUIRE(words.at(x, y) == others.at(x, y));
+  REQUIRE(isReddish(words.at(150, 155)));
+}
+
+TEST_CASE("pictures that cannot be are refused by name", "[organism]") {
+  const auto refused = [](auto change, const char* word) {
+    OrganismPicture p = picture({ball("AB", {0, 0, 0}, 1, red)});
+    change(p);
+    REQUIRE_THROWS_AS(drawOrganism(p), InputError);
+    REQUIRE_THROWS_WITH(drawOrganism(p), ContainsSubstring(word));
+  };
+  refused([](auto& p) { p.width = 15; }, "15 x 120");
+  refused([](auto& p) { p.height = 8193; }, "8192");
+  refused([](auto& p) { p.width = -900; }, "16 to 8192");
+  refused([](auto& p) { p.samples = 0; }, "samples");
+  refused([](auto& p) { p.samples = 5; }, "samples");
+  refused([](auto& p) { p.samples = 4, p.width = p.height = 2000; }, "50000000");
+  refused([](auto& p) { p.cells[0].vertices.pop_back(); }, "cell AB has 161");
+  refused([](auto& p) { p.cells[0].vertices[3].y = NAN; }, "cell AB");
+  refused([](auto& p) { p.cells[0].vertices[3].y = INFINITY; }, "not finite");
+  refused([](auto& p) { p.cells[0].opacity = 1.5; }, "opacity");
+  refused([](auto& p) { p.cells[0].opacity = NAN; }, "opacity");
+  refused([](auto& p) { p.faces[0][0] = -1; }, "negative");
+  refused([](auto& p) { p.shell = Vector{1, 0, 1}; }, "semi-axes");
+  refused([](auto& p) { p.lines.push_back({{0, 0, 0}, {NAN, 0, 0}, {}}); }, "not finite");
+  refused([](auto& p) { p.camera.framing->distance = 0; }, "distance");
+  refused([](auto& p) { p.camera.up = p.camera.towardsEye; }, "parallel");
+}
+
+}  // namespace morula
