@@ -13,10 +13,11 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/verb.h"
-#include "engines/engine_worker.h"
 #include "files/folders.h"
 #include "pictures/pictures.h"
 #include "store/machine_info.h"
+#include "system/child_process.h"
+#include "system/console.h"
 #include "system/console.h"
 
 namespace morula::cli {
