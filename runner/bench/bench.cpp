@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "bench/ratios.h"
 #include "bench/scene_bench.h"
 #include "engines/bullet_scene.h"
 

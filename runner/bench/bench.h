@@ -89,6 +89,12 @@ struct BenchReport {
 
 BenchReport runBench(const BenchOptions& options);
 
+/// For people.
+std::string describe(const BenchReport& report);
+
+/// What the project has promised itself, read off a finished table: those whose rows are there.
+std::vector<BenchRatio> findRatios(const std::vector<BenchRow>& rows);
+
 /// The row of the packed scene that fits, or null.
 const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& scene, const std::string& engine,
                      Stage stage, int cells, int vertices, const std::string& isa, int threads = 1,

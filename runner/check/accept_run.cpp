@@ -1,12 +1,8 @@
 #include "check/accept_run.h"
 
-#include <algorithm>
-
 #include "base/error.h"
 #include "check/check_run.h"
 #include "check/sanity.h"
-#include "explain/explain.h"
-#include "explain/scenario_run.h"
 #include "files/folders.h"
 #include "golden/change.h"
 #include "golden/succession.h"
@@ -54,21 +50,7 @@ TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
   return {{}, stateHash(world)};
 }
 
-std::string whereTheyPart(const Scenario& scenario, const Execution& how, const Execution& other) {
-  OwnRun first = scenarioRun(scenario, how), second = scenarioRun(scenario, other);
-  return "nothing accepted. " + explainTwice(first, second).text;
-}
-
 }  // namespace
-
-Execution otherExecution(const Execution& how) {
-  Execution other = how;
-  other.threads = how.threads == 1 ? 2 : 1;
-  const auto isas = availableIsas();
-  const auto place = std::find(isas.begin(), isas.end(), how.isa);
-  if (isas.size() > 1) other.isa = place == isas.begin() ? isas[1] : *(place - 1);
-  return other;
-}
 
 AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance,
                       bool quiet) {
@@ -80,18 +62,17 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
   const SanityCheck sanity(start);
   const auto run = simulate(std::move(start), recordingOf(scenario, true), progress,
                             [&](const World& world) { invariants.observe(world); });
-  if (run.signal) return {false, run.signal, {}};
+  if (run.signal) return {.signal = run.signal};
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
   refuseViolated(scenario, run, invariants, sanity);
-  const Execution other = otherExecution(how);
   TwinRun again;
   try {
-    again = runAgain(scenario, other, quiet);
-  } catch (const Interrupted& by) { return {false, by.signal, {}}; }
-  if (again.end != *run.end.stateHash) return {false, 0, whereTheyPart(scenario, how, other)};
+    again = runAgain(scenario, otherExecution(how), quiet);
+  } catch (const Interrupted& by) { return {.signal = by.signal}; }
+  if (again.end != *run.end.stateHash) return {.nondeterministic = true};
 
   Golden golden{observe(scenario, run), {}, {}, usualRules(scenario), {}, again.growth};
-  AcceptedRun accepted{true, 0, {}};
+  AcceptedRun accepted{.done = true};
   if (fileExists(file)) {
     try {
       const Golden old = readAccepted(scenario, file);

@@ -10,8 +10,10 @@ namespace morula {
 
 struct AcceptedRun {
   bool done = false;
-  int signal = 0;    // that interrupted it
-  std::string text;  // for people: what was accepted and what it changed, or why nothing was
+  bool nondeterministic =
+      false;              // the run made again by another way came to another end: nothing is accepted
+  int signal = 0;         // that interrupted it
+  std::string text = {};  // for people: what was accepted and what it changed
 };
 
 /// Runs the scenario, again with another instruction set and number of threads, and beside it its twin;
@@ -19,8 +21,5 @@ struct AcceptedRun {
 /// cannot be accepted.
 AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance,
                       bool quiet);
-
-/// Another way to compute the same: other kernels and another number of threads.
-Execution otherExecution(const Execution& how);
 
 }  // namespace morula

@@ -7,9 +7,9 @@
 #include "organism/renderer_name.h"
 #include "pictures/pictures.h"
 #include "scenario/deciding_values.h"
-#include "scenario/numbers.h"
 #include "simulation/measures.h"
 #include "system/git_text.h"
+#include "yaml/numbers.h"
 
 namespace morula {
 

@@ -5,8 +5,8 @@
 
 #include "files/text.h"
 #include "mesh/measures.h"
-#include "scenario/numbers.h"
 #include "simulation/measures.h"
+#include "yaml/numbers.h"
 
 namespace morula {
 

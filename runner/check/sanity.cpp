@@ -7,8 +7,8 @@
 
 #include "check/invariants.h"
 #include "mesh/measures.h"
-#include "scenario/numbers.h"
 #include "simulation/sanity.h"
+#include "yaml/numbers.h"
 
 namespace morula {
 

@@ -10,7 +10,6 @@
 #include "accuracy/accuracy_json.h"
 #include "accuracy/into_golden.h"
 #include "accuracy/picture.h"
-#include "accuracy/table.h"
 #include "accuracy/target.h"
 #include "base/number_text.h"
 #include "cli/exit_codes.h"

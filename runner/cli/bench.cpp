@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "bench/picture.h"
-#include "bench/table.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/verb.h"
@@ -17,7 +16,6 @@
 #include "pictures/pictures.h"
 #include "store/machine_info.h"
 #include "system/child_process.h"
-#include "system/console.h"
 #include "system/console.h"
 
 namespace morula::cli {

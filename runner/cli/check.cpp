@@ -10,7 +10,6 @@
 #include "check/sanity.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/shipped.h"
 #include "cli/verb.h"
 #include "engines/bullet_check.h"
 #include "engines/engine_comparison.h"
@@ -40,6 +39,16 @@ Json toJson(const CheckReport& report, const CheckResult& result) {
   json.update(morula::toJson(result));
   json.erase("message");
   return json;
+}
+
+/// All scenarios/…/*.yaml below the working folder, sorted. Throws FileError if there is no folder `scenarios`.
+std::vector<std::string> shippedScenarios() {
+  if (!isFolder("scenarios"))
+    throw FileError(
+        "there is no folder 'scenarios' here; name the scenario files, or go to the project's folder");
+  std::vector<std::string> files;
+  for (const auto& file : filesBelow("scenarios", ".yaml")) files.push_back(file.string());
+  return files;
 }
 
 /// A run that could not end is a check that failed.

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "cli/exit_codes.h"
 #include "cli/verb.h"
-#include "scenario/numbers.h"
 #include "system/usable_memory.h"
+#include "yaml/numbers.h"
 
 namespace morula::cli {
 

@@ -9,6 +9,7 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/verb.h"
+#include "explain/explain.h"
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/succession.h"
@@ -123,7 +124,10 @@ int act(const ReviewOptions& options) {
     const auto accepted =
         acceptRun(scenario, execution(options.execution), {options.by, options.why}, options.output.quiet);
     if (accepted.signal) return signalled + accepted.signal;
-    if (!options.output.json) print(accepted.text);
+    if (!options.output.json)
+      print(accepted.nondeterministic
+                ? "nothing accepted. " + explainTwice(scenario, execution(options.execution)).text
+                : accepted.text);
     results.push_back({{"scenario", goldenName(scenario.file)},
                        {"accepted", accepted.done},
                        {"file", goldenFile(scenario).string()}});

@@ -6,7 +6,7 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/verb.h"
-#include "explain/scenario_run.h"
+#include "explain/explain.h"
 #include "explain/trail_json.h"
 #include "simulation/checkpoint.h"
 #include "system/console.h"

@@ -5,8 +5,8 @@
 
 #include "engines/bullet_check.h"
 #include "mesh/measures.h"
-#include "scenario/numbers.h"
 #include "simulation/measures.h"
+#include "yaml/numbers.h"
 
 namespace morula {
 

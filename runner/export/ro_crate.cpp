@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
-#include "system/console.h"
+#include "system/json.h"
 
 namespace morula {
 

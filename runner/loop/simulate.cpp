@@ -55,6 +55,15 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
   }
 }
 
+Execution otherExecution(const Execution& how) {
+  Execution other = how;
+  other.threads = how.threads == 1 ? 2 : 1;
+  const auto isas = availableIsas();
+  const auto place = std::find(isas.begin(), isas.end(), how.isa);
+  if (isas.size() > 1) other.isa = place == isas.begin() ? isas[1] : *(place - 1);
+  return other;
+}
+
 bool wantsHashes(const Scenario& scenario, bool hasGolden) {
   return hasGolden || scenario.places.contains("check");
 }

@@ -28,6 +28,9 @@ constexpr std::uint64_t stepsPerHash = 64;
 /// `check` asks.
 bool wantsHashes(const Scenario& scenario, bool hasGolden);
 
+/// Another way to compute the same: other kernels and another number of threads.
+Execution otherExecution(const Execution& how);
+
 /// What a run of the scenario writes down: its samples, and hashes of the states on the way if somebody looks
 /// at them.
 RecordOptions recordingOf(const Scenario& scenario, bool hashes);

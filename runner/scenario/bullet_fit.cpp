@@ -2,8 +2,8 @@
 
 #include "base/maths.h"
 #include "biology/substances.h"
-#include "scenario/numbers.h"
 #include "simulation/world.h"
+#include "yaml/numbers.h"
 
 namespace morula::scenario {
 

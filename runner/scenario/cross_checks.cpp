@@ -6,8 +6,8 @@
 #include "base/number_text.h"
 #include "biology/substances.h"
 #include "scenario/bullet_fit.h"
-#include "scenario/numbers.h"
 #include "simulation/world.h"
+#include "yaml/numbers.h"
 
 namespace morula::scenario {
 

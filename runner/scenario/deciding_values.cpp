@@ -1,7 +1,7 @@
 #include "scenario/deciding_values.h"
 
-#include "scenario/numbers.h"
 #include "scenario/resolved.h"
+#include "yaml/numbers.h"
 
 namespace morula {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "scenario/scenario.h"
-#include "scenario/yaml_node.h"
 #include "system/json.h"
+#include "yaml/node.h"
 
 namespace morula::scenario {
 

@@ -1,6 +1,6 @@
 #include "scenario/resolved.h"
 
-#include "scenario/numbers.h"
+#include "yaml/numbers.h"
 
 namespace morula::scenario {
 

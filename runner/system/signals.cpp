@@ -27,4 +27,8 @@ SignalWatch::~SignalWatch() { handle(SIG_DFL); }
 
 int SignalWatch::caught() { return received; }
 
+void stopAtSignal() {
+  if (const int signal = SignalWatch::caught()) throw Interrupted{signal};
+}
+
 }  // namespace morula

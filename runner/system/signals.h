@@ -15,4 +15,12 @@ class SignalWatch {
   static int caught();
 };
 
+/// A signal has come while runs were made that leave nothing behind.
+struct Interrupted {
+  int signal;
+};
+
+/// Throws Interrupted if a signal has come, while a SignalWatch lives.
+void stopAtSignal();
+
 }  // namespace morula

@@ -1,4 +1,4 @@
-#include "scenario/problems.h"
+#include "yaml/problems.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,10 +1,11 @@
-#include "scenario/numbers.h"
+#include "yaml/numbers.h"
 
 #include <cmath>
 #include <random>
 
-#include "helpers.h"
+#include "catch.h"
 
+using namespace morula;
 using namespace morula::scenario;
 
 TEST_CASE("plain decimal numbers are read to the last bit") {

@@ -1,4 +1,4 @@
-#include "scenario/source_text.h"
+#include "yaml/source_text.h"
 
 #include <algorithm>
 

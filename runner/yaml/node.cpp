@@ -1,4 +1,4 @@
-#include "scenario/yaml_node.h"
+#include "yaml/node.h"
 
 #include <algorithm>
 #include <utility>

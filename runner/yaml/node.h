@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "scenario/problems.h"
-#include "scenario/source_text.h"
+#include "yaml/problems.h"
+#include "yaml/source_text.h"
 
 namespace morula::scenario {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "files/printable.h"
-#include "scenario/yaml_node.h"
+#include "yaml/node.h"
 
 namespace morula::scenario {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenario/problems.h"
+#include "yaml/problems.h"
 
 namespace morula::scenario {
 

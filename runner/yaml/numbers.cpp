@@ -1,4 +1,4 @@
-#include "scenario/numbers.h"
+#include "yaml/numbers.h"
 
 #include <charconv>
 #include <cmath>
