@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "mesh/distance.h"
 #include "mesh/measures.h"
 #include "mesh/surface_distance.h"
 #include "simulation/measures.h"

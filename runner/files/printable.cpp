@@ -1,6 +1,6 @@
 #include "files/printable.h"
 
-#include "files/utf8.h"
+#include "base/utf8.h"
 
 namespace morula {
 

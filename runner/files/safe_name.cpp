@@ -1,7 +1,7 @@
 #include "files/safe_name.h"
 
+#include "base/utf8.h"
 #include "files/printable.h"
-#include "files/utf8.h"
 
 namespace morula {
 

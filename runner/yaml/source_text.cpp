@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "files/utf8.h"
+#include "base/utf8.h"
 
 namespace morula::scenario {
 

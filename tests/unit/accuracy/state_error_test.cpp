@@ -1,4 +1,4 @@
-// Distances of surfaces and states whose distance is known.
+// States whose distance is known.
 #include "accuracy/state_error.h"
 
 #include <algorithm>
@@ -19,56 +19,6 @@ Mesh moved(Mesh mesh, const Vector& by) {
 ComparedCell cell(const char* path, const Mesh& mesh) { return comparedCell(CellPath::parse(path), mesh); }
 
 }  // namespace
-
-TEST_CASE("A surface is nowhere from itself, however its vertices are numbered") {
-  const Mesh ball = makeIcosphere(2);
-  CHECK(measureSurfaceDistance(ball, ball) == 0);
-  Mesh other = ball;
-  const auto last = static_cast<std::int32_t>(ball.vertices.size()) - 1;
-  std::reverse(other.vertices.begin(), other.vertices.end());
-  for (Face& f : other.faces)
-    for (std::int32_t& v : f) v = last - v;
-  CHECK(measureSurfaceDistance(ball, other) < 1e-15);
-}
-
-TEST_CASE("Of concentric cubes half the distances are to faces and half to corners") {
-  const Mesh inner = scenes::cube(), outer = scenes::scaled(scenes::cube(), 1.1);
-  // Corners of the inner one are 0.055 under three faces; those of the outer one √3 times that from a corner.
-  CHECK(measureSurfaceDistance(inner, outer) == Approx(0.055 * std::sqrt((1 + 3) / 2.0)).epsilon(1e-12));
-  CHECK(measureSurfaceDistance(outer, inner) == Approx(0.055 * std::sqrt((1 + 3) / 2.0)).epsilon(1e-12));
-}
-
-TEST_CASE("Distances stand in the order of the vertices they are measured from") {
-  Mesh dented = scenes::cube();
-  dented.vertices[3] = 1.1 * dented.vertices[3];
-  const std::vector<double> distances = measureDistances(dented, scenes::cube());
-  REQUIRE(distances.size() == 8);
-  for (std::size_t v = 0; v < 8; ++v)
-    CHECK(distances[v] == Approx(v == 3 ? 0.1 * norm(scenes::cube().vertices[3]) : 0).margin(1e-12));
-}
-
-TEST_CASE("Far apart, surfaces are as far as their nearest corners, edges and faces") {
-  const Mesh cube = scenes::cube();  // of edge 1.1
-  // Its far corners see the other's near face at 3.1 + 1.1, the near ones at 3.1 − 1.1 + 1.1.
-  const double expected = std::sqrt((2.0 * 2.0 + 3.1 * 3.1) / 2);
-  CHECK(measureSurfaceDistance(cube, moved(cube, {3.1, 0, 0})) == Approx(expected).epsilon(1e-12));
-}
-
-TEST_CASE("A finer mesh of the same ball is as near as its faces are flat") {
-  const Mesh coarse = makeIcosphere(1), fine = makeIcosphere(3);
-  const double distance = measureSurfaceDistance(coarse, fine);
-  CHECK(distance > 0.01);
-  CHECK(distance < 0.08);  // the coarse one's volume radius is 0.95
-  CHECK(measureSurfaceDistance(makeIcosphere(2), fine) < 0.4 * distance);
-}
-
-TEST_CASE("Small shifts come out to the last digits") {
-  const Mesh cube = scenes::cube();
-  // Along an axis: four of eight corners leave each cube's face by 1e-9, and lie above or under it.
-  const double distance = measureSurfaceDistance(cube, moved(cube, {1e-9, 0, 0}));
-  CHECK(distance > 0.5e-9);
-  CHECK(distance < 1.001e-9);
-}
 
 TEST_CASE("Centroid, volume and surface are each the worst over the cells, in egg radii or relative") {
   const Mesh cube = scenes::cube();

@@ -1,8 +1,8 @@
 // What is shown of texts, and which file names come of them.
+#include "base/utf8.h"
 #include "catch.h"
 #include "files/printable.h"
 #include "files/safe_name.h"
-#include "files/utf8.h"
 
 using namespace morula;
 

@@ -1,0 +1,103 @@
+#include "mesh/distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace morula {
+
+namespace {
+
+Vector nearestOnSegment(const Point& p, const Point& a, const Point& b) {
+  const Vector d = b - a;
+  const double length = dot(d, d);
+  const double share = length > 0 ? std::clamp(dot(p - a, d) / length, 0.0, 1.0) : 0;
+  return a + share * d;
+}
+
+/// Inside the triangle's prism the foot on its plane, else the nearest point of its border.
+double squaredDistance(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const Vector n = cross(b - a, c - a), ap = p - a;
+  const double area = dot(n, n);
+  if (area > 0 && dot(cross(b - a, ap), n) >= 0 && dot(cross(c - b, p - b), n) >= 0 &&
+      dot(cross(a - c, p - c), n) >= 0) {
+    const double height = dot(ap, n);
+    return height * height / area;
+  }
+  double least = INFINITY;
+  for (const auto& [u, v] : {std::pair{a, b}, {b, c}, {c, a}}) {
+    const Vector off = p - nearestOnSegment(p, u, v);
+    least = std::min(least, dot(off, off));
+  }
+  return least;
+}
+
+/// A face with the ball around it, by which most faces are left out.
+struct Patch {
+  Point a, b, c, centre;
+  double radius;
+};
+
+std::vector<Patch> patchesOf(const Mesh& mesh) {
+  std::vector<Patch> patches;  // by their centres' x
+  for (const Face& f : mesh.faces) {
+    Patch p{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]], {}, 0};
+    p.centre = (p.a + p.b + p.c) / 3.0;
+    p.radius = std::max({norm(p.a - p.centre), norm(p.b - p.centre), norm(p.c - p.centre)});
+    patches.push_back(p);
+  }
+  std::sort(patches.begin(), patches.end(),
+            [](const Patch& a, const Patch& b) { return a.centre.x < b.centre.x; });
+  return patches;
+}
+
+/// Squared, from the vertices of one to the surface of the other.
+std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
+  const std::vector<Patch> patches = patchesOf(to);
+  double largest = 0;
+  for (const Patch& patch : patches) largest = std::max(largest, patch.radius);
+  std::vector<double> squares;
+  for (std::size_t v = 0; v < from.vertices.size(); ++v) {
+    const Point& p = from.vertices[v];
+    // The vertex of the same number is a good guess where the meshes are the same, and harmless elsewhere.
+    const Vector guess = p - to.vertices[std::min(v, to.vertices.size() - 1)];
+    double least = dot(guess, guess), reach = std::sqrt(least);
+    const auto tryPatch = [&](const Patch& patch) {
+      const Vector away = p - patch.centre;
+      const double far = reach + patch.radius;
+      if (dot(away, away) > far * far) return;
+      const double squared = squaredDistance(p, patch.a, patch.b, patch.c);
+      if (squared < least) least = squared, reach = std::sqrt(squared);
+    };
+    // Outwards on both sides of the vertex's x, as far as a patch could still be nearer than the nearest.
+    const auto middle = std::lower_bound(patches.begin(), patches.end(), p.x,
+                                         [](const Patch& q, double x) { return q.centre.x < x; });
+    for (auto up = middle; up != patches.end() && up->centre.x - p.x <= reach + largest; ++up) tryPatch(*up);
+    for (auto down = middle; down != patches.begin() && p.x - std::prev(down)->centre.x <= reach + largest;
+         --down)
+      tryPatch(*std::prev(down));
+    squares.push_back(least);
+  }
+  return squares;
+}
+
+double sumOfSquares(const Mesh& from, const Mesh& to) {
+  double sum = 0;
+  for (const double square : squaredDistances(from, to)) sum += square;
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> measureDistances(const Mesh& from, const Mesh& to) {
+  std::vector<double> distances = squaredDistances(from, to);
+  for (double& d : distances) d = std::sqrt(d);
+  return distances;
+}
+
+double measureSurfaceDistance(const Mesh& a, const Mesh& b) {
+  const double count = static_cast<double>(a.vertices.size() + b.vertices.size());
+  return std::sqrt((sumOfSquares(a, b) + sumOfSquares(b, a)) / count);
+}
+
+}  // namespace morula
