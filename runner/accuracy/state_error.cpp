@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "mesh/distance.h"
 #include "mesh/measures.h"
-#include "mesh/surface_distance.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
 

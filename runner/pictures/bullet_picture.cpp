@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "mesh/surface_distance.h"
+#include "mesh/distance.h"
 #include "pictures/pictures.h"
 #include "simulation/measures.h"
 
