@@ -190,7 +190,7 @@ Json toJson(const TargetAnswer& answer, const TargetQuestion& question, const Ac
           {"run_to_the_end", toJson(answer.best)},
           {"mesh_error", orNull(mesh)},
           {"whole_error", orNull(whole)},
-          {"mesh_holds", whole ? Json(*whole <= question.error) : Json()},
+          {"mesh_holds", whole ? Json(whole.value_or(0) <= question.error) : Json()},
           {"icosphere_that_holds", orNull(answer.levelThatHolds)},
           {"finer_run_to_the_end", toJson(answer.finer)},
           {"failures", answer.failures}};

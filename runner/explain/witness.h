@@ -7,6 +7,7 @@
 
 #include "scenario/scenario.h"
 #include "simulation/hash.h"
+#include "simulation/world.h"
 
 namespace morula {
 

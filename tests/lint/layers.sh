@@ -46,7 +46,7 @@ $1 == "include" {
   if ($3 ~ /"/) {
     to = what; if (!sub(/\/.*/, "", to)) { print file ": \"" what "\" does not say of which room it is"; ++errors; next }
     if (to != room && !((room, to) in below) && !(to in outside)) { print file ": " room " includes \"" what "\", but " to " is not below it"; ++errors }
-  } else if (what ~ /\//) {  # the standard library has no folders that we need
+  } else if (what ~ /\// && what !~ /^sys\//) {  # a library; the standard one has no other folders that we need
     library = what; sub(/\/.*/, "", library)
     if (library in user && user[library] != room && !(library in everywhere)) { print file ": <" what ">: " user[library] " includes " library " already, and one room may"; ++errors }
     user[library] = room

@@ -1,4 +1,4 @@
-#include "parts/forecast.h"
+#include "parts/prediction.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/maths.h"
 #include "loop/simulate.h"
-#include "parts/outlook.h"
+#include "parts/extrapolation.h"
 #include "parts/rates.h"
 #include "simulation/measures.h"
 #include "store/recorder.h"
@@ -26,7 +26,7 @@ using Costs = std::map<std::string, Cost>;
 struct Sums {
   double cellSteps = 0, laneSteps = 0;  // laneSteps: with the lanes that nobody uses
   double cellSearches = 0;
-  double upheavals = 0;  // cells that are there when others are born or die, over all such moments
+  double changes = 0;  // cells that are there when others are born or die, over all such moments
   double samples = 0, sampledCells = 0;
 };
 
@@ -34,7 +34,7 @@ double samplesIn(const Era& era, bool last, double every) {
   return std::ceil(era.to / every - 1e-9) - std::ceil(era.from / every - 1e-9) + last;
 }
 
-Sums addUp(const Life& life, const std::vector<Outlook>& eras, const Scenario& scenario, Isa isa) {
+Sums addUp(const Life& life, const std::vector<EraCounts>& eras, const Scenario& scenario, Isa isa) {
   Sums s;
   const Precision precision =
       scenario.scene.mechanics ? scenario.scene.mechanics->physics.precision : Precision::binary64;
@@ -45,7 +45,7 @@ Sums addUp(const Life& life, const std::vector<Outlook>& eras, const Scenario& s
       s.laneSteps += eras[i].steps * cells * laneShare(isa, life.eras[i].cells, precision);
       s.cellSearches += eras[i].searches * cells;
     }
-    if (i > 0) s.upheavals += cells;
+    if (i > 0) s.changes += cells;
     const bool last = i + 1 == life.eras.size();
     const auto& every = scenario.record.every;
     const double n = every ? samplesIn(life.eras[i], last, *every) : (i == 0) + last;  // start and end
@@ -62,7 +62,7 @@ double recordBytes(const Sums& sums, const World& world) {
 }
 
 /// Without bodies: the genes, and what is written down.
-void foretellLineage(Costs& costs, Forecast& f, const Scenario& scenario, const ForecastOptions& options) {
+void predictLineage(Costs& costs, Prediction& f, const Scenario& scenario, const PredictionOptions& options) {
   const World world = makeWorld(scenario.scene, options.execution);
   const Sums sums = addUp(f.life, {}, scenario, options.execution.isa);
   f.steps = double(f.life.moments);
@@ -71,17 +71,17 @@ void foretellLineage(Costs& costs, Forecast& f, const Scenario& scenario, const 
   costs["samples"].bytes = recordBytes(sums, world);
   // A hash at every moment, over living cells and the mothers of as many.
   costs["hashes"].seconds = measureObservation(world).hash * 2 * double(f.life.cellsAsked);
-  f.rehearsed = f.life.whole;
-  f.rehearsedTime = f.life.eras.back().to;
+  f.triedWhole = f.life.whole;
+  f.triedTime = f.life.eras.back().to;
 }
 
 /// An automatic step is a power of two. Where its limit lies just above one, little makes it half as long.
-void warnOfTimeSteps(Forecast& f, const Rehearsal& rehearsal) {
-  constexpr double near = 1.1;  // limits are foretold to within 10 %
-  const auto& fixed = rehearsal.world.bodies->parameters.timeStep;
-  for (std::size_t i = rehearsal.stretches.size(); i < f.life.eras.size(); ++i) {
+void warnOfTimeSteps(Prediction& f, const TrialRun& trial) {
+  constexpr double near = 1.1;  // limits are predicted to within 10 %
+  const auto& fixed = trial.world.bodies->parameters.timeStep;
+  for (std::size_t i = trial.eras.size(); i < f.life.eras.size(); ++i) {
     const Era& era = f.life.eras[i];
-    const double limit = foretellTimeStepLimit(rehearsal, era.generation);
+    const double limit = predictTimeStepLimit(trial, era.generation);
     if (fixed && *fixed > limit)
       f.remarks.push_back(fmt::format(
           "physics.time_step will be too long from {} cells on: cells get lighter with each division",
@@ -96,7 +96,7 @@ void warnOfTimeSteps(Forecast& f, const Rehearsal& rehearsal) {
 
 /// What the steps themselves cost.
 Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, double vertices) {
-  const double lanes = rates.evaluations * sums.laneSteps * vertices;
+  const double lanes = sums.laneSteps * vertices;
   Costs costs;
   costs["springs"].seconds = rates.springs * lanes;
   costs["damping"].seconds = rates.damping * lanes;
@@ -108,26 +108,20 @@ Costs costsOfSteps(const StepRates& rates, const Sums& sums, double pairs, doubl
   costs["contact"].seconds = rates.snapshots * lanes + rates.pair * pairs;
   costs["friction"].seconds = rates.frictionOfPair * pairs;
   costs["search"].seconds = rates.search * sums.cellSearches * vertices;
-  costs["connections"].seconds = rates.evaluations * rates.connections * sums.cellSteps * vertices;
+  costs["connections"].seconds = rates.connections * sums.cellSteps * vertices;
   return costs;
 }
 
-/// How much longer the rehearsal took than its rates explain, for calls and checks.
-double slowness(const Forecast& f, const Rehearsal& rehearsal, const StepRates& rates,
-                const Scenario& scenario, Isa isa) {
-  const std::size_t count = rehearsal.stretches.size();
-  const Life past{{f.life.eras.begin(), f.life.eras.begin() + std::ptrdiff_t(count)}};
-  std::vector<Outlook> counted;
+/// How much longer the trial run took than its rates explain, for calls and checks.
+double slowness(const Prediction& f, const TrialRun& trial, const StepRates& rates, const Scenario& scenario,
+                Isa isa) {
+  const Life past{{f.life.eras.begin(), f.life.eras.begin() + std::ptrdiff_t(trial.eras.size())}};
   double pairs = 0, explained = 0;
-  for (const Stretch& s : rehearsal.stretches) {
-    counted.push_back({double(s.steps), double(s.rebuilds), double(s.pairs)});
-    pairs += double(s.pairs);
-  }
-  for (const auto& [name, cost] : costsOfSteps(rates, addUp(past, counted, scenario, isa), pairs,
-                                               verticesPerCell(*rehearsal.world.bodies)))
+  for (const EraCounts& era : trial.eras) pairs += era.pairs;
+  for (const auto& [name, cost] : costsOfSteps(rates, addUp(past, trial.eras, scenario, isa), pairs,
+                                               verticesPerCell(*trial.world.bodies)))
     explained += *cost.seconds;
-  const double took = rehearsal.seconds - rehearsal.upheavalSeconds;
-  return explained > 0 ? std::clamp(took / explained, 1.0, 3.0) : 1;
+  return explained > 0 ? std::clamp((trial.seconds - trial.changeSeconds) / explained, 1.0, 3.0) : 1;
 }
 
 void addMemory(Costs& costs, const MemoryUse& m) {
@@ -138,30 +132,28 @@ void addMemory(Costs& costs, const MemoryUse& m) {
   costs["connections"].bytes = double(m.connections);
 }
 
-void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const ForecastOptions& options) {
-  Rehearsal rehearsal = rehearse(makeWorld(scenario.scene, options.execution), f.life, options.rehearsal);
-  World& world = rehearsal.world;
+void predictBodies(Costs& costs, Prediction& f, const Scenario& scenario, const PredictionOptions& options) {
+  TrialRun trial = tryBeginning(makeWorld(scenario.scene, options.execution), f.life, options.trial);
+  World& world = trial.world;
   const Isa isa = options.execution.isa;
   f.vertices = world.bodies->mesh.vertexCount();
   const double vertices = verticesPerCell(*world.bodies);
-  f.rehearsed = rehearsal.whole;
-  f.rehearsedTime = world.clock.time;
-  const auto eras = lookAhead(f.life, rehearsal);
+  f.triedWhole = trial.whole;
+  f.triedTime = world.clock.time;
+  const auto eras = extrapolate(f.life, trial);
   const Sums sums = addUp(f.life, eras, scenario, isa);
-  for (const Outlook& o : eras) f.steps += o.steps, f.searches += o.searches, f.pairs += o.pairs;
+  for (const EraCounts& o : eras) f.steps += o.steps, f.searches += o.searches, f.pairs += o.pairs;
   f.vertexSteps = sums.cellSteps * vertices;
 
-  const MemoryUse memory = foretellMemory(f.life, rehearsal);
+  const MemoryUse memory = extrapolateMemory(f.life, trial);
   // Where everybody has died an egg stands in.
   World egg = makeWorld(scenario.scene, options.execution);
-  const StepRates rates =
-      measureRates(world.bodies->count > 0 ? world : egg, double(memory.bodies + memory.contact()));
-  const double factor = slowness(f, rehearsal, rates, scenario, isa);
+  const StepRates rates = measureRates(world.bodies->count > 0 ? world : egg);
+  const double factor = slowness(f, trial, rates, scenario, isa);
   for (const auto& [name, cost] : costsOfSteps(rates, sums, f.pairs, vertices))
     costs[name].seconds = factor * *cost.seconds;
-  const double perUpheaval =
-      rehearsal.upheavalCells ? rehearsal.upheavalSeconds / double(rehearsal.upheavalCells) : 0;
-  costs["division"].seconds = perUpheaval * sums.upheavals;
+  const double perChange = trial.changeCells ? trial.changeSeconds / double(trial.changeCells) : 0;
+  costs["division"].seconds = perChange * sums.changes;
   const ObservationRates watching = measureObservation(world);
   costs["hashes"].seconds = watching.hash * vertices * sums.cellSteps / double(stepsPerHash);
   costs["samples"].seconds = watching.sample * vertices * sums.sampledCells;
@@ -169,12 +161,13 @@ void foretellBodies(Costs& costs, Forecast& f, const Scenario& scenario, const F
   addMemory(costs, memory);
   costs["samples"].bytes = recordBytes(sums, world);
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(ChainLink);
-  warnOfTimeSteps(f, rehearsal);
+  warnOfTimeSteps(f, trial);
   if (scenario.scene.mechanics->physics.growth)
     f.remarks.push_back("what growth does to the time step is not foreseen beyond the rehearsal");
 }
 
-void addPictures(Costs& costs, const Forecast& f, const Scenario& scenario, const ForecastOptions& options) {
+void addPictures(Costs& costs, const Prediction& f, const Scenario& scenario,
+                 const PredictionOptions& options) {
   if (!options.secondsPerPicture || !f.vertices) return;
   double pictures = 2;
   if (scenario.record.pictures)
@@ -182,7 +175,7 @@ void addPictures(Costs& costs, const Forecast& f, const Scenario& scenario, cons
   costs["pictures"].seconds = pictures * *options.secondsPerPicture;
 }
 
-void addShares(Forecast& f) {
+void addShares(Prediction& f) {
   const double whole = f.seconds(), vertices = double(f.vertices) * double(f.cells);
   for (PartCost& c : f.costs) {
     const bool inSteps = c.seconds && !c.afterwards;
@@ -194,28 +187,28 @@ void addShares(Forecast& f) {
 
 }  // namespace
 
-double Forecast::seconds() const {
+double Prediction::seconds() const {
   double sum = 0;
   for (const PartCost& c : costs) sum += c.afterwards ? 0 : c.seconds.value_or(0);
   return sum;
 }
 
-double Forecast::bytes() const {
+double Prediction::bytes() const {
   double sum = 0;
   for (const PartCost& c : costs) sum += c.bytes.value_or(0);
   return sum;
 }
 
-Forecast foretell(const Scenario& scenario, const ForecastOptions& options) {
-  Forecast f;
-  f.life = foretellLife(scenario.scene);
+Prediction predictCost(const Scenario& scenario, const PredictionOptions& options) {
+  Prediction f;
+  f.life = predictLife(scenario.scene);
   f.cells = f.life.mostCells();
   if (!f.life.whole)
     f.remarks.push_back("there are more cells than were followed: this is the beginning of the run only");
   Costs costs;
   costs["biology"].seconds = f.life.seconds;
-  if (scenario.scene.mechanics) foretellBodies(costs, f, scenario, options);
-  else foretellLineage(costs, f, scenario, options);
+  if (scenario.scene.mechanics) predictBodies(costs, f, scenario, options);
+  else predictLineage(costs, f, scenario, options);
   addPictures(costs, f, scenario, options);
   for (Part& part : partsOf(scenario, options.ask)) {
     if (!part.engaged) {

@@ -1,13 +1,12 @@
 #pragma once
-// What a run will cost, part by part: cells from the genes, steps and contacts from a rehearsal of its
+// What a run will cost, part by part: cells from the genes, steps and contacts from a trial run of its
 // beginning, rates from this machine. Times are those of one thread.
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "parts/life.h"
 #include "parts/parts.h"
-#include "parts/rehearsal.h"
+#include "parts/trial_run.h"
 
 namespace morula {
 
@@ -21,14 +20,14 @@ struct PartCost {
   bool afterwards = false;                    // once the cells have stopped: no share of the steps
 };
 
-struct Forecast {
+struct Prediction {
   Life life;
   std::uint64_t cells = 0;  // the most that live at a time
   int vertices = 0;         // of the egg; 0 without bodies
-  // The whole run, as it is foreseen; exact where it was rehearsed.
+  // The whole run, as it is predicted; exact as far as the trial run went.
   double steps = 0, vertexSteps = 0, pairs = 0, searches = 0;
-  bool rehearsed = false;       // from beginning to end
-  double rehearsedTime = 0;     // [time] how far
+  bool triedWhole = false;      // from beginning to end
+  double triedTime = 0;         // [time] how far
   std::vector<PartCost> costs;  // of all parts that are engaged
   std::vector<Part> absent;
   std::vector<std::string> remarks;
@@ -37,17 +36,17 @@ struct Forecast {
   double bytes() const;
 };
 
-struct ForecastOptions {
+struct PredictionOptions {
   RunAsk ask = {};
   Execution execution = {};
-  double rehearsal = 8e6;                        // steps times vertices
+  double trial = 8e6;                            // steps times vertices
   std::optional<double> secondsPerPicture = {};  // of those with bodies
 };
 
 /// Throws InputError and NumericalError as the run would.
-Forecast foretell(const Scenario& scenario, const ForecastOptions& options);
+Prediction predictCost(const Scenario& scenario, const PredictionOptions& options);
 
 /// As a table for people.
-std::string describe(const Forecast& forecast, const std::string& title);
+std::string describe(const Prediction& prediction, const std::string& title);
 
 }  // namespace morula

@@ -1,12 +1,12 @@
-// What is foreseen against what then happens.
-#include "parts/forecast.h"
+// What is predicted against what then happens.
+#include "parts/prediction.h"
 
 #include <cmath>
 
 #include "bench/packed_world.h"
 #include "bench/work.h"
 #include "catch.h"
-#include "parts/outlook.h"
+#include "parts/extrapolation.h"
 #include "parts/rates.h"
 #include "scenes.h"
 #include "simulation/hash.h"
@@ -32,28 +32,28 @@ Counted ran(const Scene& scene) {
   return c;
 }
 
-struct Foreseen {
+struct Predicted {
   Life life;
-  Rehearsal rehearsal;
-  std::vector<Outlook> eras;
+  TrialRun trial;
+  std::vector<EraCounts> eras;
 };
 
-Foreseen foresee(const Scene& scene, double vertexSteps) {
-  const Life life = foretellLife(scene);
-  Rehearsal rehearsal = rehearse(makeWorld(scene), life, vertexSteps);
-  auto eras = lookAhead(life, rehearsal);
-  return {life, std::move(rehearsal), std::move(eras)};
+Predicted predict(const Scene& scene, double vertexSteps) {
+  const Life life = predictLife(scene);
+  TrialRun trial = tryBeginning(makeWorld(scene), life, vertexSteps);
+  auto eras = extrapolate(life, trial);
+  return {life, std::move(trial), std::move(eras)};
 }
 
-double steps(const std::vector<Outlook>& eras) {
+double steps(const std::vector<EraCounts>& eras) {
   double sum = 0;
-  for (const Outlook& o : eras) sum += o.steps;
+  for (const EraCounts& o : eras) sum += o.steps;
   return sum;
 }
 
-double pairs(const std::vector<Outlook>& eras) {
+double pairs(const std::vector<EraCounts>& eras) {
   double sum = 0;
-  for (const Outlook& o : eras) sum += o.pairs;
+  for (const EraCounts& o : eras) sum += o.pairs;
   return sum;
 }
 
@@ -71,7 +71,7 @@ Scene crowd() {
 
 TEST_CASE("A life in eras: as many cells as the run has, from birth to the stop") {
   Scene scene = scenes::lineageOnly(scenes::uniqueFour, 6);
-  Life life = foretellLife(scene);
+  Life life = predictLife(scene);
   REQUIRE(life.eras.size() == 3);
   for (int i = 0; i < 3; ++i) {
     CHECK(life.eras[i].cells == 1u << i);
@@ -85,61 +85,61 @@ TEST_CASE("A life in eras: as many cells as the run has, from birth to the stop"
 
   scene = scenes::lineageOnly(scenes::everybodyDivides, 40);
   scene.stop.time = 4.5;
-  life = foretellLife(scene);
+  life = predictLife(scene);
   CHECK(life.mostCells() == 16);
   CHECK(life.eras.back().to == 4.5);
   scene.stop.cells = 8;
-  life = foretellLife(scene);
+  life = predictLife(scene);
   CHECK(life.mostCells() == 8);
   CHECK(life.eras.back().to == 3);
   scene.stop = {};
   scene.stop.cycles = 40;
-  life = foretellLife(scene, 1000);
+  life = predictLife(scene, 1000);
   CHECK_FALSE(life.whole);
   CHECK(life.mostCells() >= 512);
 
   // Deaths: against the run itself.
   scene = scenes::lineageOnly(scenes::eventful, 8);
   World world = makeWorld(scene);
-  life = foretellLife(scene);
+  life = predictLife(scene);
   std::vector<std::uint64_t> counts{1};
   while (!finished(world)) {
     step(world);
     if (world.cells.path.size() != counts.back()) counts.push_back(world.cells.path.size());
   }
-  std::vector<std::uint64_t> foretold;
+  std::vector<std::uint64_t> predicted;
   for (const Era& era : life.eras)
-    if (foretold.empty() || era.cells != foretold.back()) foretold.push_back(era.cells);
-  CHECK(foretold == counts);
+    if (predicted.empty() || era.cells != predicted.back()) predicted.push_back(era.cells);
+  CHECK(predicted == counts);
   CHECK(life.eras.back().cells < life.mostCells());
 }
 
-TEST_CASE("A rehearsal that comes to the end has counted exactly what a run counts") {
+TEST_CASE("A trial run that comes to the end has counted exactly what a run counts") {
   for (const Scene& scene : {scenes::packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life()}) {
     CAPTURE(scene.name);
-    const Foreseen f = foresee(scene, 1e9);
+    const Predicted f = predict(scene, 1e9);
     const Counted real = ran(scene);
-    CHECK(f.rehearsal.whole);
-    CHECK(stateHash(f.rehearsal.world) == stateHash(real.world));
+    CHECK(f.trial.whole);
+    CHECK(stateHash(f.trial.world) == stateHash(real.world));
     CHECK(steps(f.eras) == real.steps);
     CHECK(f.life.eras.back().cells == real.world.cells.path.size());
-    const MemoryUse m = foretellMemory(f.life, f.rehearsal), r = measureMemory(real.world);
+    const MemoryUse m = extrapolateMemory(f.life, f.trial), r = measureMemory(real.world);
     CHECK(m.total() == Approx(double(r.total())).epsilon(0.1));
   }
 }
 
-TEST_CASE("From its first cells a crowd is foreseen: steps, pairs, and memory to 10 %") {
+TEST_CASE("From its first cells a crowd is predicted: steps, pairs, and memory to 10 %") {
   const Scene scene = crowd();
   const Counted real = ran(scene);
   REQUIRE(real.world.cells.path.size() == 64);
-  // The rehearsal comes to eight cells; it is the same on every machine.
-  const Foreseen f = foresee(scene, 2e5);
-  REQUIRE_FALSE(f.rehearsal.whole);
-  CHECK(f.rehearsal.world.bodies->count == 8);
+  // The trial run comes to eight cells; it is the same on every machine.
+  const Predicted f = predict(scene, 2e5);
+  REQUIRE_FALSE(f.trial.whole);
+  CHECK(f.trial.world.bodies->count == 8);
   CHECK(f.life.mostCells() == 64);
   CHECK(steps(f.eras) == Approx(real.steps).epsilon(0.3));
   CHECK(pairs(f.eras) == Approx(real.pairs).epsilon(0.3));
-  const MemoryUse m = foretellMemory(f.life, f.rehearsal), r = measureMemory(real.world);
+  const MemoryUse m = extrapolateMemory(f.life, f.trial), r = measureMemory(real.world);
   CHECK(double(m.total()) == Approx(double(r.total())).epsilon(0.1));
   CHECK(m.bodies == Approx(double(r.bodies)).epsilon(0.01));
   CHECK(m.snapshots == Approx(double(r.snapshots)).epsilon(0.01));
@@ -171,17 +171,17 @@ TEST_CASE("Packed cells take at most 400 B per vertex, with all that finds and k
 
 TEST_CASE("Time steps of later generations are those that a run takes") {
   Scene scene = crowd();
-  const Life life = foretellLife(scene);
-  const Rehearsal whole = rehearse(makeWorld(scene), life, 1e9);
-  const Rehearsal start = rehearse(makeWorld(scene), life, 2e5);
+  const Life life = predictLife(scene);
+  const TrialRun whole = tryBeginning(makeWorld(scene), life, 1e9);
+  const TrialRun start = tryBeginning(makeWorld(scene), life, 2e5);
   REQUIRE(start.generation == 3);
   REQUIRE(whole.generation == 6);
-  CHECK(foretellTimeStepLimit(whole, 6) == Approx(whole.timeStepLimit));
-  CHECK(foretellTimeStepLimit(start, 3) == Approx(start.timeStepLimit));
-  CHECK(foretellTimeStepLimit(start, 6) == Approx(whole.timeStepLimit).epsilon(0.2));
+  CHECK(predictTimeStepLimit(whole, 6) == Approx(whole.timeStepLimit));
+  CHECK(predictTimeStepLimit(start, 3) == Approx(start.timeStepLimit));
+  CHECK(predictTimeStepLimit(start, 6) == Approx(whole.timeStepLimit).epsilon(0.2));
   // Of a free round egg, before anything happened: what makeWorld chose.
-  const Rehearsal nothing = rehearse(makeWorld(scene), life, 0);
-  const double limit = foretellTimeStepLimit(nothing, 0), step = nothing.world.clock.timeStep;
+  const TrialRun nothing = tryBeginning(makeWorld(scene), life, 0);
+  const double limit = predictTimeStepLimit(nothing, 0), step = nothing.world.clock.timeStep;
   CHECK(step <= limit);
   CHECK(2 * step > limit);
 }
@@ -193,7 +193,7 @@ TEST_CASE("Measuring rates changes nothing, and what the scene lacks has none") 
     while (world.cells.path.size() < 4) step(world);
     const Hash before = stateHash(world);
     const auto pairs = world.contacts->list.pairs;
-    const StepRates rates = measureRates(world, 1e5);
+    const StepRates rates = measureRates(world);
     CHECK(stateHash(world) == before);
     CHECK(world.contacts->list.pairs == pairs);
     // Differences of times, which on a busy machine may be nothing; what is told apart by counting is exact.
@@ -215,7 +215,7 @@ TEST_CASE("Measuring rates changes nothing, and what the scene lacks has none") 
     CHECK(stateHash(world) == stateHash(other));
   }
   World plain = makeWorld(scenes::withBodies(scenes::uniqueFour, 3));
-  const StepRates rates = measureRates(plain, 0);
+  const StepRates rates = measureRates(plain);
   CHECK(rates.shell == 0);
   CHECK(rates.drag == 0);
   CHECK(rates.pair == 0);
@@ -231,11 +231,11 @@ TEST_CASE("Lanes that nobody uses are paid for") {
   CHECK(laneShare(Isa::avx512, 0) == 1);
 }
 
-TEST_CASE("A forecast has a line for each part, and shares of one whole") {
+TEST_CASE("A prediction has a line for each part, and shares of one whole") {
   const auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/unique-four.yaml");
-  ForecastOptions options;
-  options.rehearsal = 2e5;
-  const Forecast f = foretell(scenario, options);
+  PredictionOptions options;
+  options.trial = 2e5;
+  const Prediction f = predictCost(scenario, options);
   CHECK(f.cells == 4);
   CHECK(f.vertices == 162);
   std::size_t engaged = 0;
@@ -255,26 +255,26 @@ TEST_CASE("A forecast has a line for each part, and shares of one whole") {
                        ContainsSubstring("unique-four.yaml:35:9: physics.drag"));
 }
 
-TEST_CASE("Odd lives have forecasts, too: nothing to do, everybody dead, far too many") {
+TEST_CASE("Odd lives have predictions, too: nothing to do, everybody dead, far too many") {
   auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/unique-four.yaml");
-  ForecastOptions options;
-  options.rehearsal = 1e5;
+  PredictionOptions options;
+  options.trial = 1e5;
   scenario.scene.mechanics->mesh = makeIcosphere(0);
   scenario.scene.stop = {};
   scenario.scene.stop.cells = 1;
-  Forecast f = foretell(scenario, options);
+  Prediction f = predictCost(scenario, options);
   CHECK(f.steps == 0);
   for (const PartCost& c : f.costs) CHECK_FALSE(c.nsPerVertexStep);
   scenario.scene.stop.cells.reset();
   scenario.scene.stop.cycles = 3;
   scenario.scene.dna = parseDna("START: a0\ng1(die|a0)\n", "test.dna");
-  f = foretell(scenario, options);
+  f = predictCost(scenario, options);
   CHECK(f.steps > 0);
   CHECK(f.cells == 1);
   CHECK(f.seconds() > 1e-6);
   scenario.scene.dna = parseDna(scenes::everybodyDivides, "test.dna");
   scenario.scene.stop.cycles = 60;
-  f = foretell(scenario, options);
+  f = predictCost(scenario, options);
   CHECK(f.cells >= 100'000);
   CHECK(std::isfinite(f.seconds()));
   CHECK(f.bytes() > 1e9);
@@ -283,23 +283,23 @@ TEST_CASE("Odd lives have forecasts, too: nothing to do, everybody dead, far too
 
 TEST_CASE("A fixed time step that later cells will not stand is told beforehand") {
   auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/elegans-128.yaml");
-  ForecastOptions options;
-  options.rehearsal = 2e5;
+  PredictionOptions options;
+  options.trial = 2e5;
   scenario.scene.mechanics->mesh = makeIcosphere(0);
   scenario.scene.mechanics->physics.timeStep = 0x1p-9;
-  const Forecast f = foretell(scenario, options);
+  const Prediction f = predictCost(scenario, options);
   REQUIRE(f.remarks.size() == 1);
   CHECK_THAT(f.remarks[0], ContainsSubstring("physics.time_step will be too long from "));
   scenario.scene.mechanics->physics.timeStep = 0x1p-14;
-  CHECK(foretell(scenario, options).remarks.empty());
+  CHECK(predictCost(scenario, options).remarks.empty());
 }
 
-TEST_CASE("The forecast of a lineage needs no rehearsal") {
+TEST_CASE("The prediction of a lineage needs no trial run") {
   const auto scenario = loadScenario(MORULA_SOURCE_DIR "/scenarios/thesis/elegans-1024.yaml");
-  const Forecast f = foretell(scenario, {});
+  const Prediction f = predictCost(scenario, {});
   CHECK(f.cells == 1024);
   CHECK(f.vertices == 0);
-  CHECK(f.rehearsed);
+  CHECK(f.triedWhole);
   for (const PartCost& c : f.costs) CHECK((c.part.name == "biology" || c.part.name == "samples" || c.part.name == "pictures"));
   CHECK(f.bytes() > 2047 * sizeof(LineageEntry));
 }
