@@ -122,4 +122,7 @@ std::vector<BulletSpeed> compareSpeeds(const std::vector<AccuracyRow>& rows);
 std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows);
 std::vector<SpeedAtError> findSpeeds(const std::vector<AccuracyRow>& rows, const std::string& usual);
 
+/// For people.
+std::string describe(const AccuracyReport& report);
+
 }  // namespace morula

@@ -9,9 +9,9 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "baseline/worker.h"
-#include "bench/statistics.h"
+#include "engines/engine_worker.h"
 #include "scenario/bullet_fit.h"
+#include "system/statistics.h"
 
 namespace morula {
 

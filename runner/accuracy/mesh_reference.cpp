@@ -65,7 +65,7 @@ class Study {
   }
 
   /// [s] Of CPU time, from what the reference took for each vertex and evaluation of forces.
-  double foretell(std::uint64_t level, double timeStep) const {
+  double predictSeconds(std::uint64_t level, double timeStep) const {
     const auto vertices = [](std::uint64_t l) { return 10 * std::exp2(2.0 * double(l)) + 2; };
     const double perStep = own_.steps > 0 ? own_.cpuSeconds / double(own_.forceEvaluations) : 0;
     return perStep * (vertices(level) / vertices(level_)) * (lab_.times.back() / timeStep);
@@ -75,7 +75,7 @@ class Study {
   Trial solve(std::uint64_t level, double& timeStep) {
     Trial t;
     for (int i = 0; i <= mostHalvings; ++i, timeStep /= 2) {
-      const double seconds = foretell(level, timeStep), rest = lab_.options.budget - spent_;
+      const double seconds = predictSeconds(level, timeStep), rest = lab_.options.budget - spent_;
       if (!(seconds <= rest)) {
         t.failure = fmt::format(
             "icosphere {} takes about {} s of CPU time, and {} s of {} s are left (--budget)", level,
@@ -137,7 +137,7 @@ class Study {
     s.coarsen = settingAt(level, s.timeStep).coarsen;
     if (level > level_)
       s.timeStep = std::ldexp(s.timeStep, static_cast<int>(level_) - static_cast<int>(level));
-    if (!(foretell(level, s.timeStep) <= lab_.options.budget - spent_)) return;
+    if (!(predictSeconds(level, s.timeStep) <= lab_.options.budget - spent_)) return;
     lab_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(s.timeStep)));
     Trial t = lab_.trial(s, 1);
     spent_ += t.cpuSeconds;

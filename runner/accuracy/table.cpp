@@ -1,10 +1,9 @@
-#include "accuracy/table.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "accuracy/accuracy.h"
 #include "base/number_text.h"
 
 namespace morula {

@@ -5,8 +5,9 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "bench/clock.h"
-#include "bench/statistics.h"
+#include "loop/twin_run.h"
+#include "system/clock.h"
+#include "system/statistics.h"
 
 namespace morula {
 
@@ -46,14 +47,6 @@ void runOnce(const Scene& scene, const std::vector<double>& times, const Executi
   }
 }
 
-double largestDifference(const World& a, const World& b) {
-  if (a.cells.path != b.cells.path || a.bodies->position.size() != b.bodies->position.size()) return INFINITY;
-  double largest = 0;
-  for (std::size_t i = 0; i < a.bodies->position.size(); ++i)
-    largest = std::max(largest, std::abs(a.bodies->position[i] - b.bodies->position[i]));
-  return largest;
-}
-
 }  // namespace
 
 Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vector<double>& times,
@@ -77,18 +70,12 @@ Trial runTrial(const ReadScenario& read, const Setting& setting, const std::vect
 
 Horizon findHorizon(const Scene& scene, const Execution& execution, std::optional<double> latest,
                     double amplification) {
-  World world = makeWorld(scene, execution), twin = makeWorld(scene, execution);
-  Reals& x = twin.bodies->position;
-  const double before = x[0];
-  const bool wide = twin.bodies->parameters.precision == Precision::binary64;
-  x[0] = wide ? std::nextafter(before, INFINITY) : double(std::nextafterf(float(before), INFINITY));
-  const double ulp = x[0] - before;
+  Twins twins(makeWorld(scene, execution), makeWorld(scene, execution));
+  const World& world = twins.world();
   Horizon horizon{0, 0, false, world.clock.timeStep, world.clock.timeStep};
   while (!finished(world) && !(latest && world.clock.time >= *latest)) {
-    step(world);
-    step(twin);
-    const double apart = largestDifference(world, twin);
-    horizon.parted = apart > amplification * ulp;
+    const double apart = twins.step();
+    horizon.parted = apart > amplification * twins.ulp();
     if (horizon.parted) break;
     horizon.rounding = std::max(horizon.rounding, apart);
     horizon.end = world.clock.time;

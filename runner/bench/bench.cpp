@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "baseline/bullet_scene.h"
-#include "bench/ratios.h"
 #include "bench/scene_bench.h"
+#include "engines/bullet_scene.h"
 
 namespace morula {
 

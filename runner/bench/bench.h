@@ -29,7 +29,7 @@ struct BenchOptions {
   bool bullet = true;
   int mostBulletCells = 256;
   std::filesystem::path folder;  // where packed scenes are kept; "": nowhere
-  std::string program;           // that answers to `bullet-worker`
+  std::string program;           // that answers to `engine-worker`
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
@@ -88,6 +88,12 @@ struct BenchReport {
 };
 
 BenchReport runBench(const BenchOptions& options);
+
+/// For people.
+std::string describe(const BenchReport& report);
+
+/// What the project has promised itself, read off a finished table: those whose rows are there.
+std::vector<BenchRatio> findRatios(const std::vector<BenchRow>& rows);
 
 /// The row of the packed scene that fits, or null.
 const BenchRow* find(const std::vector<BenchRow>& rows, const std::string& scene, const std::string& engine,

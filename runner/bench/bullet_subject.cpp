@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bench/statistics.h"
 #include "mesh/measures.h"
+#include "system/statistics.h"
 
 namespace morula {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "baseline/bullet_scene.h"
+#include "engines/bullet_scene.h"
 
 namespace morula {
 

@@ -3,9 +3,9 @@
 #include <iterator>
 
 #include "base/parallel.h"
-#include "bench/clock.h"
 #include "bench/peak_kernels.h"
-#include "bench/statistics.h"
+#include "system/clock.h"
+#include "system/statistics.h"
 
 namespace morula {
 

@@ -1,8 +1,8 @@
-#include "bench/ratios.h"
-
 #include <fmt/format.h>
 
 #include <set>
+
+#include "bench/bench.h"
 
 namespace morula {
 

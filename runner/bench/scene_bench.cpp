@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "baseline/worker.h"
 #include "bench/packing.h"
-#include "bench/statistics.h"
+#include "engines/engine_worker.h"
+#include "system/statistics.h"
 
 namespace morula {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/clock.h"
 #include "bench/ordinary_cell.h"
 #include "bench/packed_world.h"
+#include "system/clock.h"
 
 namespace morula {
 

@@ -1,8 +1,8 @@
-#include "bench/table.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "bench/bench.h"
 
 namespace morula {
 

@@ -7,23 +7,22 @@
 #include <algorithm>
 #include <memory>
 
+#include "accuracy/accuracy_json.h"
+#include "accuracy/into_golden.h"
 #include "accuracy/picture.h"
-#include "accuracy/table.h"
+#include "accuracy/target.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "cli/accuracy_golden.h"
-#include "cli/accuracy_json.h"
-#include "cli/accuracy_target.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/picture_name.h"
-#include "cli/simulate.h"
 #include "cli/verb.h"
 #include "files/folders.h"
+#include "loop/simulate.h"
 #include "pictures/pictures.h"
-#include "process/child_process.h"
 #include "simulation/world.h"
+#include "system/child_process.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

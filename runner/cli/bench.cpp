@@ -8,10 +8,7 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "baseline/worker.h"
 #include "bench/picture.h"
-#include "bench/table.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/picture_name.h"
@@ -19,6 +16,8 @@
 #include "files/folders.h"
 #include "pictures/pictures.h"
 #include "store/machine_info.h"
+#include "system/child_process.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

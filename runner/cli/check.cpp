@@ -5,21 +5,21 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/beside.h"
-#include "cli/bullet_check.h"
-#include "cli/check_run.h"
-#include "cli/console.h"
+#include "check/check_run.h"
+#include "check/pending.h"
+#include "check/sanity.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/pending.h"
-#include "cli/sanity.h"
-#include "cli/shipped.h"
 #include "cli/verb.h"
+#include "engines/bullet_check.h"
+#include "engines/engine_comparison.h"
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
+#include "golden/check_json.h"
 #include "golden/ci_reports.h"
+#include "system/console.h"
 
 namespace morula::cli {
 
@@ -33,11 +33,22 @@ struct CheckOptions {
   std::string reports, beside, cpuLimit;
 };
 
-Json toJson(const CheckReport& report, const CheckResult& r) {
-  return {{"scenario", report.scenario}, {"check", r.check},        {"kind", r.kind},
-          {"passed", r.passed},          {"class", r.failureClass}, {"first_step", orNull(r.firstStep)},
-          {"cell", orNull(r.cell)},      {"field", r.field},        {"share_of_tolerance", orNull(r.share)},
-          {"expected", r.expected},      {"actual", r.actual},      {"tolerance", r.tolerance}};
+/// As the contract of `morula check --json` says.
+Json toJson(const CheckReport& report, const CheckResult& result) {
+  Json json{{"scenario", report.scenario}};
+  json.update(morula::toJson(result));
+  json.erase("message");
+  return json;
+}
+
+/// All scenarios/…/*.yaml below the working folder, sorted. Throws FileError if there is no folder `scenarios`.
+std::vector<std::string> shippedScenarios() {
+  if (!isFolder("scenarios"))
+    throw FileError(
+        "there is no folder 'scenarios' here; name the scenario files, or go to the project's folder");
+  std::vector<std::string> files;
+  for (const auto& file : filesBelow("scenarios", ".yaml")) files.push_back(file.string());
+  return files;
 }
 
 /// A run that could not end is a check that failed.
@@ -118,8 +129,8 @@ void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
   if (page) appendToFile(page, summaryPage(reports));
 }
 
-BesideOptions besideOptions(const CheckOptions& options) {
-  BesideOptions beside{parseEngines(options.beside), usualCpuSeconds, options.output.quiet};
+ComparisonOptions comparisonOptions(const CheckOptions& options) {
+  ComparisonOptions beside{parseEngines(options.beside), usualCpuSeconds, options.output.quiet};
   if (options.cpuLimit.empty()) return beside;
   if (options.beside.empty())
     throw UsageError("--cpu-limit: is for the engines of --beside; give --beside, too");
@@ -129,7 +140,7 @@ BesideOptions besideOptions(const CheckOptions& options) {
 
 int act(const CheckOptions& options) {
   const auto how = execution(options.execution);
-  const BesideOptions beside = besideOptions(options);
+  const ComparisonOptions beside = comparisonOptions(options);
   std::vector<Scenario> scenarios;
   for (const auto& file : options.scenarios.empty() ? shippedScenarios() : options.scenarios)
     scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
@@ -165,7 +176,7 @@ int act(const CheckOptions& options) {
   Json found{{"results", results}};
   std::string table;
   if (!beside.engines.empty()) {
-    const auto rows = lookBeside(scenarios, own, beside);
+    const auto rows = compareEngines(scenarios, own, beside);
     found["beside"] = toJson(rows, beside.engines);
     table = tableOf(rows, beside.engines);
   }

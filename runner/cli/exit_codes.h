@@ -1,6 +1,6 @@
 #pragma once
 // What the program tells its caller by a number.
-#include <stdexcept>
+#include "system/usage_error.h"
 
 namespace morula::cli {
 
@@ -13,11 +13,6 @@ enum ExitCode : int {
   file = 6,        // a file or database cannot be read or written
   bug = 70,        // ours
   signalled = 128  // + the signal's number: 130, 143
-};
-
-/// The command line is wrong. Exit 2.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 }  // namespace morula::cli

@@ -2,22 +2,16 @@
 // are.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "base/error.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
-#include "cli/license.h"
 #include "cli/options.h"
-#include "cli/ro_crate.h"
-#include "cli/stored.h"
 #include "cli/verb.h"
-#include "files/content.h"
-#include "files/folders.h"
-#include "files/safe_name.h"
-#include "golden/accept.h"
-#include "pictures/pictures.h"
+#include "export/license.h"
+#include "export/run_crate.h"
+#include "loop/stored_scenario.h"
+#include "system/console.h"
 
 namespace morula::cli {
 
@@ -70,55 +64,6 @@ int listTables(Store& store, const ExportOptions& options) {
   return fine;
 }
 
-CrateFile crateFile(const Document& d) {
-  using Role = CrateFile::Role;
-  if (d.role == "resolved")
-    return {"scenario/resolved.json",
-            Role::object,
-            "The scenario with all defaults and changes filled in",
-            "",
-            d.content,
-            {}};
-  if (d.role == "diff")
-    return {"program.diff", Role::about, "What the program's sources had that their commit had not", "",
-            d.content,      {}};
-  const char* what = d.role == "dna"    ? "The genes that the scenario names"
-                     : d.role == "mesh" ? "The egg's mesh that the scenario names"
-                                        : "The scenario as it was read";
-  // Role and path come from the database, which may be a stranger's.
-  const std::string role = safeName(d.role, "document");
-  return {role + "/" + safeName(d.path, role), Role::object, what, d.path, d.content, {}};
-}
-
-/// The golden file that the run is held against, if it is here: below the current folder, for the database says where the
-/// scenario was, and must not reach other files.
-void addGolden(std::vector<CrateFile>& files) {
-  for (const CrateFile& file : files) {
-    if (!file.path.starts_with("scenario/") || file.alternateName.empty()) continue;
-    const fs::path golden = goldenPath(file.alternateName);
-    if (!liesWithin(golden, currentFolder()) || contentOfFile(golden) != Content::golden) return;
-    files.push_back({"golden/" + safeName(golden.string(), "golden"), CrateFile::Role::object,
-                     "The accepted result that the run is held against", golden.string(), "", golden});
-    return;
-  }
-}
-
-/// What `morula run` draws. The database does not know where: beside it, unless it holds other runs too.
-void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
-  const auto add = [&](const fs::path& picture, const std::string& description) {
-    const auto inCrate = (picture.parent_path() / safeName(picture.string(), "picture")).generic_string();
-    if (isPlainFile(folder / picture) && contentOfFile(folder / picture) == Content::picture)
-      files.push_back({"pictures/" + inCrate, CrateFile::Role::result, description,
-                       (folder / picture).string(), "", folder / picture});
-  };
-  add("organism.png", "The organism at the end");
-  add("wireframe.png", "The organism at the end, as meshes");
-  add("lineage.png", "The tree of its cells");
-  if (!isFolder(folder / "sequence")) return;
-  for (const fs::path& frame : namesIn(folder / "sequence"))
-    if (frame.extension() == ".png") add("sequence" / frame, "The organism on the way");
-}
-
 int act(const ExportOptions& options) {
   auto store = Store::openForReading(options.database);
   if (options.list && !options.crate.empty()) throw UsageError("export: --list or --ro-crate, not both");
@@ -130,19 +75,12 @@ int act(const ExportOptions& options) {
       throw UsageError("export: --ro-crate FOLDER says what to make of the run");
     return listRuns(store, options);
   }
-  CrateRun crate{store.find(options.run), options.agent, licenseUri(options.license), {}};
-  requireWholeRecord(store, crate.run);
-  for (const Document& document : store.documents(crate.run.id)) crate.files.push_back(crateFile(document));
-  addGolden(crate.files);
-  if (!options.pictures.empty() && !isFolder(options.pictures))
-    throw FileError("'" + options.pictures + "': no such folder");
+  const StoredRun run = store.find(options.run);
+  const std::string license = licenseUri(options.license);
+  requireWholeRecord(store, run);
   const fs::path folder = options.crate;
-  makeEmptyFolder(folder);
-  store.copyRun(crate.run.id, folder / "run.db");
-  crate.files.push_back(
-      {"run.db", CrateFile::Role::result, "All results of the run, in SQLite", options.database, "", {}, true});
-  if (!options.pictures.empty()) addPictures(crate.files, options.pictures);
-  else if (store.runs().size() == 1) addPictures(crate.files, fs::path(options.database).parent_path());
+  CrateRun crate = crateOf(store, run, options.pictures, folder);
+  crate.agent = options.agent, crate.license = license;
   writeCrate(crate, folder);
   if (options.output.json)
     printJson({{"run_id", crate.run.id}, {"crate", folder.string()}, {"files", crate.files.size()}});

@@ -4,13 +4,13 @@
 
 #include "base/error.h"
 #include "biology/full_tree.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/verb.h"
 #include "files/folders.h"
 #include "files/write_file.h"
 #include "scenario/schema.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

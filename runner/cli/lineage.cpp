@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/picture_name.h"
-#include "cli/simulate.h"
-#include "cli/stored.h"
 #include "cli/verb.h"
+#include "loop/simulate.h"
+#include "loop/stored_scenario.h"
 #include "pictures/pictures.h"
 #include "store/store.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

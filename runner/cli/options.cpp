@@ -2,9 +2,9 @@
 
 #include "base/error.h"
 #include "cli/exit_codes.h"
-#include "cli/usable_memory.h"
 #include "cli/verb.h"
-#include "scenario/numbers.h"
+#include "system/usable_memory.h"
+#include "yaml/numbers.h"
 
 namespace morula::cli {
 
@@ -90,6 +90,20 @@ double positiveOption(const std::string& option, const std::string& text) {
 
 double nonNegativeOption(const std::string& option, const std::string& text) {
   return realOption(option, text, true);
+}
+
+double sizeOption(const std::string& option, const std::string& text) {
+  const std::string needs = "; needs a size > 0, as 500M or 8G (10⁶ or 10⁹ bytes)";
+  const char last = text.empty() ? ' ' : text.back();
+  const double unit = last == 'k' || last == 'K' ? 1e3
+                      : last == 'M'              ? 1e6
+                      : last == 'G'              ? 1e9
+                      : last == 'T'              ? 1e12
+                                                 : 1;
+  const auto number = scenario::parseReal(unit == 1 ? text : text.substr(0, text.size() - 1));
+  if (!number.wrong.empty()) throw UsageError(option + ": '" + text + "' " + number.wrong + needs);
+  if (!(number.value > 0)) throw UsageError(option + ": " + text + " is out of range" + needs);
+  return number.value * unit;
 }
 
 std::vector<std::uint64_t> seedRange(const std::string& text) {

@@ -50,6 +50,8 @@ std::uint64_t naturalOption(const std::string& option, const std::string& text, 
 double positiveOption(const std::string& option, const std::string& text);
 /// A number ≥ 0. Throws UsageError.
 double nonNegativeOption(const std::string& option, const std::string& text);
+/// [byte] "500M", "8G", "1.5G", "200000000". Throws UsageError.
+double sizeOption(const std::string& option, const std::string& text);
 /// "1..50": the numbers from 1 to 50. Throws UsageError.
 std::vector<std::uint64_t> seedRange(const std::string& text);
 

@@ -4,16 +4,16 @@
 #include <memory>
 
 #include "base/error.h"
-#include "bench/clock.h"
-#include "cli/check_run.h"
-#include "cli/console.h"
+#include "check/check_run.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/simulate.h"
 #include "cli/verb.h"
 #include "files/folders.h"
-#include "parts/forecast.h"
+#include "loop/simulate.h"
+#include "parts/prediction.h"
 #include "pictures/pictures.h"
+#include "system/clock.h"
+#include "system/console.h"
 
 namespace morula::cli {
 
@@ -56,7 +56,7 @@ Json toJson(const PartCost& c) {
           {"bytes_per_vertex", orNull(c.bytesPerVertex)}};
 }
 
-Json toJson(const Forecast& f, const Scenario& scenario, const Execution& how) {
+Json toJson(const Prediction& f, const Scenario& scenario, const Execution& how) {
   Json parts = Json::array();
   for (const PartCost& c : f.costs) parts.push_back(toJson(c));
   for (const Part& p : f.absent) parts.push_back({{"part", p.name}, {"engaged", false}, {"needs", p.why}});
@@ -70,26 +70,26 @@ Json toJson(const Forecast& f, const Scenario& scenario, const Execution& how) {
           {"searches", f.searches},
           {"seconds", f.seconds()},
           {"bytes", f.bytes()},
-          {"rehearsed_time", f.rehearsedTime},
-          {"rehearsed", f.rehearsed},
+          {"rehearsed_time", f.triedTime},
+          {"rehearsed", f.triedWhole},
           {"parts", parts},
           {"remarks", f.remarks}};
 }
 
 int act(const PartsOptions& options) {
   const auto scenario = loadScenario(options.scenario, overrides(options.scene), options.input.allowOutside);
-  ForecastOptions how;
+  PredictionOptions how;
   how.execution = execution(options.execution);
   how.ask.search = how.execution.search.method;
   if (options.scene.empty() && fileExists(goldenFile(scenario)))
     how.ask.golden = goldenFile(scenario).string();
   const World world = makeScenarioWorld(scenario, how.execution);  // its mistakes are told with their places
   how.ask.pictures = !options.noPictures;
-  if (!options.rehearsal.empty()) how.rehearsal = positiveOption("--rehearsal", options.rehearsal);
+  if (!options.rehearsal.empty()) how.trial = positiveOption("--rehearsal", options.rehearsal);
   if (world.bodies && how.ask.pictures) how.secondsPerPicture = secondsPerPicture(scenario, world);
-  const Forecast forecast = foretell(scenario, how);
-  if (options.output.json) printJson(toJson(forecast, scenario, how.execution));
-  else print(describe(forecast, scenario.scene.name + ", " + name(how.execution.isa)));
+  const Prediction prediction = predictCost(scenario, how);
+  if (options.output.json) printJson(toJson(prediction, scenario, how.execution));
+  else print(describe(prediction, scenario.scene.name + ", " + name(how.execution.isa)));
   return fine;
 }
 

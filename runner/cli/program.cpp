@@ -5,12 +5,13 @@
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "base/floating_point.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
-#include "cli/usable_memory.h"
 #include "cli/verbs.h"
+#include "files/text.h"
 #include "store/build_info.h"
 #include "store/store_error.h"
+#include "system/console.h"
+#include "system/usable_memory.h"
 
 namespace morula::cli {
 
@@ -30,12 +31,6 @@ std::vector<std::string> verbNames(const CLI::App& app) {
   for (const auto* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     if (!verb->get_group().empty()) names.push_back(verb->get_name());
   return names;
-}
-
-std::string join(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 /// CLI11 says of a misspelt verb only that one is required, so look at it before CLI11 does.
@@ -90,8 +85,7 @@ Action parse(int argc, char** argv) {
   addAccuracy(app, action);
   addBench(app, action);
   addTrail(app, action);
-  addBulletWorker(app, action);
-  addOtherWorker(app, action);
+  addEngineWorker(app, action);
   for (auto* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->allow_extras();
 
   checkVerb(app, argc, argv);

@@ -3,17 +3,18 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/accept_run.h"
-#include "cli/check_run.h"
-#include "cli/console.h"
+#include "check/accept_run.h"
+#include "check/check_run.h"
+#include "check/pending.h"
 #include "cli/exit_codes.h"
-#include "cli/git_text.h"
 #include "cli/options.h"
-#include "cli/pending.h"
 #include "cli/verb.h"
+#include "explain/explain.h"
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/succession.h"
+#include "system/console.h"
+#include "system/git_text.h"
 
 namespace morula::cli {
 
@@ -123,7 +124,10 @@ int act(const ReviewOptions& options) {
     const auto accepted =
         acceptRun(scenario, execution(options.execution), {options.by, options.why}, options.output.quiet);
     if (accepted.signal) return signalled + accepted.signal;
-    if (!options.output.json) print(accepted.text);
+    if (!options.output.json)
+      print(accepted.nondeterministic
+                ? "nothing accepted. " + explainTwice(scenario, execution(options.execution)).text
+                : accepted.text);
     results.push_back({{"scenario", goldenName(scenario.file)},
                        {"accepted", accepted.done},
                        {"file", goldenFile(scenario).string()}});

@@ -3,12 +3,12 @@
 #include <memory>
 #include <set>
 
-#include "cli/check_run.h"
-#include "cli/console.h"
+#include "check/check_run.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/run_scenario.h"
 #include "cli/verb.h"
+#include "run/run_scenario.h"
+#include "system/console.h"
 
 namespace morula::cli {
 
@@ -65,6 +65,7 @@ std::vector<Planned> plan(const RunOptions& options) {
       run.settings = {.execution = execution(options.execution),
                       .folder = {},
                       .database = options.database,
+                      .command = commandLine(),
                       .changed = !scene.empty(),
                       .check = !options.noCheck,
                       .draw = !options.noPictures,
@@ -119,6 +120,13 @@ void tellIfSeedsDoNotMatter(const RunOptions& options, const std::vector<Planned
   }
 }
 
+int exitCodeOf(const RunOutcome& outcome) {
+  if (outcome.end.status == RunStatus::killed) return signalled + outcome.signal;
+  if (outcome.end.status == RunStatus::failed) return numerical;
+  if (outcome.checks && !outcome.checks->passed()) return differs;
+  return outcome.isSane().value_or(true) ? fine : differs;
+}
+
 int act(const RunOptions& options) {
   auto runs = plan(options);
   tellIfSeedsDoNotMatter(options, runs);
@@ -136,7 +144,8 @@ int act(const RunOptions& options) {
       continue;
     }
     const auto outcome = runScenario(run.scenario, run.settings);
-    code = std::max(code, outcome.exitCode);
+    const int exitCode = exitCodeOf(outcome);
+    code = std::max(code, exitCode);
     if (options.output.json) list.push_back(toJson(outcome, run.scenario, run.settings));
     else print(describe(outcome, run.scenario, run.settings));
     if (outcome.checks && !outcome.checks->passed() && options.output.json)
@@ -144,7 +153,7 @@ int act(const RunOptions& options) {
     if (!outcome.isSane().value_or(true) && options.output.json)
       tell(describe(outcome.sanityReport(run.scenario)), options.output.quiet);
     if (!outcome.end.failure.empty()) tellError(outcome.end.failure);
-    if (outcome.exitCode > signalled) break;
+    if (exitCode > signalled) break;
   }
   if (options.output.json) printJson(runs.size() == 1 ? list[0] : Json{{"runs", list}});
   return code;

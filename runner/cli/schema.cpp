@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/verb.h"
 #include "scenario/measure_list.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

@@ -3,13 +3,13 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/scenario_run.h"
 #include "cli/verb.h"
-#include "explain/trail_text.h"
+#include "explain/explain.h"
+#include "explain/trail_json.h"
 #include "simulation/checkpoint.h"
+#include "system/console.h"
 
 namespace morula::cli {
 

@@ -1,13 +1,13 @@
 // morula validate: are these scenarios right?
 #include <memory>
-#include <sstream>
 
 #include "base/error.h"
-#include "cli/console.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
-#include "cli/simulate.h"
 #include "cli/verb.h"
+#include "files/text.h"
+#include "loop/simulate.h"
+#include "system/console.h"
 
 namespace morula::cli {
 
@@ -21,13 +21,6 @@ struct ValidateOptions {
   OutputOptions output;
   bool resolved = false;
 };
-
-std::vector<std::string> lines(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> list;
-  for (std::string line; std::getline(stream, line);) list.push_back(line);
-  return list;
-}
 
 int act(const ValidateOptions& options) {
   const Execution how = execution(options.execution);
@@ -53,7 +46,7 @@ int act(const ValidateOptions& options) {
       code = input;
       tellInputError(error.what());
       list.push_back(
-          {{"file", file}, {"valid", false}, {"errors", lines(error.what())}, {"warnings", Json::array()}});
+          {{"file", file}, {"valid", false}, {"errors", linesOf(error.what())}, {"warnings", Json::array()}});
     }
   }
   if (options.output.json) printJson({{"scenarios", list}});

@@ -27,8 +27,7 @@ void addExport(CLI::App& app, Action& action);
 void addAccuracy(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addTrail(CLI::App& app, Action& action);
-void addBulletWorker(CLI::App& app, Action& action);
-void addOtherWorker(CLI::App& app, Action& action);
+void addEngineWorker(CLI::App& app, Action& action);
 
 /// The command line as typed, for the record of a run.
 std::string commandLine();

@@ -6,7 +6,7 @@
 
 #include "base/number_text.h"
 #include "diagnose/force_work.h"
-#include "diagnose/trials.h"
+#include "diagnose/remedies.h"
 #include "physics/stability.h"
 #include "simulation/body_measures.h"
 #include "simulation/checkpoint.h"
@@ -160,10 +160,10 @@ enum class Outcome { holds, fails, refused, tooLong };
 
 /// Whether the run goes on with the change: past the failure, and as long again as it is from the state to
 /// it.
-Outcome tryChange(const Trial& trial, World world, double failedTime, Budget& budget) {
+Outcome tryChange(const Remedy& remedy, World world, double failedTime, Budget& budget) {
   const double until = failedTime + (failedTime - world.clock.time);
   try {
-    trial.apply(world);
+    remedy.apply(world);
     chooseTimeStep(world);
     evaluateForces(world);
     checkBodies(world);
@@ -180,10 +180,10 @@ Outcome tryChange(const Trial& trial, World world, double failedTime, Budget& bu
 }
 
 /// "physics.time_step 0.001 or 0.0005": the values of one key are told together.
-std::string list(const std::vector<const Trial*>& trials) {
+std::string list(const std::vector<const Remedy*>& remedies) {
   std::string text;
   const std::string* key = nullptr;
-  for (const Trial* t : trials) {
+  for (const Remedy* t : remedies) {
     if (key && *key == t->key) text += " or " + t->value;
     else text += (text.empty() ? "" : ", ") + t->key + " " + t->value;
     key = &t->key;
@@ -192,21 +192,21 @@ std::string list(const std::vector<const Trial*>& trials) {
 }
 
 struct Findings {
-  std::vector<const Trial*> failed;
-  const Trial* helped = nullptr;
+  std::vector<const Remedy*> failed;
+  const Remedy* helped = nullptr;
   bool cutShort = false;
 };
 
-Findings tryAll(const std::vector<Trial>& trials, const Scene& scene, const Execution& execution,
+Findings tryAll(const std::vector<Remedy>& remedies, const Scene& scene, const Execution& execution,
                 const Kept& from, double failedTime, Budget& budget) {
   Findings found;
-  for (const Trial& trial : trials) {
-    switch (tryChange(trial, restored(scene, execution, from.state), failedTime, budget)) {
+  for (const Remedy& remedy : remedies) {
+    switch (tryChange(remedy, restored(scene, execution, from.state), failedTime, budget)) {
       case Outcome::holds:
-        found.helped = &trial;
+        found.helped = &remedy;
         return found;
       case Outcome::fails:
-        found.failed.push_back(&trial);
+        found.failed.push_back(&remedy);
         break;
       case Outcome::refused:
         break;
@@ -254,11 +254,11 @@ std::string diagnose(const Scene& scene, const Execution& execution, const BodyF
     append(remedy, measureWork(last, cell, failure.step));
     append(remedy, limit.empty() ? describeLimit(last, cell) : limit);
     const double failedTime = timeAfter(last.clock, 1);
-    const std::vector<Trial> trials = trialsFor(last, failure.timeStep);
-    Findings found = tryAll(trials, scene, execution, rerun->good, failedTime, budget);
+    const std::vector<Remedy> remedies = remediesFor(last, failure.timeStep);
+    Findings found = tryAll(remedies, scene, execution, rerun->good, failedTime, budget);
     const Kept* from = &rerun->good;
     if (!found.helped && !found.cutShort && rerun->good.step > 0) {
-      found = tryAll(trials, scene, execution, rerun->start, failedTime, budget);
+      found = tryAll(remedies, scene, execution, rerun->start, failedTime, budget);
       from = &rerun->start;
     }
     append(remedy, describe(found, *from, failure));

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "golden/chain_cells.h"
+#include "loop/simulate.h"
 #include "simulation/world.h"
 
 namespace morula {
@@ -115,6 +116,11 @@ Explanation explainTwice(Witness& first, Witness& second, std::uint64_t every) {
   x.failureClass = "NONDETERMINISM";
   x.text = "NONDETERMINISM: two runs of this program differ, so nothing else can be told\n" + x.text;
   return x;
+}
+
+Explanation explainTwice(const Scenario& scenario, const Execution& how, std::uint64_t every) {
+  OwnRun first = scenarioRun(scenario, how), second = scenarioRun(scenario, otherExecution(how));
+  return explainTwice(first, second, every);
 }
 
 }  // namespace morula

@@ -24,6 +24,8 @@ struct Explanation {
 /// then compares the states. A difference that heals between two states looked at leaves no trace: with
 /// `every` 1 none is missed.
 Explanation explain(Witness& expected, Witness& actual, std::uint64_t every = 64);
+/// Two runs of the scenario by this program, computed so and in another way (otherExecution).
+Explanation explainTwice(const Scenario& scenario, const Execution& how, std::uint64_t every = 64);
 /// Two runs of one program: whatever differs is NONDETERMINISM, a bug or broken hardware, and to be told
 /// first.
 Explanation explainTwice(Witness& first, Witness& second, std::uint64_t every = 64);

@@ -1,6 +1,8 @@
 #include "base/error.h"
 #include "explain/witness.h"
+#include "loop/simulate.h"
 #include "simulation/world.h"
+#include "system/signals.h"
 
 namespace morula {
 
@@ -55,6 +57,12 @@ Trail OwnRun::trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
 std::unique_ptr<World> OwnRun::stateAt(std::uint64_t step) {
   goTo(step);
   return std::move(world_);  // the next question starts anew
+}
+
+OwnRun scenarioRun(const Scenario& scenario, const Execution& how) {
+  return {"this program, " + std::string(name(how.isa)) + ", threads " + std::to_string(how.threads),
+          [&scenario, how] { return makeScenarioWorld(scenario, how); }, [](World& w) { step(w); },
+          [](const World&) { stopAtSignal(); }};
 }
 
 }  // namespace morula

@@ -1,10 +1,10 @@
 #include "explain/program_run.h"
 
 #include "base/error.h"
-#include "explain/trail_text.h"
-#include "process/child_process.h"
+#include "explain/trail_json.h"
 #include "simulation/checkpoint.h"
 #include "simulation/world.h"
+#include "system/child_process.h"
 
 namespace morula {
 

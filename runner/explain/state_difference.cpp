@@ -42,7 +42,7 @@ class Finder {
  private:
   void differ(const char* field, double e, double a) {
     if (std::bit_cast<std::uint64_t>(e) != std::bit_cast<std::uint64_t>(a))
-      note(field, writeReal(e), writeReal(a), compareInWords(e, a));
+      note(field, exactText(e), exactText(a), compareInWords(e, a));
   }
   void differ(const char* field, std::uint64_t e, std::uint64_t a) {
     differ(field, std::to_string(e), std::to_string(a));

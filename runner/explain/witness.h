@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "scenario/scenario.h"
 #include "simulation/hash.h"
+#include "simulation/world.h"
 
 namespace morula {
-
-struct World;
 
 /// The states of a run at regular steps, in hashes.
 struct Trail {
@@ -56,5 +56,8 @@ class OwnRun : public Witness {
   std::unique_ptr<World> world_;  // where the run stands; null: not begun
   std::string failure_;           // why it stands there for good
 };
+
+/// The scenario, which must outlive it, computed so; stops at signals.
+OwnRun scenarioRun(const Scenario& scenario, const Execution& how);
 
 }  // namespace morula

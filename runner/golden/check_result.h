@@ -8,36 +8,40 @@
 namespace morula {
 
 struct CheckResult {
-  std::string check;     // "lineage", "bits", "values final.*.volume", …
-  std::string kind;      // "golden", "bullet", "invariant", "sanity"
-  std::string expected;  // of the worst or first difference; of the whole when passed
-  std::string actual;
-  std::string tolerance;  // "exact", "rel 1e-9 scale 1"
+  std::string check = {};     // "lineage", "bits", "values final.*.volume", …
+  std::string kind = {};      // "golden", "bullet", "invariant", "sanity"
+  std::string expected = {};  // of the worst or first difference; of the whole when passed
+  std::string actual = {};
+  std::string tolerance = "exact";  // or "rel 1e-9 scale 1"
   bool passed = true;
   // Where, as far as it applies:
-  std::string failureClass;  // "" when passed; INPUT_CHANGED, SETUP, COMPUTATION, LINEAGE, NONDETERMINISM, …
-  std::optional<std::uint64_t> firstStep;  // the first step at which it differs
-  std::optional<std::string> cell;         // its path; "" is the egg
-  std::string field;                       // "pressure"
-  std::optional<double> share;  // of the tolerance used: 0 equal, 1 at its edge, perhaps ∞; absent if exact
-  std::string message;          // for people: all that differs, several lines; "" when passed
+  std::string failureClass =
+      {};  // "" when passed; INPUT_CHANGED, SETUP, COMPUTATION, LINEAGE, NONDETERMINISM, …
+  std::optional<std::uint64_t> firstStep = {};  // the first step at which it differs
+  std::optional<std::string> cell = {};         // its path; "" is the egg
+  std::string field = {};                       // "pressure"
+  std::optional<double> share =
+      {};                    // of the tolerance used: 0 equal, 1 at its edge, perhaps ∞; absent if exact
+  std::string message = {};  // for people: all that differs, several lines; "" when passed
   friend bool operator==(const CheckResult&, const CheckResult&) = default;
 };
+
+/// `result` as one that passed, or as one that failed: of this class, and with `message` for people.
+inline CheckResult judged(CheckResult result, bool passed, const std::string& message,
+                          const std::string& failureClass = "COMPUTATION") {
+  result.passed = passed;
+  if (passed) return result;
+  result.failureClass = failureClass;
+  result.message = message;
+  return result;
+}
 
 /// A check that failed as a whole, for it could not even compare.
 inline CheckResult failedCheck(const std::string& check, const std::string& failureClass,
                                const std::string& expected, const std::string& actual,
                                const std::string& message) {
-  CheckResult result;
-  result.check = check;
-  result.kind = "golden";
-  result.expected = expected;
-  result.actual = actual;
-  result.tolerance = "exact";
-  result.passed = false;
-  result.failureClass = failureClass;
-  result.message = message;
-  return result;
+  return judged({.check = check, .kind = "golden", .expected = expected, .actual = actual}, false, message,
+                failureClass);
 }
 
 struct CheckReport {

@@ -4,6 +4,7 @@
 
 #include "files/content.h"
 #include "files/printable.h"
+#include "files/text.h"
 
 namespace morula {
 
@@ -42,8 +43,6 @@ std::string command(const std::string& text, bool property) {
   return escaped;
 }
 
-std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
-
 /// "golden/a.golden:12: differs": a file, a line and the rest. The line is "" where none is named.
 struct Place {
   std::string file, line, rest;
@@ -70,14 +69,7 @@ std::string annotation(const CheckReport& report, const CheckResult& r) {
 }
 
 /// Text in a Markdown table's cell.
-std::string cell(const std::string& text) {
-  std::string escaped;
-  for (const char c : printableLine(firstLine(text))) {
-    if (c == '|') escaped += "\\|";
-    else escaped += c;
-  }
-  return escaped;
-}
+std::string cell(const std::string& text) { return markdownCell(printableLine(firstLine(text))); }
 
 }  // namespace
 

@@ -188,7 +188,7 @@ struct RuleCheck {
     d.step = stepOf(*pair.golden);
     d.text = d.place + ": " + pair.golden->key + " at step " + pair.golden->fields[0] + ": " +
              compareInWords(*e, *a) + "; tolerance " + tolerance.text();
-    if (tolerance.kind != Tolerance::Kind::exact) d.text += ", used " + writeReal(used) + " times";
+    if (tolerance.kind != Tolerance::Kind::exact) d.text += ", used " + exactText(used) + " times";
     if (rule) d.text += " (" + file + ':' + std::to_string(rule->line) + ')';
     differences.push_back(std::move(d));
   }

@@ -47,11 +47,11 @@ std::string inWords(FieldType type, const std::string& expected, const std::stri
 
 std::string compareInWords(double expected, double actual) {
   const std::uint64_t ulps = ulpsBetween(expected, actual);
-  std::string text = "expected " + writeReal(expected) + " (" + hex(expected) + "), actual " +
-                     writeReal(actual) + " (" + hex(actual) + ")";
+  std::string text = "expected " + exactText(expected) + " (" + hex(expected) + "), actual " +
+                     exactText(actual) + " (" + hex(actual) + ")";
   if (ulps == std::numeric_limits<std::uint64_t>::max()) return text;  // not a number
   return text + ", " + std::to_string(ulps) + (ulps == 1 ? " ulp" : " ulps") + " apart, difference " +
-         writeReal(actual - expected);
+         exactText(actual - expected);
 }
 
 std::optional<Difference> findDifference(const std::string& file, const GoldenItem* golden,

@@ -33,7 +33,7 @@ class Builder {
 
   void value(const std::string& when, const std::string& who, const char* what, std::uint64_t step,
              double v) {
-    items.push_back({"value", when + '/' + who + '/' + what, {std::to_string(step), writeReal(v)}});
+    items.push_back({"value", when + '/' + who + '/' + what, {std::to_string(step), exactText(v)}});
   }
 
   /// What was not measured is 0 in a golden file.
@@ -63,7 +63,7 @@ void addLineage(Builder& to, std::vector<const LineageEntry*> entries, StateText
     const bool alive = e->fate == Fate::alive;
     to.items.push_back({"cell",
                         nameOf(e->path),
-                        {writeReal(e->born), std::to_string(e->bornStep), alive ? "-" : writeReal(e->ended),
+                        {exactText(e->born), std::to_string(e->bornStep), alive ? "-" : exactText(e->ended),
                          alive ? "-" : std::to_string(e->endedStep), name(e->fate), stateText(e->state)}});
   }
 }
@@ -124,7 +124,7 @@ GoldenData makeGoldenData(const GoldenFacts& facts) {
   (large ? addGenerations : addLineage)(to, std::move(entries), stateText);
 
   for (const GoldenTimeStep& t : facts.timeSteps)
-    to.items.push_back({"time_step", std::to_string(t.step), {writeReal(t.time), writeReal(t.timeStep)}});
+    to.items.push_back({"time_step", std::to_string(t.step), {exactText(t.time), exactText(t.timeStep)}});
   to.items.push_back({"bits", "solver", {facts.stateHash.text()}});
   addChain(to, facts.chain);
   for (const GoldenImage& image : facts.images)
@@ -133,7 +133,7 @@ GoldenData makeGoldenData(const GoldenFacts& facts) {
 
   if (facts.mechanics) {
     for (const WorldMeasures& sample : facts.samples)
-      if (sample.step < facts.end.step) to.values(writeReal(sample.time), "organism", sample.step, sample);
+      if (sample.step < facts.end.step) to.values(exactText(sample.time), "organism", sample.step, sample);
     to.values("final", "organism", facts.end.step, facts.end);
     if (facts.cells.size() <= goldenCellLimit)
       for (const CellMeasures& c : facts.cells) to.values("final", nameOf(c.path), facts.end.step, c);

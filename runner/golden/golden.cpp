@@ -113,17 +113,17 @@ GoldenGrowth readGrowth(const Lines& lines, std::string_view line, const std::ve
   const auto size = readReal(line.substr(0, space));
   const auto step = readNatural(line.substr(std::min(space + 1, line.size())));
   if (!size || !(*size > 0) || !step) lines.fail("`growth SIZE STEP` is expected");
-  if (!(*size <= 1)) lines.fail("growth: the size " + writeReal(*size) + " is above 1 radius of the egg");
+  if (!(*size <= 1)) lines.fail("growth: the size " + exactText(*size) + " is above 1 radius of the egg");
   if (before.empty()) return {*size, *step};
   const GoldenGrowth& last = before.back();
   if (*size == last.size)
-    lines.fail("growth: the size " + writeReal(*size) + " stands twice; restore the file from git");
+    lines.fail("growth: the size " + exactText(*size) + " stands twice; restore the file from git");
   if (*size < last.size)
-    lines.fail("growth: the size " + writeReal(*size) + " stands after " + writeReal(last.size) +
+    lines.fail("growth: the size " + exactText(*size) + " stands after " + exactText(last.size) +
                "; sizes rise from line to line: restore the file from git");
   if (*step < last.step)
-    lines.fail("growth: " + writeReal(*size) + " is reached at step " + std::to_string(*step) +
-               ", before the smaller " + writeReal(last.size) + " at step " + std::to_string(last.step) +
+    lines.fail("growth: " + exactText(*size) + " is reached at step " + std::to_string(*step) +
+               ", before the smaller " + exactText(last.size) + " at step " + std::to_string(last.step) +
                "; restore the file from git");
   return {*size, *step};
 }
@@ -204,12 +204,12 @@ std::string writeGolden(const Golden& golden) {
   if (!golden.growth.empty())
     text += "\n# growth size step: one unit in the last place, moved at the start, grows to so many radii\n";
   for (const GoldenGrowth& g : golden.growth)
-    text += "growth " + writeReal(g.size) + ' ' + std::to_string(g.step) + '\n';
+    text += "growth " + exactText(g.size) + ' ' + std::to_string(g.step) + '\n';
   if (golden.error)
     text += "\n# error time mesh until: of these settings, by morula accuracy\nerror time " +
-            writeReal(golden.error->time) + " mesh " +
-            (golden.error->mesh ? writeReal(*golden.error->mesh) : "unknown") + " until " +
-            writeReal(golden.error->until) + '\n';
+            exactText(golden.error->time) + " mesh " +
+            (golden.error->mesh ? exactText(*golden.error->mesh) : "unknown") + " until " +
+            exactText(golden.error->until) + '\n';
   if (!data.parameters.empty())
     text += "\n# parameter key value: what decides the result, defaults filled in\n";
   for (const auto& [key, value] : data.parameters) text += "parameter " + key + ' ' + value + '\n';

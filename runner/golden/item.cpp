@@ -40,7 +40,7 @@ void checkField(const FieldForm& form, std::string_view given, const std::string
     case real: {
       const std::optional<double> value = readReal(given);
       // One spelling per number, so that equal text is equal bits and the other way round.
-      demand(value && std::isfinite(*value) && writeReal(*value) == given,
+      demand(value && std::isfinite(*value) && exactText(*value) == given,
              "a finite number, written as shortly as it can be");
       break;
     }

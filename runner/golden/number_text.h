@@ -1,18 +1,16 @@
 #pragma once
-// Numbers as text and back: the shortest text that gives the
-// same bits, in the C locale, and nothing but a number.
+// Texts as numbers, in the C locale, and nothing but a number. The way back, to the shortest text that gives the same bits,
+// is exactText.
 #include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace morula {
+#include "base/hash.h"
+#include "base/number_text.h"
 
-inline std::string writeReal(double value) {
-  char text[32];  // the longest shortest form has 24 characters: -2.2250738585072014e-308
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
+namespace morula {
 
 template <class Number>
 std::optional<Number> readNumber(std::string_view text) {
@@ -25,6 +23,15 @@ std::optional<Number> readNumber(std::string_view text) {
 inline std::optional<double> readReal(std::string_view text) { return readNumber<double>(text); }
 inline std::optional<std::uint64_t> readNatural(std::string_view text) {
   return readNumber<std::uint64_t>(text);
+}
+
+/// 32 hexadecimal digits, as Hash::text writes them.
+inline std::optional<Hash> readHash(std::string_view text) {
+  if (text.size() != 32 || text.find_first_not_of("0123456789abcdef") != text.npos) return std::nullopt;
+  Hash hash;
+  std::from_chars(text.data(), text.data() + 16, hash.high, 16);
+  std::from_chars(text.data() + 16, text.data() + 32, hash.low, 16);
+  return hash;
 }
 
 }  // namespace morula

@@ -37,11 +37,11 @@ std::string Tolerance::text() const {
     case Kind::exact:
       return "exact";
     case Kind::absolute:
-      return "abs " + writeReal(amount);
+      return "abs " + exactText(amount);
     case Kind::relative:
-      return "rel " + writeReal(amount) + (scale > 0 ? " scale " + writeReal(scale) : "");
+      return "rel " + exactText(amount) + (scale > 0 ? " scale " + exactText(scale) : "");
     case Kind::ulp:
-      return "ulp " + writeReal(amount);
+      return "ulp " + exactText(amount);
   }
   throw BugError("a tolerance that is not one");
 }

@@ -1,10 +1,10 @@
-// The forecast as people read it.
+// The prediction as people read it.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "parts/forecast.h"
+#include "parts/prediction.h"
 
 namespace morula {
 
@@ -45,7 +45,7 @@ std::string right(const std::string& text, std::size_t width) {
   return std::string(length < width ? width - length : 0, ' ') + text;
 }
 
-std::string line(const Forecast& f, const PartCost& c) {
+std::string line(const Prediction& f, const PartCost& c) {
   const auto column = [](const std::optional<double>& value, auto&& textOf, std::size_t width) {
     return right(value ? textOf(*value) : "–", width);
   };
@@ -63,7 +63,7 @@ std::string line(const Forecast& f, const PartCost& c) {
 
 }  // namespace
 
-std::string describe(const Forecast& f, const std::string& title) {
+std::string describe(const Prediction& f, const std::string& title) {
   std::string text = title + (f.life.whole ? ": up to " : ": at least ") + plural(double(f.cells), "cell");
   if (f.vertices)
     text += fmt::format(" of {} {}, {}", f.vertices, f.vertices == 1 ? "vertex" : "vertices",
@@ -71,9 +71,9 @@ std::string describe(const Forecast& f, const std::string& title) {
   text += fmt::format("\n  foreseen on one thread: {}, {} of arrays", timeText(f.seconds()),
                       memoryText(f.bytes()));
   if (f.vertices)
-    text += f.rehearsed ? "; the whole run was rehearsed"
-                        : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.rehearsedTime,
-                                      f.life.eras.back().to);
+    text += f.triedWhole
+                ? "; the whole run was rehearsed"
+                : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
   text += "\n\n  " + padded("part", 13) + right("time", 9) + right("share", 9);
   if (f.vertices) text += right("ns/v·step", 11) + right("B/vertex", 10);
   text += right("memory", 11) + "  asked for by\n";

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "loop/simulate.h"
+
 namespace morula {
 
 namespace {
@@ -135,10 +137,6 @@ void addRecord(std::vector<Part>& parts, const Scenario& scenario, const RunAsk&
 }
 
 }  // namespace
-
-bool wantsHashes(const Scenario& scenario, bool hasGolden) {
-  return hasGolden || scenario.places.contains("check");
-}
 
 std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
   const Reasons why(scenario);

@@ -28,12 +28,4 @@ struct RunAsk {
 /// All parts there are, in the order of a run, absent ones among them. Names are unique.
 std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask);
 
-/// [steps] from one hash of the state to the next, where the states on the way are hashed. Enough to tell at
-/// which step two runs part; a hash costs about as much as a step. A lineage is hashed at every step.
-constexpr std::uint64_t stepsPerHash = 64;
-
-/// Whether the states on the way are hashed where the run is checked: to be held against a golden file, or as
-/// `check` asks.
-bool wantsHashes(const Scenario& scenario, bool hasGolden);
-
 }  // namespace morula

@@ -1,14 +1,15 @@
 #include "parts/rates.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
-#include "bench/clock.h"
+#include "base/error.h"
 #include "bench/packed_world.h"
-#include "bench/statistics.h"
 #include "bench/work.h"
 #include "simulation/hash.h"
 #include "simulation/measures.h"
+#include "simulation/stages.h"
+#include "system/clock.h"
 
 namespace morula {
 
@@ -16,9 +17,7 @@ namespace {
 
 constexpr double longEnough = 1e-3;  // [s] of one timing
 constexpr int timings = 7;           // the quickest counts: others were disturbed
-// [calls] of one timing. What is moved on by halves of steps for longer goes where no run goes: drag alone
-// brings velocities down to numbers that processors are slow with.
-constexpr int mostTurns = 64;
+constexpr int mostTurns = 64;        // [calls] of one timing
 
 /// [s] of one call; `prepare` goes before each timing and does not count.
 template <class Prepare, class Call>
@@ -36,241 +35,160 @@ double quickest(const Prepare& prepare, const Call& call) {
   return best;
 }
 
-/// What goes through caches between two passes over the same numbers.
-class OtherMemory {
- public:
-  explicit OtherMemory(double bytes)
-      : numbers_(std::size_t(std::clamp(bytes, 0.0, mostBytes)) / sizeof(double), 1) {}
-  void goThrough() {
-    for (std::size_t i = 0; i < numbers_.size(); i += 8) numbers_[i] += 1;
-  }
-
- private:
-  static constexpr double mostBytes = 64 << 20;  // more than caches hold
-  std::vector<double> numbers_;
-};
-
-/// [s] of one call that finds nothing in the caches but what the call before has left there, after all of a
-/// step's other memory.
-template <class Prepare, class Call>
-double fromMemory(OtherMemory& other, const Prepare& prepare, const Call& call) {
-  std::vector<double> times;
-  for (int i = 0; i < timings; ++i) {
-    prepare();
-    other.goThrough();
-    times.push_back(timeOf(ClockKind::cpu, call));
-  }
-  return median(times);
-}
-
-/// Cells side by side; a block has eight, however wide the registers.
-int widthOf(Isa isa, Precision precision) {
-  if (precision == Precision::binary32) return isa == Isa::scalar ? 1 : isa == Isa::narrow ? 4 : 8;
-  switch (isa) {
-    case Isa::scalar:
-      return 1;
-    case Isa::narrow:
-      return 2;
-    case Isa::avx2:
-      return 4;
-    case Isa::avx512:
-      return 8;
-  }
-  return 1;
-}
-
 double vertices(const World& world) { return world.bodies->livingVertices; }
 
-/// A world whose state comes back, however it was moved.
-class Trial {
- public:
-  explicit Trial(World& world)
-      : world_(world),
-        position_(world.bodies->position),
-        velocity_(world.bodies->velocity),
-        acceleration_(world.bodies->acceleration),
-        start_(acceleration_) {
-    if (world.contacts) rows_ = world.contacts->rows, farthest_ = world.contacts->farthest;
-  }
-  ~Trial() {
-    start_ = acceleration_;
-    restore();
-  }
-  Trial(const Trial&) = delete;
-  Trial& operator=(const Trial&) = delete;
+using Change = std::function<void(World&)>;
 
-  /// [s] per vertex of the cells that are there.
-  template <class Call>
-  double time(const Call& ofBlock) {
-    const double time = quickest([&] { restore(); },
-                                 [&] {
-                                   for (int i = 0; i < world_.bodies->blockCount(); ++i)
-                                     ofBlock(world_.bodies->block(i, 0), i);
-                                 });
-    return time / vertices(world_);
+/// A world with parts taken away for a while, and its state as it was each time.
+class Timing {
+ public:
+  explicit Timing(World& world)
+      : world_(world),
+        bodies_(world.bodies),
+        contacts_(world.contacts),
+        connections_(world.connections),
+        threads_(world.execution.threads) {}
+  ~Timing() {
+    restore();
+    world_.execution.threads = threads_;
+    setStages(world_, world_.execution.isa);
   }
-  /// The same for a pass over all blocks that comes after another one.
-  template <class Call>
-  double timePass(OtherMemory& other, const Call& ofBlock) {
-    const double time = fromMemory(
-        other, [&] { restore(); },
-        [&] {
-          for (int i = 0; i < world_.bodies->blockCount(); ++i) ofBlock(world_.bodies->block(i, 0), i);
-        });
-    return time / vertices(world_);
+  Timing(const Timing&) = delete;
+  Timing& operator=(const Timing&) = delete;
+
+  /// [s] of one call on the changed world, which begins as it stands each time, for one of its vertices.
+  double of(const Change& change, const Change& call) {
+    return quickest(
+               [&] {
+                 restore();
+                 change(world_);
+                 world_.execution.threads = 1;
+                 setStages(world_, world_.execution.isa);
+               },
+               [&] { call(world_); }) /
+           vertices(world_);
   }
-  /// From now on it begins without forces.
-  void dropForces() { start_.assign(start_.size(), 0); }
+  /// The same of one step of the physics.
+  double ofStep(const Change& change) {
+    return of(change, [](World& w) { movePhysics(w, w.clock.timeStep); });
+  }
 
  private:
-  void restore() {
-    Bodies& b = *world_.bodies;
-    b.position = position_, b.velocity = velocity_, b.acceleration = start_;
-    if (world_.contacts) world_.contacts->rows = rows_, world_.contacts->farthest = farthest_;
-  }
+  void restore() { world_.bodies = bodies_, world_.contacts = contacts_, world_.connections = connections_; }
+
   World& world_;
-  Reals position_, velocity_, acceleration_, start_;
-  AlignedVector<RowMemory> rows_;
-  AlignedVector<double> farthest_;
+  std::optional<Bodies> bodies_;
+  std::optional<Contacts> contacts_;
+  std::optional<Connections> connections_;
+  int threads_;
 };
 
-/// A cell's own step with other parameters than the scene's.
-double timeOwnStep(World& world, Trial& trial, const PhysicsParameters& parameters) {
-  Bodies& b = *world.bodies;
-  const KernelParameters before = b.kernelParameters;
-  b.kernelParameters.damping = parameters.membrane.damping;
-  b.kernelParameters.drag = parameters.drag;
-  const PhysicsStages stages = chooseStages(parameters, world.execution.isa, world.contacts.has_value());
-  const double time = trial.time([&](const BlockView& block, int) {
-    advance(stages, b, block, world.clock.timeStep);
-    kick(stages, b, block, world.clock.timeStep);
-  });
-  b.kernelParameters = before;
-  return time;
+void keepAlone(World& w) { w.contacts.reset(), w.connections.reset(); }
+
+/// Drifts and kicks, without the forces that the kicks would take.
+void integrateOnly(World& w) {
+  Bodies& b = *w.bodies;
+  for (int i = 0; i < b.blockCount(); ++i) {
+    const BlockView block = b.block(i, 0);
+    w.stages.drift(b.meshAt(block.meshLevel).view(), block, b.kernelParameters, w.clock.timeStep);
+    kick(w.stages, b, block, w.clock.timeStep);
+  }
 }
 
-void measureOwnStep(World& world, OtherMemory& memory, StepRates& rates) {
-  Trial trial(world);
-  Bodies& b = *world.bodies;
-  const PhysicsParameters all = b.parameters;
-  const double whole = timeOwnStep(world, trial, all);
-  PhysicsParameters less = all;
-  const auto without = [&](bool engaged, auto&& leaveOut) {
+/// What each cell does for itself. Springs and pressure share a walk around each vertex; they are told apart by counting.
+void measureOwnStep(World& world, StepRates& rates) {
+  Timing timing(world);
+  const PhysicsParameters p = world.bodies->parameters;
+  const bool shells = world.bodies->model().hasMembrane;
+  const double whole = timing.ofStep(keepAlone);
+  const auto costOf = [&](bool engaged, const Change& leaveOut) {
     if (!engaged) return 0.0;
-    less = all;
-    leaveOut(less);
-    return std::max(whole - timeOwnStep(world, trial, less), 0.0);
+    return std::max(whole - timing.ofStep([&](World& w) { keepAlone(w), leaveOut(w); }), 0.0);
   };
-  const bool shells = b.model().hasMembrane;
-  rates.damping = without(shells && all.membrane.damping > 0, [](auto& p) { p.membrane.damping = 0; });
-  rates.drag = without(all.drag > 0, [](auto& p) { p.drag = 0; });
-  rates.shell = without(all.shell.has_value(), [](auto& p) { p.shell.reset(); });
-  // Its two halves come first in their passes, and bring what all others then find near.
-  trial.dropForces();  // kicks turn forces into accelerations: without new ones only zero stays what it is
-  PhysicsParameters open = all;
-  open.shell.reset();
-  const PhysicsStages inTheOpen = chooseStages(open, world.execution.isa);
-  const auto drift = [&](const BlockView& block, int) {
-    inTheOpen.drift(b.meshAt(block.meshLevel).view(), block, b.kernelParameters, world.clock.timeStep);
-  };
-  const auto end = [&](const BlockView& block, int) {
-    inTheOpen.kick(b.meshAt(block.meshLevel).view(), block, b.kernelParameters, world.clock.timeStep);
-  };
-  rates.integration = trial.timePass(memory, drift) + trial.timePass(memory, end);
-  const double inOnePass = trial.time([&](const BlockView& block, int i) { drift(block, i), end(block, i); });
-  // Springs and pressure share a walk around each vertex; they are told apart by counting.
-  const double rest = std::max(whole - rates.damping - rates.drag - rates.shell - inOnePass, 0.0);
-  if (b.areSpheres()) {
-    rates.integration += rest;  // that of finding the volumes, which no part of its own stands for
-    return;
-  }
-  if (!shells) {
-    rates.shapeMatching = rest;
-    return;
-  }
-  PhysicsParameters plain = all;
-  plain.membrane.damping = plain.drag = 0;
-  const double share = springShare(b.mesh, plain);
-  rates.springs = share * rest;
-  rates.pressure = (1 - share) * rest;
-}
-
-double timeForces(World& world, OtherMemory& memory, Trial& trial) {
-  return trial.timePass(memory, [&](const BlockView&, int i) {
-    addContactForces(*world.contacts, *world.bodies, i, world.clock.timeStep);
+  rates.damping = costOf(shells && p.membrane.damping > 0, [](World& w) {
+    w.bodies->parameters.membrane.damping = w.bodies->kernelParameters.damping = 0;
   });
+  rates.drag =
+      costOf(p.drag > 0, [](World& w) { w.bodies->parameters.drag = w.bodies->kernelParameters.drag = 0; });
+  rates.shell = costOf(p.shell.has_value(), [](World& w) { w.bodies->parameters.shell.reset(); });
+  rates.integration = timing.of(
+      [](World& w) {
+        keepAlone(w);
+        w.bodies->parameters.shell.reset();
+        w.bodies->acceleration.assign(w.bodies->acceleration.size(), 0);
+      },
+      integrateOnly);
+  const double rest = std::max(whole - rates.damping - rates.drag - rates.shell - rates.integration, 0.0);
+  PhysicsParameters plain = p;
+  plain.membrane.damping = plain.drag = 0;
+  const double share = shells ? springShare(world.bodies->mesh, plain) : 0;
+  if (world.bodies->areSpheres()) rates.integration += rest;  // finding the volumes has no part of its own
+  else if (!shells) rates.shapeMatching = rest;
+  else rates.springs = share * rest, rates.pressure = (1 - share) * rest;
+  if (world.connections)
+    rates.connections = std::max(timing.ofStep([](World& w) { w.contacts.reset(); }) - whole, 0.0);
 }
 
-void measureContact(World& world, OtherMemory& memory, StepRates& rates) {
-  Trial trial(world);
-  Bodies& b = *world.bodies;
-  Contacts& c = *world.contacts;
-  rates.snapshots =
-      trial.timePass(memory, [&](const BlockView& block, int i) { takeSnapshot(c, b, block, i); });
-  const double perVertex = double(c.list.pairs) / vertices(world);
-  const double forces = timeForces(world, memory, trial);
-  rates.pair = forces / perVertex;
-  if (c.parameters.law == ContactLaw::pair && c.parameters.friction > 0) {
-    ContactParameters smooth = c.parameters;
-    smooth.friction = 0;
-    const auto own = std::exchange(c.addForces, makeContacts(smooth, world.execution.isa, {},
-                                                             b.parameters.precision, b.parameters.cell.model)
-                                                    .addForces);
-    rates.frictionOfPair = std::max(forces - timeForces(world, memory, trial), 0.0) / perVertex;
-    rates.pair -= rates.frictionOfPair;
-    c.addForces = own;
-  }
-  Contacts other = makeContacts(c.parameters, world.execution.isa, world.execution.search,
-                                b.parameters.precision, b.parameters.cell.model);
-  resetContacts(other, b);
-  rates.search = fromMemory(
-                     memory, [&] { other.listIsValid = false; }, [&] { refreshList(other, b, 1); }) /
-                 vertices(world);
-}
-
-/// Few and coarse cells, so that they are packed in a moment.
-void borrowContact(const World& world, OtherMemory& memory, StepRates& rates) {
-  const PackedScene packed{.cells = 8,
-                           .level = 1,
-                           .friction = world.contacts->parameters.friction,
-                           .precision = world.bodies->parameters.precision};
-  World other = makePackedWorld(packed, world.execution, "", [](const std::string&) {});
-  measureContact(other, memory, rates);
+/// What touching cells do to each other. Snapshots and pairs are told apart by counting.
+void measureContact(World& world, StepRates& rates) {
+  Timing timing(world);
+  const Contacts own = *world.contacts;
+  const auto remake = [&world](const ContactParameters& p) {
+    return makeContacts(p, world.execution.isa, world.execution.search, world.bodies->parameters.precision,
+                        world.bodies->parameters.cell.model);
+  };
+  const auto smooth = [&](World& w) {
+    ContactParameters p = own.parameters;
+    p.friction = 0;
+    w.contacts->parameters.friction = 0;
+    w.contacts->addForces = remake(p).addForces;
+    w.connections.reset();
+  };
+  const double alone = timing.ofStep(keepAlone), perVertex = double(own.list.pairs) / vertices(world);
+  const double evaluations = 1 + double(world.stages.furtherDrifts.size());  // of the forces in a step
+  const double all = timing.ofStep([](World& w) { w.connections.reset(); }) - alone;
+  const bool rubs = own.parameters.law == ContactLaw::pair && own.parameters.friction > 0;
+  const double friction = rubs ? std::clamp(all + alone - timing.ofStep(smooth), 0.0, std::max(all, 0.0)) : 0;
+  const double snapshots = contactWork(0, false).operations / contactWork(perVertex, false).operations;
+  rates.frictionOfPair = friction / (evaluations * perVertex);
+  rates.snapshots = std::max(all - friction, 0.0) * snapshots;
+  rates.pair = std::max(all - friction, 0.0) * (1 - snapshots) / (evaluations * perVertex);
+  Contacts other = remake(own.parameters);
+  resetContacts(other, *world.bodies);
+  rates.search = timing.of([&](World&) { other.listIsValid = false; },
+                           [&](World& w) { other.listIsValid = false, refreshList(other, *w.bodies, 1); });
 }
 
 }  // namespace
 
 double laneShare(Isa isa, std::uint64_t cells, Precision precision) {
   if (cells == 0) return 1;
-  const auto width = static_cast<std::uint64_t>(widthOf(isa, precision));
+  const int doubles = 1 << static_cast<int>(isa);  // scalar 1, narrow 2, avx2 4, avx512 8
+  const int lanes = isa == Isa::scalar || precision == Precision::binary64 ? doubles : 2 * doubles;
+  const auto width = static_cast<std::uint64_t>(std::min(lanes, blockLanes));
   return double((cells + width - 1) / width * width) / double(cells);
 }
 
-StepRates measureRates(World& world, double bytes) {
+StepRates measureRates(World& world) {
   StepRates rates;
-  OtherMemory memory(bytes);
   if (world.bodies->count == 0) return rates;
-  rates.evaluations = 1 + static_cast<int>(world.stages.furtherDrifts.size());
-  measureOwnStep(world, memory, rates);
+  measureOwnStep(world, rates);
   const double share = laneShare(world.execution.isa, static_cast<std::uint64_t>(world.bodies->count),
                                  world.bodies->parameters.precision);
-  if (world.contacts) {
-    if (world.contacts->list.pairs > 0) {
-      measureContact(world, memory, rates);
-      rates.snapshots /= share;
-    } else {
-      borrowContact(world, memory, rates);
-    }
+  if (world.contacts && world.contacts->list.pairs > 0) {
+    measureContact(world, rates);
+    rates.snapshots /= share;
+  } else if (world.contacts) {  // few and coarse cells are packed in a moment
+    World packed = makePackedWorld({.cells = 8,
+                                    .level = 1,
+                                    .friction = world.contacts->parameters.friction,
+                                    .precision = world.bodies->parameters.precision},
+                                   world.execution, "", [](const std::string&) {});
+    measureContact(packed, rates);
   }
   for (double* rate : {&rates.springs, &rates.damping, &rates.pressure, &rates.shapeMatching, &rates.drag,
                        &rates.integration, &rates.shell})
     *rate /= share;
-  if (world.connections) {
-    Trial trial(world);
-    rates.connections = trial.time([&](const BlockView&, int i) {
-      if (i == 0) addConnectionForces(*world.connections, world.cells.path, *world.bodies);
-    });
-  }
   return rates;
 }
 
@@ -279,13 +197,8 @@ ObservationRates measureObservation(const World& world) {
   const double count = world.bodies ? std::max(vertices(world), 1.0) : 1;
   const auto nothing = [] {};
   rates.hash = quickest(nothing, [&] { stateHash(world); }) / count;
-  rates.sample = quickest(nothing,
-                          [&] {
-                            measureWorld(world);
-                            measureCells(world);
-                            measureContacts(world);
-                          }) /
-                 count;
+  rates.sample =
+      quickest(nothing, [&] { measureWorld(world), measureCells(world), measureContacts(world); }) / count;
   return rates;
 }
 

@@ -2,8 +2,8 @@
 
 #include "base/maths.h"
 #include "biology/substances.h"
-#include "scenario/numbers.h"
 #include "simulation/world.h"
+#include "yaml/numbers.h"
 
 namespace morula::scenario {
 
@@ -28,9 +28,9 @@ void checkGenes(const Scenario& scenario, std::vector<Unfit>& unfit) {
 void checkTimeStep(const PhysicsParameters& physics, std::vector<Unfit>& unfit) {
   if (!physics.timeStep || static_cast<float>(*physics.timeStep) == *physics.timeStep) return;
   unfit.push_back({false,
-                   "physics.time_step " + formatReal(*physics.timeStep) +
+                   "physics.time_step " + exactText(*physics.timeStep) +
                        " is no single-precision number, as Bullet needs it",
-                   "use auto, or a power of two as " + formatReal(powerOfTwoBelow(*physics.timeStep))});
+                   "use auto, or a power of two as " + exactText(powerOfTwoBelow(*physics.timeStep))});
 }
 
 }  // namespace

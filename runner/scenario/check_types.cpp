@@ -28,7 +28,7 @@ Parameter optionalBounds(std::string path, std::string meaning, Field<std::optio
     if (*least <= *most) field(s) = Bounds{*least, *most};
     else
       reading.problems.add(node.place, path, "the least is above the most",
-                           "write [" + formatReal(*most) + ", " + formatReal(*least) + "]");
+                           "write [" + exactText(*most) + ", " + exactText(*least) + "]");
   };
   p.write = [field](const Scenario& s) {
     const auto& bounds = field(const_cast<Scenario&>(s));

@@ -7,9 +7,9 @@
 #include "biology/substances.h"
 #include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
-#include "scenario/numbers.h"
 #include "scenario/value_types.h"
 #include "simulation/world.h"
+#include "yaml/numbers.h"
 
 namespace morula::scenario {
 
@@ -78,11 +78,11 @@ void checkShell(const Scenario& scenario, Reading& reading, const Node& root) {
   const auto& axes = physics.shell->semiAxes;
   const double smallest = std::min({axes[0], axes[1], axes[2]}), reach = reachOf(scenario);
   if (physics.cell.radius * reach <= smallest) return;
-  std::string where = "its smallest semi-axis, " + formatReal(smallest) + " [length]";
+  std::string where = "its smallest semi-axis, " + exactText(smallest) + " [length]";
   if (reach > 1)
     where += ", over " + numberText(reach) + ", for the shape reaches so many radii from its centre";
   reading.problems.add(placeOf(root, "physics.cell.radius"), "physics.cell.radius",
-                       formatReal(physics.cell.radius) + " does not fit into the shell",
+                       exactText(physics.cell.radius) + " does not fit into the shell",
                        "needs at most " + where);
 }
 
@@ -237,9 +237,9 @@ void checkInterval(const std::string& path, std::optional<double> every, double 
   const auto end = plannedEnd(scenario.scene);
   if (!every || !end || *end / *every <= most) return;
   reading.problems.add(placeOf(root, path), path,
-                       formatReal(*every) + " makes more than " + formatReal(most) + " " + of +
-                           " until the run's end at " + formatReal(*end),
-                       "needs at least " + formatReal(*end / most) + " [time]");
+                       exactText(*every) + " makes more than " + exactText(most) + " " + of +
+                           " until the run's end at " + exactText(*end),
+                       "needs at least " + exactText(*end / most) + " [time]");
 }
 
 }  // namespace

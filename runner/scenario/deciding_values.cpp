@@ -1,19 +1,18 @@
 #include "scenario/deciding_values.h"
 
-#include "scenario/numbers.h"
 #include "scenario/resolved.h"
+#include "yaml/numbers.h"
 
 namespace morula {
 
 namespace {
 
-using scenario::Json;
 
 constexpr std::size_t longestValue = 160;  // [character] what people still take in on one line
 constexpr std::size_t longestList = 16;    // told item by item
 
 std::string oneLine(const Json& value) {
-  if (value.is_number_float()) return scenario::formatReal(value.get<double>());
+  if (value.is_number_float()) return exactText(value.get<double>());
   if (value.is_object() || value.is_array()) {
     std::string text;
     for (const auto& [key, member] : value.items())

@@ -2,16 +2,14 @@
 // One description per parameter feeds the loader, the schema for editors, the list for people and the
 // resolved form.
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "scenario/scenario.h"
-#include "scenario/yaml_node.h"
+#include "system/json.h"
+#include "yaml/node.h"
 
 namespace morula::scenario {
-
-using Json = nlohmann::ordered_json;
 
 /// A substance named outside of the DNA: to be looked up once the DNA is read.
 struct SubstanceUse {

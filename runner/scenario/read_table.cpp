@@ -3,17 +3,11 @@
 #include <algorithm>
 
 #include "base/did_you_mean.h"
+#include "files/text.h"
 
 namespace morula::scenario {
 
 namespace {
-
-std::string join(const std::vector<std::string>& words, const std::string& last = ", ") {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + words[i];
-  return text;
-}
 
 std::string inside(const std::string& section, const std::string& key) {
   return section.empty() ? key : section + "." + key;

@@ -1,6 +1,6 @@
 #include "scenario/resolved.h"
 
-#include "scenario/numbers.h"
+#include "yaml/numbers.h"
 
 namespace morula::scenario {
 
@@ -78,7 +78,7 @@ void write(const Json& value, const std::string& indent, std::string& out) {
     }
     out += "]";
   } else if (value.is_number_float()) {
-    out += formatReal(value.get<double>());
+    out += exactText(value.get<double>());
   } else {
     out += text(value);
   }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "baseline/baseline.h"
+#include "scenario/baseline.h"
 #include "simulation/scene.h"
 
 namespace morula {

@@ -1,5 +1,6 @@
 #include "scenario/schema.h"
 
+#include "files/text.h"
 #include "scenario/resolved.h"
 
 namespace morula {
@@ -49,12 +50,6 @@ Json sectionSchema(const Section& section, const Scenario& defaults) {
   return schema;
 }
 
-/// A cell of a Markdown table.
-std::string cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2) text.insert(at, "\\");
-  return text;
-}
-
 std::string defaultText(const Parameter& p, const Scenario& defaults) {
   if (p.required) return "**required**";
   if (!p.absent.empty() && p.write(defaults).is_null()) return p.absent;
@@ -83,8 +78,8 @@ std::string sectionMarkdown(const Section& section, const Scenario& defaults) {
       if (const auto unit = " [" + p->unit + "]"; !p->unit.empty())
         if (const auto at = allowed.find(unit); at != allowed.npos) allowed.erase(at, unit.size());
       const auto meaning = p->meaning + (p->needs.empty() ? "" : "; beside `" + p->needs + "`");
-      text += "| `" + p->key() + "` | " + cell(allowed) + " | " + p->unit + " | " +
-              cell(defaultText(*p, defaults)) + " | " + cell(meaning) + " |\n";
+      text += "| `" + p->key() + "` | " + markdownCell(allowed) + " | " + p->unit + " | " +
+              markdownCell(defaultText(*p, defaults)) + " | " + markdownCell(meaning) + " |\n";
     }
   }
   return text + "\n";

@@ -1,8 +1,8 @@
 #pragma once
 // The kinds of values that parameters have. Each function makes a Parameter that reads, writes and describes
 // one field.
-#include "scenario/numbers.h"
 #include "scenario/parameter.h"
+#include "yaml/numbers.h"
 
 namespace morula::scenario {
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "golden/number_text.h"
 #include "store/measure_columns.h"
 #include "store/store.h"
 #include "store/store_error.h"
@@ -52,13 +53,10 @@ RunStatus statusFrom(const Statement& s, int column) {
   s.refuse(column, "needs running, done, failed or killed");
 }
 
-/// Digits of a hash, as we write them.
-bool areDigits(const std::string& text) { return text.find_first_not_of("0123456789abcdef") == text.npos; }
-
 Hash hashFrom(const Statement& s, int column) {
-  const std::string text = s.line(column);
-  if (text.size() != 32 || !areDigits(text)) s.refuse(column, "needs 32 hexadecimal digits");
-  return {std::stoull(text.substr(0, 16), nullptr, 16), std::stoull(text.substr(16), nullptr, 16)};
+  const auto hash = readHash(s.line(column));
+  if (!hash) s.refuse(column, "needs 32 hexadecimal digits");
+  return *hash;
 }
 
 CellPath pathFrom(const Statement& s, int column) {
@@ -69,7 +67,8 @@ CellPath pathFrom(const Statement& s, int column) {
 
 std::string idFrom(const Statement& s, int column) {
   auto text = s.line(column);
-  if (text.empty() || text.size() > 64 || !areDigits(text)) s.refuse(column, "needs hexadecimal digits");
+  if (text.empty() || text.size() > 64 || text.find_first_not_of("0123456789abcdef") != text.npos)
+    s.refuse(column, "needs hexadecimal digits");
   return text;
 }
 

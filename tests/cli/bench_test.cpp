@@ -110,9 +110,9 @@ TEST_CASE("bench refuses what it cannot measure") {
 }
 
 TEST_CASE("Bullet's worker is not for people, and tells a broken request") {
-  CHECK(launch({"--help"}).out.find("bullet-worker") == std::string::npos);
-  CHECK(launch({"no-such-verb"}).err.find("bullet-worker") == std::string::npos);
-  const auto run = launch({"bullet-worker"});  // nothing on its stdin
+  CHECK(launch({"--help"}).out.find("engine-worker") == std::string::npos);
+  CHECK(launch({"no-such-verb"}).err.find("engine-worker") == std::string::npos);
+  const auto run = launch({"engine-worker"});  // nothing on its stdin
   CHECK(run.code == 3);
-  CHECK_THAT(run.err, ContainsSubstring("'morula-bullet-request-1' was expected"));
+  CHECK_THAT(run.err, ContainsSubstring("question to another engine cannot be read"));
 }

@@ -93,6 +93,6 @@ TEST_CASE("Mistakes beside are told, and the worker is not for people") {
   CHECK(launch({"check", file, "--beside", "bulet"}).code == 2);
   CHECK(launch({"check", file, "--cpu-limit", "3"}).code == 2);
   CHECK(launch({"check", file, "--beside", "b1", "--cpu-limit", "0"}).code == 2);
-  CHECK(launch({"--help"}).out.find("other-worker") == std::string::npos);
-  CHECK(launch({"other-worker"}).code == 3);  // nothing on its stdin
+  CHECK(launch({"--help"}).out.find("engine-worker") == std::string::npos);
+  CHECK(launch({"engine-worker"}).code == 3);  // nothing on its stdin
 }

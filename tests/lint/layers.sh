@@ -1,22 +1,27 @@
 #!/usr/bin/env bash
-# A room of the core includes only itself and rooms below it, as the map in its README says, and a library from outside
-# is included by one room only.
+# A room includes only itself, rooms below it as the map in its house's README says, and rooms of the houses below; and a
+# library from outside is included by one room only, unless the map has a line `everywhere: name, name`.
 #
-#   layers.sh CORE
+#   layers.sh HOUSE [HOUSE-BELOW...]      (core; runner core reports)
 #
 # Exit codes: 0 so it is, 1 not so.
 set -euo pipefail
-core=$1
+house=$1
+shift
 # The map: "base ← mesh ← physics ← contacts, connections, division ← simulation", as many lines as it has.
-map=$(sed -n '/^```$/,/^```$/p' "$core/README.md" | grep -E '^[a-z]+ ←' | sed 's/─*//g') || {
-  echo "$core/README.md has no map: lines as base ← mesh ← physics"
+block=$(sed -n '/^```$/,/^```$/p' "$house/README.md")
+map=$(grep -E '^[a-z]+(, [a-z]+)* ←' <<<"$block" | sed 's/─*//g') || {
+  echo "$house/README.md has no map: lines as base ← mesh ← physics"
   exit 1
 }
-cd "$core"
+rooms() { find "$1" -mindepth 2 \( -name '*.h' -o -name '*.cpp' \) | sed -E "s|^$1/([^/]*)/.*|$2\t\1|" | sort -u; }
 {
   awk '{ print "map\t" $0 }' <<<"$map"
-  grep -rnE '^ *# *include' --include='*.h' --include='*.cpp' . | sed -E 's|^\./||; s|^([^:]*:[0-9]*):|include\t\1\t|'
-  find . -mindepth 2 \( -name '*.h' -o -name '*.cpp' \) | sed -E 's|^\./([^/]*)/.*|room\t\1|' | sort -u
+  sed -n 's/^everywhere: /everywhere\t/p' <<<"$block"
+  for below in "$@"; do rooms "$below" below; done
+  rooms "$house" room
+  (cd "$house" && grep -rnE '^ *# *include' --include='*.h' --include='*.cpp' .) |
+    sed -E 's|^\./||; s|^([^:]*:[0-9]*):|include\t\1\t|'
 } | awk -F '\t' '
 $1 == "map" {
   floors = split($2, floor, / *← */)
@@ -27,17 +32,24 @@ $1 == "map" {
   }
   delete seen
 }
+$1 == "everywhere" { n = split($2, name, /, */); for (j = 1; j <= n; ++j) everywhere[name[j]] = 1 }
+$1 == "below" { outside[$2] = 1 }
+$1 == "room" { if (!($2 in known)) { print $2 ": a room that the map does not have"; ++errors } ++rooms }
 $1 == "include" {
+  if (!closed) {  # what is below a room below is below
+    for (k in known) for (i in known) for (j in known)
+      if (((i, k) in below) && ((k, j) in below)) below[i, j] = 1
+    closed = 1
+  }
   file = $2; room = file; sub(/\/.*/, "", room)
   what = $3; sub(/^ *# *include *["<]/, "", what); sub(/[">].*/, "", what)
   if ($3 ~ /"/) {
     to = what; if (!sub(/\/.*/, "", to)) { print file ": \"" what "\" does not say of which room it is"; ++errors; next }
-    if (to != room && !((room, to) in below)) { print file ": " room " includes \"" what "\", but " to " is not below it"; ++errors }
-  } else if (what ~ /\//) {  # the standard library has no folders that we need
+    if (to != room && !((room, to) in below) && !(to in outside)) { print file ": " room " includes \"" what "\", but " to " is not below it"; ++errors }
+  } else if (what ~ /\// && what !~ /^sys\//) {  # a library; the standard one has no other folders that we need
     library = what; sub(/\/.*/, "", library)
-    if (library in user && user[library] != room) { print file ": <" what ">: " user[library] " includes " library " already, and one room may"; ++errors }
+    if (library in user && user[library] != room && !(library in everywhere)) { print file ": <" what ">: " user[library] " includes " library " already, and one room may"; ++errors }
     user[library] = room
   }
 }
-$1 == "room" { if (!($2 in known)) { print $2 ": a room that the map does not have"; ++errors } ++rooms }
 END { if (errors || !rooms) exit 1; print rooms " rooms, each on top of those below it" }'

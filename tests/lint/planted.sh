@@ -57,7 +57,7 @@ case $lint in
     ;;
 
   files)
-    mkdir -p "$work"/runner/{files,cli,store}
+    mkdir -p "$work"/runner/{files,cli,store,system}
     while IFS= read -r line; do
       printf 'int harmless;\n%s\n' "$line" >"$work/runner/cli/a.cpp"
       plant=$line
@@ -84,7 +84,7 @@ PLANTS
     printf '%s\n' '// std::ifstream, fopen(x), std::cerr' 'namespace fs = std::filesystem;' '#include <filesystem>' \
       'const std::filesystem::path file = fs::path("std::cout") / name; Stored::open(x);' 'fmt::format("x"); database.open();' >"$work/runner/cli/a.cpp"
     echo 'std::ifstream in(::open(x));' >"$work/runner/files/b.cpp"
-    echo 'std::cout << text;' >"$work/runner/cli/console.cpp"
+    echo 'std::cout << text;' >"$work/runner/system/console.cpp"
     plant=
     passes "comments, texts, paths and the rooms that may" "$here/files.sh" "$work/runner"
     finds "there is no source" "$here/files.sh" "$work/runner/store"
@@ -127,6 +127,23 @@ PLANTS
     sources biology/c.h '#include "c2.h"' && finds "does not say of which room" "$here/layers.sh" "$core"
     sources simulation/d.h '#include <Eigen/Core>' && finds "<Eigen/Core>: mesh includes Eigen already" "$here/layers.sh" "$core"
     sources && mkdir "$core/attic" && touch "$core/attic/f.h" && finds "attic: a room" "$here/layers.sh" "$core"
+    rm -r "$core/attic"
+    # A house on top of another: rooms of the lower one are below all of its own, and not the other way round.
+    runner=$work/runner
+    mkdir -p "$runner"/{files,store,run,cli}
+    printf '```\nfiles ← store ← run\nrun ← cli\neverywhere: fmt\n```\n' >"$runner/README.md"
+    upper() { # FILE LINE
+      printf '#include <fmt/format.h>\n#include "mesh/b.h"\n' >"$runner/files/g.cpp"
+      printf '#include <fmt/format.h>\n#include <yaml-cpp/yaml.h>\n' >"$runner/store/h.h"
+      printf '#include "files/g.h"\n' >"$runner/run/i.h"
+      printf '#include "store/h.h"\n#include "simulation/d.h"\n' >"$runner/cli/j.cpp"
+      if [ $# -gt 0 ]; then echo "$2" >>"$runner/$1"; fi
+    }
+    upper && passes "downward, also by way of others" "$here/layers.sh" "$runner" "$core"
+    upper files/g.cpp '#include "run/i.h"' && finds "files/g.cpp:3: files includes" "$here/layers.sh" "$runner" "$core"
+    upper run/i.h '#include <yaml-cpp/yaml.h>' && finds "<yaml-cpp/yaml.h>: " "$here/layers.sh" "$runner" "$core"
+    upper && finds "mesh is not below it" "$here/layers.sh" "$runner"
+    sources mesh/b.cpp '#include "files/g.h"' && finds "mesh/b.cpp:4: mesh includes" "$here/layers.sh" "$core"
     echo "no map" >"$core/README.md" && finds "has no map" "$here/layers.sh" "$core"
     ;;
 

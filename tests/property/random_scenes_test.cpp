@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "catch.h"
-#include "cli/sanity.h"
+#include "check/sanity.h"
 #include "mesh/measures.h"
 #include "mesh_oracles.h"
 #include "scenario/scenario.h"
@@ -188,7 +188,7 @@ void tryScene(std::uint64_t seed, Tally& tally) {
     UNSCOPED_INFO("seed " << seed << ": " << e.what());
     return;
   }
-  const cli::SanityCheck sanity(*world);
+  const SanityCheck sanity(*world);
   try {
     while (!finished(*world)) takeSteps(*world, 64);
   } catch (const NumericalError&) {

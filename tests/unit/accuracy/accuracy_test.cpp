@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "accuracy/picture.h"
-#include "accuracy/table.h"
 #include "base/error.h"
 #include "catch.h"
 #include "drawing/palette.h"

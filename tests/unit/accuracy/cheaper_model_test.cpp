@@ -2,7 +2,6 @@
 #include "accuracy/cheaper_model.h"
 
 #include "accuracy/accuracy.h"
-#include "accuracy/table.h"
 #include "catch.h"
 #include "reader.h"
 #include "unit/physics/lab.h"

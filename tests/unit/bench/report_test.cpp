@@ -4,8 +4,6 @@
 
 #include "bench/bench.h"
 #include "bench/picture.h"
-#include "bench/ratios.h"
-#include "bench/table.h"
 #include "bench/work.h"
 #include "catch.h"
 #include "drawing/palette.h"

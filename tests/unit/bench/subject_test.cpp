@@ -4,9 +4,9 @@
 #include "base/random.h"
 #include "bench/machine_limits.h"
 #include "bench/peak_kernels.h"
-#include "bench/statistics.h"
 #include "catch.h"
 #include "simulation/hash.h"
+#include "system/statistics.h"
 #include "worst.h"
 
 using namespace morula;

@@ -5,7 +5,7 @@
 #include "explain/explain.h"
 #include "explain/program_run.h"
 #include "explain/stored_run.h"
-#include "explain/trail_text.h"
+#include "explain/trail_json.h"
 #include "simulation/checkpoint.h"
 #include "store/recorder.h"
 #include "store/store.h"
@@ -143,7 +143,7 @@ TEST_CASE("Another program tells its hashes and its state, and so step, vertex a
   CHECK_THAT(y.text, ContainsSubstring("no vertex and values: "));
 }
 
-TEST_CASE("A trail survives its way through text, and a damaged one is refused with its line") {
+TEST_CASE("A trail survives its way through text, and a damaged one is refused") {
   const Scene scene = shortLife();
   OwnRun run(
       "",
@@ -158,9 +158,11 @@ TEST_CASE("A trail survives its way through text, and a damaged one is refused w
   CHECK(back.links == trail.links);
   CHECK(back.lastStep == trail.lastStep);
   CHECK(back.failure == trail.failure);
-  CHECK_THROWS_WITH(readTrail(text.substr(0, text.rfind("end"))), ContainsSubstring("no end"));
-  CHECK_THROWS_WITH(readTrail("link 0 12\nend 0\n"), ContainsSubstring("trail, line 1: "));
-  CHECK_THROWS_WITH(readTrail("link x\nend 0\n"), ContainsSubstring("'x' is no step"));
-  CHECK_THROWS_WITH(readTrail("chain\n"), ContainsSubstring("begins no line"));
-  CHECK_THROWS_WITH(readTrail("end 3\nend 4\n"), ContainsSubstring("line 2: something follows"));
+  CHECK_THROWS_WITH(readTrail(text.substr(0, text.size() / 2)), ContainsSubstring("cut short"));
+  CHECK_THROWS_WITH(readTrail("link 0 12\nend 0\n"), ContainsSubstring("the trail is cut short, or another"));
+  CHECK_THROWS_WITH(readTrail("{\"links\": []}"), ContainsSubstring("last_step"));
+  const std::string hash = trail.links[0].state.whole.text();
+  std::string wrong = text;
+  wrong.replace(wrong.find(hash), 1, "x");
+  CHECK_THROWS_WITH(readTrail(wrong), ContainsSubstring("is no hash"));
 }

@@ -1,6 +1,5 @@
 #include "scenario/schema.h"
 
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "helpers.h"
@@ -8,7 +7,6 @@
 
 using namespace morula;
 using namespace morula::test;
-using Json = nlohmann::json;
 
 namespace {
 

@@ -1,0 +1,95 @@
+#include "check/accept_run.h"
+
+#include "base/error.h"
+#include "check/check_run.h"
+#include "check/sanity.h"
+#include "files/folders.h"
+#include "golden/change.h"
+#include "golden/succession.h"
+#include "loop/twin_run.h"
+#include "system/console.h"
+#include "system/signals.h"
+
+namespace morula {
+
+namespace {
+
+/// Bits are checked exactly; the values beside them tell how large a difference is.
+std::vector<ToleranceRule> usualRules(const Scenario& scenario) {
+  if (!scenario.scene.mechanics) return {};  // a lineage has no values
+  return {
+      readRule("tolerance * rel 1e-9 scale 1 why \"what the bits tell exactly, in numbers people can weigh\"",
+               "usual rules")};
+}
+
+/// No result is worth keeping that breaks what the scenario itself demands, or that is not sane.
+void refuseViolated(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
+                    const SanityCheck& sanity) {
+  CheckReport report{goldenName(scenario.file), checkInvariants(scenario, run, invariants)};
+  for (auto& result : sanity.results(run.world, scenario.check, true))
+    report.results.push_back(std::move(result));
+  if (!scenario.check.fails.empty()) report = checkStop(scenario, "");
+  if (!report.passed()) throw InputError(scenario.file + ": nothing accepted: " + describe(report));
+}
+
+/// The same again, by another way. With bodies its twin runs beside it.
+TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
+  const SignalWatch signals;
+  Progress progress(scenario.scene.name + " again", quiet);
+  const auto watch = [&](const World& world) {
+    stopAtSignal();
+    progress.show(world);
+  };
+  if (scenario.scene.mechanics)
+    return runTwins(makeScenarioWorld(scenario, how), makeScenarioWorld(scenario, how), watch);
+  World world = makeScenarioWorld(scenario, how);
+  while (!finished(world)) {
+    watch(world);
+    step(world);
+  }
+  return {{}, stateHash(world)};
+}
+
+}  // namespace
+
+AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance,
+                      bool quiet) {
+  const auto file = goldenFile(scenario);
+  refuseWithinCi(file);
+  Progress progress(scenario.scene.name, quiet);
+  Invariants invariants(scenario.check);
+  World start = makeScenarioWorld(scenario, how);
+  const SanityCheck sanity(start);
+  const auto run = simulate(std::move(start), recordingOf(scenario, true), progress,
+                            [&](const World& world) { invariants.observe(world); });
+  if (run.signal) return {.signal = run.signal};
+  if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
+  refuseViolated(scenario, run, invariants, sanity);
+  TwinRun again;
+  try {
+    again = runAgain(scenario, otherExecution(how), quiet);
+  } catch (const Interrupted& by) { return {.signal = by.signal}; }
+  if (again.end != *run.end.stateHash) return {.nondeterministic = true};
+
+  Golden golden{observe(scenario, run), {}, {}, usualRules(scenario), {}, again.growth};
+  AcceptedRun accepted{.done = true};
+  if (fileExists(file)) {
+    try {
+      const Golden old = readAccepted(scenario, file);
+      golden.rules = old.rules;
+      if (old.data.scenarioHash == golden.data.scenarioHash) golden.error = old.error;
+      golden.data = keepValuesWithinTolerance(std::move(golden.data), old);
+      accepted.text = changeInWords(old.data, golden.data) + describeSuccession(old, golden.data);
+    } catch (const InputError& e) {  // damaged, or of an older version: there is nothing to keep of it
+      accepted.text = std::string(e.what()) + "\nnothing is kept of the old golden\n";
+    }
+  }
+  std::vector<std::string> notes;
+  golden.rules = limitToHorizon(golden, notes);
+  for (const auto& note : notes) accepted.text += "tolerance " + note + '\n';
+  acceptGolden(file, std::move(golden), acceptance);
+  accepted.text += "accepted: " + file.string() + '\n';
+  return accepted;
+}
+
+}  // namespace morula

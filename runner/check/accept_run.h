@@ -1,0 +1,25 @@
+#pragma once
+// A golden from three runs: the result, the same again by another way, and a twin that shows how far one unit
+// in the last place grows.
+#include <string>
+
+#include "golden/accept.h"
+#include "loop/simulate.h"
+
+namespace morula {
+
+struct AcceptedRun {
+  bool done = false;
+  bool nondeterministic =
+      false;              // the run made again by another way came to another end: nothing is accepted
+  int signal = 0;         // that interrupted it
+  std::string text = {};  // for people: what was accepted and what it changed
+};
+
+/// Runs the scenario, again with another instruction set and number of threads, and beside it its twin;
+/// writes the golden only if both agree to the last bit. Throws InputError if a run fails or the golden
+/// cannot be accepted.
+AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance,
+                      bool quiet);
+
+}  // namespace morula

@@ -1,0 +1,122 @@
+#include "check/check_run.h"
+
+#include "base/error.h"
+#include "files/folders.h"
+#include "golden/accept.h"
+#include "golden/observe.h"
+#include "organism/renderer_name.h"
+#include "pictures/pictures.h"
+#include "scenario/deciding_values.h"
+#include "simulation/measures.h"
+#include "system/git_text.h"
+#include "yaml/numbers.h"
+
+namespace morula {
+
+namespace {
+
+/// How far a vertex may stand out of the shell, in its radii: positions are projected onto it, up to
+/// rounding.
+constexpr double shellSlack = 1e-6;
+
+CheckResult shellHolds(const World& world) {
+  const double outermost = measure<Observation>("outermost").get(Observation(world)).value_or(0);
+  const std::string text = exactText(outermost);
+  return judged({.check = "shell",
+                 .kind = "invariant",
+                 .expected = "1",
+                 .actual = text,
+                 .tolerance = "abs " + exactText(shellSlack),
+                 .field = "outermost",
+                 .share = outermost <= 1 ? 0 : (outermost - 1) / shellSlack},
+                outermost <= 1 + shellSlack,
+                "a vertex stands at " + text + " of the shell's radius; needs at most 1");
+}
+
+Hash hashOf(const Image& image) {
+  Hasher hasher;
+  hasher.add(image.width).add(image.height);
+  std::string bytes;
+  for (const Colour& c : image.pixels) bytes += {char(c.r), char(c.g), char(c.b)};
+  return hasher.add(bytes).digest();
+}
+
+/// Without words: glyphs are another library's.
+GoldenImage imageOf(const Simulation& run, const Scenario& scenario) {
+  OrganismPicture picture = pictureOf(run.world, scenario);
+  picture.title = picture.caption = "";
+  picture.legend.clear();
+  return {"organism", rendererName(), hashOf(drawOrganism(picture))};
+}
+
+CheckResult goldenMissing(const std::filesystem::path& file) {
+  return failedCheck("golden", "SETUP", "a golden file", "none",
+                     file.string() + " is not there; accept one: morula review --accept --why \"…\"");
+}
+
+}  // namespace
+
+GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture) {
+  GoldenContext context{goldenName(scenario.file), scenario.meaning.text(), {}, {}, {}};
+  // A golden holds the samples that the scenario asks for, not those that every run takes.
+  if (scenario.record.every)
+    for (const auto& sample : run.results.samples) context.samples.push_back(sample.world);
+  context.chain = run.results.chain;
+  if (withPicture && run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
+    context.images.push_back(imageOf(run, scenario));
+  GoldenData data = observeGolden(run.world, context);
+  data.parameters = decidingValues(scenario);
+  return data;
+}
+
+Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file) {
+  Golden golden = readGoldenFile(file);
+  if (!golden.data.parameters.empty() || golden.data.scenarioHash == scenario.meaning.text()) return golden;
+  const auto committed = committedText(scenario.file);
+  if (!committed) return golden;
+  try {
+    const auto before =
+        readScenario(*committed, scenario.file, folderOf(scenario.file), {}, {}, scenario.allowOutside);
+    if (before.meaning.text() == golden.data.scenarioHash) golden.data.parameters = decidingValues(before);
+  } catch (const InputError&) {  // of another version of the format: then it cannot tell
+  }
+  return golden;
+}
+
+std::filesystem::path goldenFile(const Scenario& scenario) { return goldenPath(scenario.file); }
+
+CheckReport check(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
+                  bool needsGolden) {
+  if (!scenario.check.fails.empty()) return checkStop(scenario, "");
+  CheckReport report{goldenName(scenario.file), {}};
+  const auto file = goldenFile(scenario);
+  if (fileExists(file)) {
+    try {
+      report = compareGolden(readAccepted(scenario, file), observe(scenario, run));
+    } catch (const InputError& unusable) { report = unusableGolden(report.scenario, unusable.what()); }
+  } else if (needsGolden) report.results.push_back(goldenMissing(file));
+  for (auto& result : checkInvariants(scenario, run, invariants)) report.results.push_back(std::move(result));
+  return report;
+}
+
+std::vector<CheckResult> checkWithoutGolden(const Scenario& scenario, const Simulation& run,
+                                            const Invariants& invariants) {
+  if (!scenario.check.fails.empty()) return checkStop(scenario, run.end.failure).results;
+  if (run.end.status != RunStatus::done) return {};
+  return checkInvariants(scenario, run, invariants);
+}
+
+std::vector<CheckResult> checkInvariants(const Scenario& scenario, const Simulation& run,
+                                         const Invariants& invariants) {
+  std::vector<CheckResult> results;
+  const auto& mechanics = scenario.scene.mechanics;
+  if (mechanics && mechanics->physics.shell) results.push_back(shellHolds(run.world));
+  for (auto& result : invariants.results(run.world)) results.push_back(std::move(result));
+  return results;
+}
+
+CheckReport checkStop(const Scenario& scenario, const std::string& failure) {
+  return {goldenName(scenario.file), {stopsAsItMust(scenario.check.fails, failure)}};
+}
+
+}  // namespace morula

@@ -1,0 +1,101 @@
+#include "check/pending.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "files/folders.h"
+#include "files/read_file.h"
+#include "files/write_file.h"
+#include "golden/accept.h"
+#include "pictures/pictures.h"
+#include "simulation/world.h"
+#include "store/build_info.h"
+#include "system/child_process.h"
+#include "system/console.h"
+
+namespace morula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* extensions[] = {".golden", ".png", ".from"};
+
+/// …/build/release/pending for …/build/release/morula.
+fs::path pendingFolder() { return fs::path(ownProgram()).parent_path() / "pending"; }
+
+/// pending/thesis/unique-four-1a2b3c4d.golden: names are not unique (other folders, other checkouts), places
+/// are, so a hash of the place follows the name.
+fs::path fileOf(const Scenario& scenario, const char* extension) {
+  const std::string place = absolutePath(scenario.file).string();
+  return pendingFolder() /
+         (goldenName(scenario.file) + '-' + Hasher().add(place).digest().text().substr(0, 8) + extension);
+}
+
+void removeAll(fs::path file) {
+  for (const char* extension : extensions) removeFile(file.replace_extension(extension));
+}
+
+/// What made a result: the lines of its .from.
+struct Origin {
+  std::string scenario, build;
+  friend bool operator==(const Origin&, const Origin&) = default;
+};
+
+Origin originOf(const Scenario& scenario) {
+  return {absolutePath(scenario.file).string(), buildId(buildInfo())};
+}
+
+Origin readOrigin(const fs::path& file) {
+  Origin origin;
+  if (!fileExists(file)) return origin;
+  std::istringstream lines(readFile(file));
+  std::getline(lines, origin.scenario);
+  std::getline(lines, origin.build);
+  return origin;
+}
+
+}  // namespace
+
+fs::path pendingPicture(const Scenario& scenario) { return fileOf(scenario, ".png"); }
+
+void putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, bool quiet) {
+  const fs::path file = fileOf(scenario, ".golden");
+  const Origin origin = originOf(scenario);
+  try {
+    makeFolder(file.parent_path());
+    overwriteFile(file, writeGolden({observed, "nobody", "pending", {}}));
+    overwriteFile(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n');
+  } catch (const FileError& error) {
+    tell(std::string(error.what()) + "; the result is not kept for a review", quiet);
+    return;
+  }
+  if (run.world.bodies) writePicture(drawOrganism(pictureOf(run.world, scenario)), pendingPicture(scenario));
+  tell("kept for `morula review`: " + file.string(), quiet);
+}
+
+std::optional<GoldenData> findPending(const Scenario& scenario) {
+  const fs::path file = fileOf(scenario, ".golden");
+  if (!fileExists(file) || readOrigin(fileOf(scenario, ".from")) != originOf(scenario)) return std::nullopt;
+  GoldenData data = readGoldenFile(file).data;
+  if (data.scenarioHash != scenario.meaning.text()) return std::nullopt;
+  return data;
+}
+
+void removePending(const Scenario& scenario) { removeAll(fileOf(scenario, ".golden")); }
+
+std::vector<fs::path> pendingScenarios() {
+  std::vector<fs::path> scenarios;
+  if (!fileExists(pendingFolder())) return scenarios;
+  for (const fs::path& result : filesBelow(pendingFolder(), ".golden")) {
+    const fs::path scenario = readOrigin(fs::path(result).replace_extension(".from")).scenario;
+    if (scenario.empty() || !fileExists(scenario)) removeAll(result);
+    else scenarios.push_back(scenario.lexically_proximate(currentFolder()));
+  }
+  std::sort(scenarios.begin(), scenarios.end());
+  return scenarios;
+}
+
+}  // namespace morula

@@ -1,0 +1,27 @@
+#pragma once
+// Results that differ from their goldens and wait for a review. They lie beside the program, never beside
+// sources: pending/<family>/<name>-<hash of its place>.golden, .png with the end, and .from with the
+// scenario's file and the build.
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "golden/golden.h"
+#include "loop/simulate.h"
+
+namespace morula {
+
+/// Keeps what a run showed. Where the folder cannot be written it says so and goes on: nothing is lost but
+/// the convenience.
+void putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, bool quiet);
+/// What waits for this scenario as it is now, if this build made it.
+std::optional<GoldenData> findPending(const Scenario& scenario);
+/// The picture that was written with it; the path may not exist.
+std::filesystem::path pendingPicture(const Scenario& scenario);
+/// Takes it away: accepted, rejected, or the golden is met again.
+void removePending(const Scenario& scenario);
+/// Files of the scenarios with results that wait, sorted. What waits for a scenario that is gone is taken
+/// away.
+std::vector<std::filesystem::path> pendingScenarios();
+
+}  // namespace morula

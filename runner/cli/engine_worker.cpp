@@ -1,0 +1,20 @@
+// morula engine-worker: a scene computed by another engine, for the program itself. Not for people.
+#include "engines/engine_worker.h"
+
+#include "cli/exit_codes.h"
+#include "cli/verb.h"
+#include "system/console.h"
+
+namespace morula::cli {
+
+void addEngineWorker(CLI::App& app, Action& action) {
+  Verb verb(app, action, "engine-worker",
+            "Computes one scene: question on stdin, answer on stdout, both JSON");
+  verb.hide();  // not listed
+  verb.does([] {
+    serveEngine(questionStream(), answerStream());
+    return fine;
+  });
+}
+
+}  // namespace morula::cli

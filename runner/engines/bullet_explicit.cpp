@@ -1,0 +1,133 @@
+#include "engines/bullet_body.h"
+#include "engines/bullet_engine.h"
+#include "physics/stages.h"
+
+namespace morula {
+
+namespace {
+
+/// The core's bodies serve as the notebook in which Bullet's nodes are read: forces and the shell are then
+/// the core's own code, the same on both sides of a comparison.
+Bodies makeNotebook(const BulletScene& scene) {
+  Bodies bodies = makeBodies(scene.physics, scene.mesh, 1);
+  setBodies(bodies, scene.cells);
+  return bodies;
+}
+
+struct ExplicitEngine final : BulletEngine {
+  BulletScene scene;
+  Bodies notebook;                  // of B1, `acceleration` is that of the nodes as they are
+  PhysicsStages forces{}, shell{};  // one without a shell, one for its sake
+  bool secondOrder;                 // B1 as velocity Verlet: Bullet's velocities lag by half a step
+
+  btSoftBodyRigidBodyCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btSoftRigidDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  std::vector<std::unique_ptr<btSoftBody>> bodies;
+
+  explicit ExplicitEngine(const BulletScene& asked)
+      : scene(asked),
+        notebook(makeNotebook(asked)),
+        secondOrder(asked.baseline == Baseline::b1 && asked.physics.integrator != Integrator::thesisVerlet) {
+    // With no time step this one's drift leaves all in place, and predicts the velocity that stands there.
+    scene.physics.integrator = Integrator::thesisVerlet;
+    PhysicsParameters open = scene.physics;
+    open.shell.reset();
+    const Isa isa = narrowestIsa(notebook.count, bestIsa(), Precision::binary64);
+    forces = chooseStages(open, isa);
+    shell = chooseStages(scene.physics, isa);
+    world.setGravity({0, 0, 0});
+    btSoftBodyWorldInfo& info = world.getWorldInfo();
+    makeWeightless(info, broadphase, dispatcher);
+    checkPrecision(scene.mesh, info);
+    for (const Body& cell : scene.cells) {
+      bodies.push_back(makeSoftBody(scene, notebook.mesh, cell, info));
+      world.addSoftBody(bodies.back().get());
+    }
+    if (scene.baseline != Baseline::b1) return;
+    evaluateForces();
+    // Half a step back, so that Bullet's first whole kick ends half a step after the start.
+    if (secondOrder) eachNode([&](btSoftBody::Node& node, std::size_t at) { node.m_v -= halfKick(at); });
+  }
+  ~ExplicitEngine() override {
+    for (auto& body : bodies) world.removeSoftBody(body.get());
+  }
+
+  template <class Visit>  // visit(node, where it stands in position, velocity and acceleration)
+  void eachNode(const Visit& visit) {
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (int v = 0; v < notebook.vertexCount(); ++v)
+        visit(bodies[i]->m_nodes[v], notebook.at(static_cast<int>(i), v));
+  }
+  static btVector3 read(const Reals& array, std::size_t at) {
+    return {array[at], array[at + blockLanes], array[at + 2 * blockLanes]};
+  }
+  static void write(Reals& array, std::size_t at, const btVector3& a) {
+    array[at] = a.x(), array[at + blockLanes] = a.y(), array[at + 2 * blockLanes] = a.z();
+  }
+  btVector3 halfKick(std::size_t at) const { return 0.5 * scene.timeStep * read(notebook.acceleration, at); }
+
+  /// The accelerations at the notebook's positions and velocities. The shell bears what presses against it.
+  void evaluateForces() {
+    for (int i = 0; i < notebook.blockCount(); ++i) {
+      advance(forces, notebook, notebook.block(i, 0), 0);
+      kick(shell, notebook, notebook.block(i, 0), 0);
+    }
+  }
+
+  /// Bullet has no contact on the inside of a shell: the core's, at the end of a drift that takes no time.
+  void keepAllInShell() {
+    for (int i = 0; i < notebook.blockCount(); ++i)
+      shell.drift(notebook.mesh.view(), notebook.block(i, 0), notebook.kernelParameters, 0);
+    eachNode([&](btSoftBody::Node& node, std::size_t at) {
+      node.m_x = read(notebook.position, at);
+      node.m_v = read(notebook.velocity, at);
+    });
+  }
+
+  void step() override {
+    if (scene.baseline == Baseline::b1)
+      eachNode([&](btSoftBody::Node& node, std::size_t at) {
+        node.m_f += read(notebook.acceleration, at) / node.m_im;
+      });
+    else
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+        setPressure(*bodies[i], scene.cells[i].pressureConstant, scene.physics.pressure.outside);
+    world.stepSimulation(scene.timeStep, 0);
+    if (scene.baseline == Baseline::b2 && !scene.physics.shell) return;  // nobody reads the notebook
+    eachNode([&](const btSoftBody::Node& node, std::size_t at) {
+      write(notebook.position, at, node.m_x);
+      write(notebook.velocity, at, node.m_v);
+    });
+    if (scene.physics.shell) keepAllInShell();
+    if (scene.baseline != Baseline::b1) return;
+    // w = v + ½Δt a, with the acceleration that led here: the velocity at the time of the positions, as
+    // velocity Verlet predicts it.
+    if (secondOrder)
+      eachNode([&](const btSoftBody::Node& node, std::size_t at) {
+        write(notebook.velocity, at, node.m_v + halfKick(at));
+      });
+    evaluateForces();
+  }
+
+  std::vector<Body> cells() override {
+    std::vector<Body> cells = readCells(scene, bodies);
+    if (secondOrder)
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        for (int v = 0; v < notebook.vertexCount(); ++v) {
+          const btVector3 rest = halfKick(notebook.at(static_cast<int>(i), v));
+          cells[i].velocity[static_cast<std::size_t>(v)] += {rest.x(), rest.y(), rest.z()};
+        }
+    return cells;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<BulletEngine> makeExplicitEngine(const BulletScene& scene) {
+  return std::make_unique<ExplicitEngine>(scene);
+}
+
+}  // namespace morula

@@ -1,0 +1,45 @@
+#pragma once
+// A scene for Bullet, in plain structs: what this room is asked and what it answers.
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "physics/bodies.h"
+#include "physics/parameters.h"
+#include "scenario/baseline.h"
+
+namespace morula {
+
+struct BulletScene {
+  Baseline baseline = Baseline::b1;
+  Mesh mesh;  // the egg in its size: what rest lengths refer to
+  // Membrane, pressure.outside, drag and shell count; of the integrator, for B1, whether it is thesisVerlet:
+  // Bullet's step is v' = v + Δt a, x' = x + Δt v'. With half a first kick, and forces for the velocity at
+  // the time of the positions, it is velocity Verlet, of second order: what B1 does. With a whole first kick,
+  // and the velocity as Bullet has it, half a step old, it is the thesis' Verlet, of first order: what B1
+  // does for thesisVerlet, so that the two can be compared vertex by vertex.
+  PhysicsParameters physics;
+  std::vector<Body> cells;
+  double timeStep = 0x1p-8;  // [time] a power of two: Bullet takes it as a float, even in double precision
+  bool contact = true;       // vertices of a cell against faces of others
+  double margin = 0.01;  // [length] of each surface: cells at rest against each other are two of them apart
+  int iterations = 1;    // of Bullet's position solver in each step: contacts, and B2's links
+
+  bool touching() const { return contact && cells.size() > 1; }
+};
+
+struct BulletRequest {
+  BulletScene scene;
+  int steps = 1;
+  std::vector<int> reports = {};  // rising: after which steps the cells are told as well
+};
+
+struct BulletResult {
+  std::vector<Body> cells;                      // after the last step
+  std::vector<double> stepSeconds;              // CPU time of each step
+  std::vector<std::vector<Body>> reports = {};  // as asked for
+};
+
+/// True if this program was built with Bullet in double precision.
+bool bulletIsAvailable();
+
+}  // namespace morula

@@ -1,0 +1,60 @@
+#pragma once
+// A scenario's run as another engine computes it, in a process of its own: that may hang or die, and what
+// Bullet computes depends on what it did before.
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "golden/check_result.h"
+#include "scenario/scenario.h"
+#include "store/records.h"
+#include "system/json.h"
+
+namespace morula {
+
+enum class Engine {
+  thesis,  // ours, with the thesis' contact law
+  b1,      // Bullet: baseline/baseline.h
+  b2,
+  b3,
+};
+/// "thesis", "b1", "b2", "b3".
+const char* name(Engine engine);
+Engine engineOf(Baseline baseline);
+/// Of an engine that is Bullet.
+Baseline baselineOf(Engine engine);
+
+/// More than any of the hard cases takes, by far: whoever has not answered then is stuck or hopeless.
+inline constexpr int usualCpuSeconds = 120;
+
+struct ExternalQuestion {
+  Engine engine = Engine::b1;
+  double margin = 0.01;              // [radii of the egg] Bullet's
+  Integrator integrator = Integrator::velocityVerlet;  // B1's, as in BulletScene
+  int cpuSeconds = usualCpuSeconds;  // of the process; then it is ended
+};
+
+struct ExternalRun {
+  enum class End {
+    done,
+    broken,   // a cell was no cell any more: inside out, or at a place that is no number
+    stopped,  // the engine says itself that it cannot go on
+    refused,  // nor begin
+    silent,   // no answer: out of time, ended by a signal, an answer that was cut
+  };
+  End end = End::silent;
+  std::string why;  // unless done or broken
+  std::uint64_t step = 0;
+  std::vector<CheckResult> results;        // of what the scenario's check demands; or what is broken
+  Bounds volumes;                          // [1] of all cells, over those at rest
+  std::vector<std::vector<Point>> shapes;  // [length] of all cells at the end, by path, if done
+  std::vector<Sample> samples;  // as the scenario records, and the end; without states and contacts
+};
+
+using OnStep = std::function<void(std::uint64_t)>;
+
+/// In this process: what was asked in JSON (messages.h). `onStep` hears the number of each step that is done.
+ExternalRun runHere(const Json& question, const OnStep& onStep);
+
+}  // namespace morula

@@ -1,0 +1,241 @@
+#include "explain/why.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/error.h"
+#include "check/check_run.h"
+#include "explain/program_run.h"
+#include "explain/stored_run.h"
+#include "files/folders.h"
+#include "files/text.h"
+#include "golden/accept.h"
+#include "golden/facts.h"
+#include "loop/simulate.h"
+#include "loop/stored_scenario.h"
+#include "scenario/deciding_values.h"
+#include "store/store.h"
+#include "system/signals.h"
+
+namespace morula {
+
+namespace {
+
+/// Lines that only one of the two has, in order: "  - theirs", "  + ours"; at most forty. "" if they are
+/// equal.
+std::string differingLines(const std::string& theirs, const std::string& ours) {
+  constexpr std::size_t most = 40, far = 50;  // lines shown; how far to look for where the two meet again
+  const auto a = linesOf(theirs), b = linesOf(ours);
+  std::vector<std::string> shown;
+  std::size_t i = 0, j = 0;
+  while (i < a.size() || j < b.size()) {
+    if (i < a.size() && j < b.size() && a[i] == b[j]) {
+      ++i, ++j;
+      continue;
+    }
+    // The nearest place behind at which both go on with the same line.
+    std::size_t skipA = a.size() - i, skipB = b.size() - j;
+    for (std::size_t sum = 1; sum < std::min(far, (a.size() - i) + (b.size() - j)); ++sum) {
+      bool met = false;
+      for (std::size_t k = 0; k <= sum && !met; ++k)
+        if (i + k < a.size() && j + (sum - k) < b.size() && a[i + k] == b[j + (sum - k)])
+          skipA = k, skipB = sum - k, met = true;
+      if (met) break;
+    }
+    for (std::size_t k = 0; k < skipA; ++k) shown.push_back("  - " + a[i + k] + '\n');
+    for (std::size_t k = 0; k < skipB; ++k) shown.push_back("  + " + b[j + k] + '\n');
+    i += skipA, j += skipB;
+  }
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, shown.size()); ++k) text += shown[k];
+  if (shown.size() > most) text += "  and " + std::to_string(shown.size() - most) + " lines more\n";
+  return text;
+}
+
+/// Two runs of this program that compute in different ways.
+void lookForNondeterminism(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
+  f.where = explainTwice(scenario, question.execution, question.every);
+  f.failureClass = f.where.failureClass;
+  f.text += (f.failureClass.empty() ? "two runs of this program: " : "") + f.where.text;
+}
+
+std::string resolvedOf(const std::vector<Document>& documents) {
+  for (const auto& d : documents)
+    if (d.role == "resolved") return d.content;
+  return {};
+}
+
+/// A stored run as a golden would tell it: what decided it, its lineage, and its cells where it was sampled
+/// last if that was its end.
+GoldenData dataOf(Store& store, const StoredRun& run, const Scenario& scenario) {
+  const RunResults results = store.results(run.id);
+  GoldenFacts facts;
+  facts.scenario = goldenName(scenario.file), facts.scenarioHash = run.record.scenarioHash;
+  facts.seed = run.record.seed, facts.steps = run.steps;
+  facts.lineage = results.lineage;
+  facts.describe = [&](StateId state) { return results.stateTexts.at(state); };
+  if (!results.samples.empty() && results.samples.back().world.step == run.steps) {
+    facts.mechanics = !results.samples.back().cells.empty();
+    facts.end = results.samples.back().world, facts.cells = results.samples.back().cells;
+  }
+  GoldenData data = makeGoldenData(facts);
+  data.parameters = decidingValues(scenario);
+  return data;
+}
+
+/// Runs the scenario to its end and tells how the result differs from `before`, in words.
+void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQuestion& question,
+                Findings& f) {
+  Progress progress(scenario.scene.name, question.quiet);
+  const auto run =
+      simulate(makeScenarioWorld(scenario, question.execution), recordingOf(scenario, false), progress);
+  if (run.signal) throw Interrupted{run.signal};
+  const GoldenData now = observe(scenario, run, false);
+  f.changed = changedKeys(before, now);
+  f.text += changeInWords(before, now);
+  if (run.end.status != RunStatus::done)
+    f.text += "  the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
+}
+
+/// A scenario that has changed explains everything else.
+bool lookAtInput(const Scenario& scenario, const StoredRun& stored, Findings& f) {
+  if (stored.record.scenarioHash == scenario.meaning.text()) return false;
+  f.failureClass = f.where.failureClass = "INPUT_CHANGED";
+  f.text += "INPUT_CHANGED: the scenario is not that of run " + stored.id + "\n";
+  return true;
+}
+
+void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
+  auto store = Store::openForReading(question.database);
+  const StoredRun stored = store.find(question.run);
+  requireWholeRecord(store, stored);
+  const bool otherInput = lookAtInput(scenario, stored, f);
+  std::optional<GoldenData> before;
+  try {
+    before = dataOf(store, stored, storedScenario(question.database, stored.id));
+  } catch (const InputError&) {  // stored by a Morula with other keys: the lines still tell
+    if (otherInput)
+      f.text += "(-: theirs, +: here, all defaults filled in)\n" +
+                differingLines(resolvedOf(store.documents(stored.id)), scenario.resolved);
+  }
+  if (otherInput) {
+    if (before) tellChange(scenario, *before, question, f);
+    return;
+  }
+  const auto chain = store.chain(stored.id);
+  if (chain.empty())
+    throw InputError(
+        question.database + ": run " + stored.id +
+        " kept no chain: no hashes of the states on the way; run the scenario again with a golden file or "
+        "with `check: {}` in it, and without --no-check, --set and --seed");
+  std::uint64_t step = 0;
+  if (const auto broken = findBrokenLink(chain, step); !broken.empty()) {
+    f.failureClass = f.where.failureClass = "INPUT_CHANGED";
+    f.where.step = step;
+    f.text += "INPUT_CHANGED: run " + stored.id + " in " + question.database + ": " + broken + "\n";
+    return;
+  }
+  StoredTrail expected("run " + stored.id + " in " + question.database, chain, stored.steps, stored.failure);
+  OwnRun actual = scenarioRun(scenario, question.execution);
+  f.where = explain(expected, actual, chain.size() > 1 ? chain[1].step - chain[0].step : 1);
+  f.failureClass = f.where.failureClass;
+  if (!f.failureClass.empty() && before) tellChange(scenario, *before, question, f);
+  f.text += f.where.text;
+}
+
+void compareWithProgram(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
+  std::vector<std::string> more;
+  if (scenario.allowOutside) more.push_back("--allow-outside");  // older programs do not know it
+  ProgramRun expected(
+      question.program, scenario.file, [&] { return makeScenarioWorld(scenario, question.execution); }, more);
+  OwnRun actual = scenarioRun(scenario, question.execution);
+  f.where = explain(expected, actual, question.every);
+  f.failureClass = f.where.failureClass;
+  f.text += f.where.text;
+}
+
+/// Of a golden that cannot be read there is nothing to tell.
+std::vector<KeyChange> changedFrom(const Scenario& scenario, const Simulation& run) {
+  try {
+    return changedKeys(readAccepted(scenario, goldenFile(scenario)).data, observe(scenario, run, false));
+  } catch (const InputError&) { return {}; }
+}
+
+void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
+  Progress progress(scenario.scene.name, question.quiet);
+  Invariants invariants(scenario.check);
+  const auto run = simulate(makeScenarioWorld(scenario, question.execution), recordingOf(scenario, true),
+                            progress, [&](const World& world) { invariants.observe(world); });
+  if (run.signal) throw Interrupted{run.signal};
+  if (run.end.status == RunStatus::failed && checkStop(scenario, run.end.failure).passed()) {
+    f.text += describe(checkStop(scenario, run.end.failure));
+    return;
+  }
+  if (run.end.status != RunStatus::done) {
+    f.failureClass = "COMPUTATION";
+    f.where.step = run.end.steps;
+    f.text += "COMPUTATION: the run failed at step " + std::to_string(run.end.steps) + ": " +
+              run.end.failure + "\n";
+    return;
+  }
+  const CheckReport report = check(scenario, run, invariants, true);
+  f.checks = report.results;
+  if (fileExists(goldenFile(scenario)) && !report.passed()) f.changed = changedFrom(scenario, run);
+  f.text += describe(report);
+  const CheckResult* first = nullptr;  // the one that begins earliest, of the class that explains the others
+  for (const auto& r : report.results)
+    if (!r.passed && (!first || (first->failureClass == "CHAOS" && r.failureClass != "CHAOS") ||
+                      (r.firstStep && first->firstStep && *r.firstStep < *first->firstStep)))
+      first = &r;
+  if (!first) return;
+  f.failureClass = first->failureClass;
+  f.where.step = first->firstStep;
+  f.where.cell = first->cell;
+  if (f.failureClass != "INPUT_CHANGED") {
+    f.text +=
+        "A golden holds hashes, not states: for the first step, vertex and both values name what it was "
+        "accepted "
+        "with: --with PROGRAM, or --db FILE\n";
+  }
+}
+
+}  // namespace
+
+Findings findWhy(const Scenario& scenario, const WhyQuestion& question) {
+  const SignalWatch signals;
+  Findings f;
+  lookForNondeterminism(scenario, question, f);
+  if (!f.failureClass.empty()) return f;
+  if (!question.database.empty()) compareWithStored(scenario, question, f);
+  else if (!question.program.empty()) compareWithProgram(scenario, question, f);
+  else compareWithGolden(scenario, question, f);
+  return f;
+}
+
+Json toJson(const Scenario& scenario, const Findings& f) {
+  const auto& d = f.where.difference;
+  Json checks = Json::array(), changed = Json::array();
+  for (const KeyChange& c : f.changed)
+    changed.push_back({{"key", c.key}, {"expected", c.before}, {"actual", c.after}});
+  for (const auto& r : f.checks)
+    checks.push_back({{"check", r.check},
+                      {"passed", r.passed},
+                      {"class", r.failureClass},
+                      {"first_step", orNull(r.firstStep)}});
+  return {{"scenario", goldenName(scenario.file)},
+          {"class", f.failureClass},
+          {"first_step", orNull(f.where.step)},
+          {"last_equal_step", orNull(f.where.lastEqual)},
+          {"cell", orNull(f.where.cell)},
+          {"cells", f.where.cells},
+          {"field", d ? Json(d->field) : Json()},
+          {"vertex", d ? orNull(d->vertex) : Json()},
+          {"component", d ? Json(d->component) : Json()},
+          {"expected", d ? Json(d->expected) : Json()},
+          {"actual", d ? Json(d->actual) : Json()},
+          {"changed", changed},
+          {"text", f.text},
+          {"checks", checks}};
+}
+
+}  // namespace morula

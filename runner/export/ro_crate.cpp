@@ -1,0 +1,221 @@
+#include "export/ro_crate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "files/folders.h"
+#include "files/printable.h"
+#include "files/read_file.h"
+#include "files/write_file.h"
+#include "system/json.h"
+
+namespace morula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string profile = "https://w3id.org/ro/wfrun/process/0.5";
+constexpr std::uint64_t maxCopied = std::uint64_t{1} << 30;
+const std::string action = "#run", instrument = "#morula", agentName = "#agent";
+
+Json reference(const std::string& id) { return {{"@id", id}}; }
+
+/// A path as a relative URI: what is no letter, digit or one of -._~/ is written as %XX.
+std::string uri(const std::string& path) {
+  std::string text;
+  for (const unsigned char c : path) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("-._~/").find(static_cast<char>(c)) != std::string_view::npos;
+    text += plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
+  }
+  return text;
+}
+
+bool isUri(const std::string& text) { return text.starts_with("https://") || text.starts_with("http://"); }
+
+std::string encodingFormat(const fs::path& file) {
+  const std::string kind = file.extension().string();
+  if (kind == ".yaml" || kind == ".yml") return "application/yaml";
+  if (kind == ".json") return "application/json";
+  if (kind == ".db") return "application/vnd.sqlite3";
+  if (kind == ".png") return "image/png";
+  if (kind == ".obj") return "model/obj";
+  if (kind == ".diff") return "text/x-diff";
+  return "text/plain";
+}
+
+void put(const CrateFile& file, const fs::path& folder) {
+  if (file.isThere) return;
+  const fs::path target = folder / file.path;
+  makeFolder(target.parent_path());
+  writeNewFile(target, file.source.empty() ? file.content : readFile(file.source, maxCopied));
+}
+
+/// "dna/a-2.dna" for the second "dna/a.dna".
+void giveEachItsPath(std::vector<CrateFile>& files) {
+  std::set<std::string> taken;
+  for (CrateFile& file : files) {
+    const fs::path path = file.path;
+    for (int i = 2; !taken.insert(file.path).second; ++i)
+      file.path = (path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string()))
+                      .generic_string();
+  }
+}
+
+/// Entities, and the references to them.
+class Graph {
+ public:
+  Json add(const Json& entity) {
+    entities_.push_back(entity);
+    return reference(entity["@id"]);
+  }
+  /// A named value: one number or text that is in no file.
+  Json addValue(const std::string& kind, const std::string& name, const std::string& value) {
+    std::string id = "#" + kind + "-" + name;
+    std::replace(id.begin(), id.end(), ' ', '-');
+    return add({{"@id", id}, {"@type", "PropertyValue"}, {"name", name}, {"value", value}});
+  }
+  const Json& entities() const { return entities_; }
+
+ private:
+  Json entities_ = Json::array();
+};
+
+void addProgram(Graph& graph, const RunRecord& r, const Json& about) {
+  Json libraries = Json::array(), facts = Json::array();
+  for (const auto& [library, version] : r.build.libraries)
+    libraries.push_back(graph.add({{"@id", "#library-" + uri(library)},
+                                   {"@type", "SoftwareApplication"},
+                                   {"name", library},
+                                   {"softwareVersion", version}}));
+  for (const auto& [name, value] : {std::pair{"sources", r.build.sources},
+                                    {"commit", r.build.gitCommit},
+                                    {"tree", r.build.gitState},
+                                    {"compiler", r.build.compiler},
+                                    {"flags", r.build.flags},
+                                    {"target", r.build.target},
+                                    {"binary hash", r.binaryHash}})
+    facts.push_back(graph.addValue("build", name, value));
+  Json program{{"@id", instrument},
+               {"@type", "SoftwareApplication"},
+               {"name", "Morula"},
+               {"description", "A deterministic, scenario-driven simulator of dividing cells"},
+               {"softwareVersion", r.build.version},
+               {"identifier", buildId(r.build)},
+               {"softwareRequirements", libraries},
+               {"additionalProperty", facts}};
+  if (!about.empty()) program["subjectOf"] = about;
+  graph.add(program);
+}
+
+Json addConditions(Graph& graph, const RunRecord& r) {
+  Json conditions = Json::array();
+  for (const auto& [name, value] : {std::pair{"processor", r.machine.cpu},
+                                    {"processor features", r.machine.features},
+                                    {"kernel", r.machine.kernel},
+                                    {"floating point", r.machine.fpEnvironment},
+                                    {"instruction set", r.isa},
+                                    {"threads", std::to_string(r.threads)}})
+    conditions.push_back(graph.addValue("environment", name, value));
+  return conditions;
+}
+
+const char* actionStatus(RunStatus status) {
+  if (status == RunStatus::done) return "http://schema.org/CompletedActionStatus";
+  if (status == RunStatus::running) return "http://schema.org/ActiveActionStatus";
+  return "http://schema.org/FailedActionStatus";
+}
+
+Json describeAction(const CrateRun& crate) {
+  const StoredRun& run = crate.run;
+  Json json{{"@id", action},
+            {"@type", "CreateAction"},
+            {"name", fmt::format("{}, seed {}", run.record.scenario, run.record.seed)},
+            {"description", run.record.command},
+            {"identifier", run.id},
+            {"instrument", reference(instrument)},
+            {"startTime", run.started},
+            {"actionStatus", actionStatus(run.status)}};
+  if (!run.ended.empty()) json["endTime"] = run.ended;
+  if (run.status == RunStatus::failed) json["error"] = run.failure;
+  if (run.status == RunStatus::killed) json["error"] = "stopped by a signal";
+  if (!crate.agent.empty()) json["agent"] = reference(isUri(crate.agent) ? crate.agent : agentName);
+  return json;
+}
+
+Json describeFile(const CrateFile& file, const fs::path& folder) {
+  Json json{{"@id", uri(file.path)},
+            {"@type", "File"},
+            {"name", fs::path(file.path).filename().string()},
+            {"description", file.description},
+            {"encodingFormat", encodingFormat(file.path)},
+            {"contentSize", std::to_string(fileSize(folder / file.path))}};
+  if (!file.alternateName.empty()) json["alternateName"] = file.alternateName;
+  return json;
+}
+
+Json describeRoot(const CrateRun& crate, const Json& parts) {
+  const StoredRun& run = crate.run;
+  Json root{{"@id", "./"},
+            {"@type", "Dataset"},
+            {"conformsTo", reference(profile)},
+            {"name", fmt::format("{}, seed {}: a run of Morula", run.record.scenario, run.record.seed)},
+            {"description",
+             fmt::format("Run {} of the scenario {}: {}, {} cells at time {} after {} steps. State {}.",
+                         run.id, run.record.scenario, name(run.status), run.cells, run.time, run.steps,
+                         run.stateHash.empty() ? "unknown" : run.stateHash)},
+            {"datePublished", utcNow()},
+            {"mentions", reference(action)},
+            {"hasPart", parts}};
+  if (!crate.license.empty()) root["license"] = reference(crate.license);
+  return root;
+}
+
+}  // namespace
+
+void writeCrate(CrateRun crate, const fs::path& folder) {
+  giveEachItsPath(crate.files);
+  Graph graph;
+  graph.add({{"@id", "ro-crate-metadata.json"},
+             {"@type", "CreativeWork"},
+             {"conformsTo", reference("https://w3id.org/ro/crate/1.1")},
+             {"about", reference("./")}});
+  Json parts = Json::array(), objects = Json::array(), results = Json::array(), about = Json::array();
+  Graph files;
+  for (const CrateFile& file : crate.files) {
+    put(file, folder);
+    parts.push_back(files.add(describeFile(file, folder)));
+    auto& list = file.role == CrateFile::Role::object   ? objects
+                 : file.role == CrateFile::Role::result ? results
+                                                        : about;
+    list.push_back(parts.back());
+  }
+  graph.add(describeRoot(crate, parts));
+  graph.add({{"@id", profile}, {"@type", "CreativeWork"}, {"name", "Process Run Crate"}, {"version", "0.5"}});
+  addProgram(graph, crate.run.record, about);
+  objects.push_back(graph.addValue("parameter", "seed", std::to_string(crate.run.record.seed)));
+  results.push_back(graph.addValue("result", "state hash", crate.run.stateHash));
+  Json run = describeAction(crate);
+  run["object"] = objects;
+  run["result"] = results;
+  run["environment"] = addConditions(graph, crate.run.record);
+  graph.add(run);
+  if (!crate.agent.empty())
+    graph.add(
+        {{"@id", isUri(crate.agent) ? crate.agent : agentName}, {"@type", "Person"}, {"name", crate.agent}});
+  if (!crate.license.empty())
+    graph.add({{"@id", crate.license}, {"@type", "CreativeWork"}, {"name", crate.license}});
+  for (const Json& file : files.entities()) graph.add(file);
+
+  const Json document{
+      {"@context",
+       {"https://w3id.org/ro/crate/1.1/context", "https://w3id.org/ro/terms/workflow-run/context"}},
+      {"@graph", graph.entities()}};
+  const fs::path file = folder / "ro-crate-metadata.json";
+  writeNewFile(file, printable(jsonText(document, 2)) + "\n");
+}
+
+}  // namespace morula

@@ -1,0 +1,85 @@
+#include "export/run_crate.h"
+
+#include "base/error.h"
+#include "files/content.h"
+#include "files/folders.h"
+#include "files/safe_name.h"
+#include "golden/accept.h"
+
+namespace morula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+CrateFile crateFile(const Document& d) {
+  using Role = CrateFile::Role;
+  if (d.role == "resolved")
+    return {"scenario/resolved.json",
+            Role::object,
+            "The scenario with all defaults and changes filled in",
+            "",
+            d.content,
+            {}};
+  if (d.role == "diff")
+    return {"program.diff", Role::about, "What the program's sources had that their commit had not", "",
+            d.content,      {}};
+  const char* what = d.role == "dna"    ? "The genes that the scenario names"
+                     : d.role == "mesh" ? "The egg's mesh that the scenario names"
+                                        : "The scenario as it was read";
+  // Role and path come from the database, which may be a stranger's.
+  const std::string role = safeName(d.role, "document");
+  return {role + "/" + safeName(d.path, role), Role::object, what, d.path, d.content, {}};
+}
+
+/// The golden file that the run is held against, if it is here: below the current folder, for the database says where the
+/// scenario was, and must not reach other files.
+void addGolden(std::vector<CrateFile>& files) {
+  for (const CrateFile& file : files) {
+    if (!file.path.starts_with("scenario/") || file.alternateName.empty()) continue;
+    const fs::path golden = goldenPath(file.alternateName);
+    if (!liesWithin(golden, currentFolder()) || contentOfFile(golden) != Content::golden) return;
+    files.push_back({"golden/" + safeName(golden.string(), "golden"), CrateFile::Role::object,
+                     "The accepted result that the run is held against", golden.string(), "", golden});
+    return;
+  }
+}
+
+/// What `morula run` draws. The database does not know where: beside it, unless it holds other runs too.
+void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
+  const auto add = [&](const fs::path& picture, const std::string& description) {
+    const auto inCrate = (picture.parent_path() / safeName(picture.string(), "picture")).generic_string();
+    if (isPlainFile(folder / picture) && contentOfFile(folder / picture) == Content::picture)
+      files.push_back({"pictures/" + inCrate, CrateFile::Role::result, description,
+                       (folder / picture).string(), "", folder / picture});
+  };
+  add("organism.png", "The organism at the end");
+  add("wireframe.png", "The organism at the end, as meshes");
+  add("lineage.png", "The tree of its cells");
+  if (!isFolder(folder / "sequence")) return;
+  for (const fs::path& frame : namesIn(folder / "sequence"))
+    if (frame.extension() == ".png") add("sequence" / frame, "The organism on the way");
+}
+
+}  // namespace
+
+CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures, const fs::path& folder) {
+  CrateRun crate{run, "", "", {}};
+  for (const Document& document : store.documents(run.id)) crate.files.push_back(crateFile(document));
+  addGolden(crate.files);
+  if (!pictures.empty() && !isFolder(pictures)) throw FileError("'" + pictures + "': no such folder");
+  makeEmptyFolder(folder);
+  store.copyRun(run.id, folder / "run.db");
+  crate.files.push_back({"run.db",
+                         CrateFile::Role::result,
+                         "All results of the run, in SQLite",
+                         store.file().string(),
+                         "",
+                         {},
+                         true});
+  if (!pictures.empty()) addPictures(crate.files, pictures);
+  else if (store.runs().size() == 1) addPictures(crate.files, store.file().parent_path());
+  return crate;
+}
+
+}  // namespace morula

@@ -1,0 +1,12 @@
+#pragma once
+// What of a stored run goes into a crate: its documents, database, golden file and pictures.
+#include "export/ro_crate.h"
+
+namespace morula {
+
+/// Makes the folder, which must be empty or absent, and writes run.db into it; the other files are named. `pictures`: the
+/// folder where the run's lie; "": beside a database of one run. Throws FileError.
+CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures,
+                 const std::filesystem::path& folder);
+
+}  // namespace morula

@@ -1,0 +1,123 @@
+#include "loop/simulate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "base/error.h"
+#include "diagnose/diagnose.h"
+#include "simulation/memory.h"
+#include "system/signals.h"
+#include "system/usable_memory.h"
+
+namespace morula {
+
+namespace {
+
+// Between looks for signals and at progress.
+constexpr std::uint64_t mostStepsAtOnce = 64;
+
+/// After how many steps somebody wants to see the world.
+std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunHooks& hooks) {
+  if (hooks.watch) return 1;
+  std::uint64_t steps = std::min(mostStepsAtOnce, recorder.stepsUntilDue(world));
+  if (hooks.keepEvery > 0) steps = std::min(steps, hooks.keepEvery - world.clock.step % hooks.keepEvery);
+  return steps;
+}
+
+/// What is recorded stays in memory until the run ends.
+void requireMemoryForRecords(const World& world, const Recorder& recorder) {
+  const double most = world.execution.memoryLimit / 2;
+  if (recorder.bytes() <= most) return;
+  throw NumericalError("", world.clock.step,
+                       "samples and hashes take " + bytesText(recorder.bytes()) +
+                           ", more than half of the memory limit of " +
+                           bytesText(world.execution.memoryLimit),
+                       "record less often (record.every), stop earlier, or raise --memory-limit");
+}
+
+}  // namespace
+
+World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
+  try {
+    Execution limited = execution;
+    if (std::isinf(limited.memoryLimit)) limited.memoryLimit = usableMemory();
+    return makeWorld(scenario.scene, limited);
+  } catch (const InputError& error) {
+    // The simulator knows parameters, but not where they were written: "physics.time_step 0.02 is above …".
+    const std::string what = error.what();
+    const auto path = what.substr(0, what.find(' '));
+    const auto place = scenario.places.find(path);
+    if (place == scenario.places.end()) throw InputError(scenario.file + ": " + what);
+    throw InputError(place->second + ": " + (place->second.ends_with(path) ? "" : path + ": ") +
+                     what.substr(path.size() + 1));
+  }
+}
+
+Execution otherExecution(const Execution& how) {
+  Execution other = how;
+  other.threads = how.threads == 1 ? 2 : 1;
+  const auto isas = availableIsas();
+  const auto place = std::find(isas.begin(), isas.end(), how.isa);
+  if (isas.size() > 1) other.isa = place == isas.begin() ? isas[1] : *(place - 1);
+  return other;
+}
+
+bool wantsHashes(const Scenario& scenario, bool hasGolden) {
+  return hasGolden || scenario.places.contains("check");
+}
+
+RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
+  RecordOptions record{scenario.record.every, {}};
+  if (hashes) record.hashEvery = scenario.scene.mechanics ? stepsPerHash : 1;
+  return record;
+}
+
+Simulation simulate(World world, const RecordOptions& record, Progress& progress,
+                    std::function<void(const World&)> watch) {
+  return simulate(std::move(world), Recorder(record), progress, {.watch = std::move(watch), .keep = {}},
+                  false);
+}
+
+Simulation simulate(World world, Recorder recorder, Progress& progress, const RunHooks& hooks, bool resumed) {
+  Simulation run{std::move(world), {}, {}, 0};
+  const auto observe = [&] {
+    recorder.observe(run.world);
+    requireMemoryForRecords(run.world, recorder);
+    if (hooks.watch) hooks.watch(run.world);
+    progress.show(run.world);
+  };
+
+  const SignalWatch signals;
+  auto status = RunStatus::done;
+  std::string failure;
+  try {
+    if (!resumed) observe();
+    while (!finished(run.world)) {
+      if ((run.signal = SignalWatch::caught()) != 0) {
+        status = RunStatus::killed;
+        if (hooks.keep) hooks.keep(run.world, recorder);
+        break;
+      }
+      takeSteps(run.world, stepsUntilLook(run.world, recorder, hooks));
+      observe();
+      if (hooks.keepEvery > 0 && run.world.clock.step % hooks.keepEvery == 0) hooks.keep(run.world, recorder);
+    }
+  } catch (const BodyFailure& error) {
+    status = RunStatus::failed;
+    failure = diagnose(run.world.model, run.world.execution, error);
+  } catch (const NumericalError& error) {
+    status = RunStatus::failed;
+    failure = error.what();
+  } catch (const std::bad_alloc&) {
+    status = RunStatus::failed;
+    failure = fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy);
+  }
+  progress.clear();
+  run.end = endOf(run.world, status, failure);
+  run.results = recorder.take(run.world, status == RunStatus::failed);
+  return run;
+}
+
+}  // namespace morula

@@ -1,0 +1,55 @@
+#pragma once
+// The loop: step until the scene's end, a failure or a signal.
+#include <functional>
+#include <optional>
+
+#include "loop/progress.h"
+#include "scenario/scenario.h"
+#include "simulation/world.h"
+#include "store/recorder.h"
+
+namespace morula {
+
+struct Simulation {
+  World world;
+  RunEnd end;          // done, failed or killed
+  RunResults results;  // lineage, samples, step hashes, …
+  int signal = 0;      // the one that ended it
+};
+
+/// Builds the scenario's world. InputErrors name the scenario's file.
+World makeScenarioWorld(const Scenario& scenario, const Execution& execution);
+
+/// [steps] from one hash of the state to the next, where the states on the way are hashed. Enough to tell at
+/// which step two runs part; a hash costs about as much as a step. A lineage is hashed at every step.
+constexpr std::uint64_t stepsPerHash = 64;
+
+/// Whether the states on the way are hashed where the run is checked: to be held against a golden file, or as
+/// `check` asks.
+bool wantsHashes(const Scenario& scenario, bool hasGolden);
+
+/// Another way to compute the same: other kernels and another number of threads.
+Execution otherExecution(const Execution& how);
+
+/// What a run of the scenario writes down: its samples, and hashes of the states on the way if somebody looks
+/// at them.
+RecordOptions recordingOf(const Scenario& scenario, bool hashes);
+
+/// Runs it and writes down what `record` says. A NumericalError is not thrown but told in `end.failure`.
+/// `watch`, if given, sees the world at the start and after every step.
+Simulation simulate(World world, const RecordOptions& record, Progress& progress,
+                    std::function<void(const World&)> watch = {});
+
+struct RunHooks {
+  /// Sees the world at the start and after every step.
+  std::function<void(const World&)> watch;
+  /// Keeps what the run can be resumed from: every so many steps (0: never), and when a signal ends the run.
+  std::function<void(const World&, const Recorder&)> keep;
+  std::uint64_t keepEvery = 0;
+};
+
+/// The same with somebody watching. A recorder that goes on with a stopped run's records (Recorder::resume),
+/// and the watcher, have seen the world as it is already.
+Simulation simulate(World world, Recorder recorder, Progress& progress, const RunHooks& hooks, bool resumed);
+
+}  // namespace morula

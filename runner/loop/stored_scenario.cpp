@@ -1,0 +1,45 @@
+#include "loop/stored_scenario.h"
+
+#include "base/error.h"
+#include "files/content.h"
+#include "system/usage_error.h"
+
+namespace morula {
+
+bool isDatabase(const std::string& file) {
+  return contentOfFile(file) == Content::database;
+}
+
+void requireWholeRecord(Store& store, const StoredRun& run) {
+  const auto changed = store.changedRecord(run.id);
+  if (changed.empty()) return;
+  const ValueDifference& first = changed.front();
+  throw FileError("'" + store.file().string() + "': the record of run " + run.id +
+                  " was changed since it was stored: " + first.table + ", " + first.row + ": " +
+                  (first.column.empty() ? "the row" : first.column) + " is " + first.stored + ", but " +
+                  first.recomputed + " follows from what is stored; restore the file from a copy, or run the scenario again");
+}
+
+Scenario storedScenario(const std::string& database, const std::string& run) {
+  auto store = Store::openForReading(database);
+  const auto stored = store.find(run);
+  requireWholeRecord(store, stored);
+  std::string resolved;
+  std::vector<NamedFile> files;
+  for (const auto& document : store.documents(stored.id)) {
+    if (document.role == "resolved") resolved = document.content;
+    else if (document.role == "mesh") files.push_back({document.role, document.path, document.content});
+  }
+  if (resolved.empty())
+    throw FileError("'" + database + "': run " + stored.id + " has no scenario stored with it");
+  return readScenario(resolved, database, "", {}, files);
+}
+
+Scenario anyScenario(const std::string& file, const std::string& run, bool allowOutside) {
+  if (isDatabase(file)) return storedScenario(file, run);
+  if (!run.empty())
+    throw UsageError("--run chooses a run of a database, and '" + file + "' is not a database");
+  return loadScenario(file, {}, allowOutside);
+}
+
+}  // namespace morula

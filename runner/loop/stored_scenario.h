@@ -1,0 +1,24 @@
+#pragma once
+// Where a verb's input comes from: a scenario file, or a run in a database.
+#include <string>
+
+#include "scenario/scenario.h"
+#include "store/store.h"
+
+namespace morula {
+
+/// True if the file begins as SQLite's do.
+bool isDatabase(const std::string& file);
+
+/// The scenario of a stored run, as it was run. `run`: its id or the beginning of it; "": the only or latest
+/// one.
+Scenario storedScenario(const std::string& database, const std::string& run);
+
+/// Throws FileError if the record of the run was changed since it was stored (Store::changedRecord): whatever
+/// is made of it would be of another run.
+void requireWholeRecord(Store& store, const StoredRun& run);
+
+/// A scenario file, which may name files outside of its folder if `allowOutside`; or the scenario of a stored run.
+Scenario anyScenario(const std::string& file, const std::string& run, bool allowOutside);
+
+}  // namespace morula

@@ -1,0 +1,74 @@
+#include "loop/twin_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <limits>
+
+#include "base/error.h"
+#include "simulation/hash.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::array decades{1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8,
+                             1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1, 1.0};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double nextAbove(double x, Precision precision) {
+  return precision == Precision::binary64
+             ? std::nextafter(x, infinity)
+             : double(std::nextafter(float(x), std::numeric_limits<float>::infinity()));
+}
+
+double distance(const World& a, const World& b) {
+  if (a.cells.path != b.cells.path || a.bodies->position.size() != b.bodies->position.size()) return infinity;
+  const Reals &p = a.bodies->position, &q = b.bodies->position;  // cells stand in the same places
+  double largest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, std::abs(p[i] - q[i]));
+  return largest;
+}
+
+}  // namespace
+
+Twins::Twins(World world, World twin) : world_(std::move(world)), twin_(std::move(twin)) {
+  CHECK(world_.bodies && world_.clock.step == 0, "twins are born at step 0, with bodies");
+  Bodies& b = *twin_.bodies;
+  const double before = b.position[b.at(0, 0)], after = nextAbove(before, b.parameters.precision);
+  b.position[b.at(0, 0)] = after;
+  ulp_ = after - before;
+}
+
+double Twins::step() {
+  std::exception_ptr failure;
+  for (World* w : {&world_, &twin_}) {
+    try {
+      morula::step(*w);
+    } catch (const NumericalError&) { failure = std::current_exception(); }
+  }
+  if (failure) std::rethrow_exception(failure);
+  return distance(world_, twin_);
+}
+
+TwinRun runTwins(World world, World twin, const std::function<void(const World&)>& watch) {
+  const double radius = world.model.mechanics->physics.cell.radius;
+  Twins twins(std::move(world), std::move(twin));
+  TwinRun run;
+  std::size_t next = 0;
+  for (bool bothLive = true; bothLive && !finished(twins.world());) {
+    if (watch) watch(twins.world());
+    double apart = infinity;
+    try {
+      apart = twins.step() / radius;
+    } catch (const NumericalError&) { bothLive = false; }
+    for (; next < decades.size() && apart >= decades[next]; ++next)
+      run.growth.push_back({decades[next], twins.world().clock.step});
+  }
+  run.end = hashState(twins.world()).whole;
+  return run;
+}
+
+}  // namespace morula

@@ -1,0 +1,55 @@
+#pragma once
+// The beginning of a run, made to see what the rest will be like: how many cells live when, as the genes alone say, and how
+// many steps, searches and contacts the first of them need. What is counted is the same on every machine.
+#include <cstdint>
+#include <vector>
+
+#include "simulation/world.h"
+
+namespace morula {
+
+/// A time during which nobody is born and nobody dies.
+struct Era {
+  double from = 0, to = 0;  // [time]
+  std::uint64_t cells = 1;  // alive
+  int generation = 0;       // divisions before the youngest of them: they are the lightest
+};
+
+struct Life {
+  std::vector<Era> eras;         // without gaps; the last may have no length
+  std::uint64_t cellsAsked = 0;  // over all cell cycles: what they cost goes with it
+  std::uint64_t moments = 0;     // at which cell cycles ran
+  std::uint64_t divisions = 0;
+  bool whole = true;   // false: there are more cells than was worth following, and this is the beginning
+  double seconds = 0;  // [s] of CPU time that the cell cycles took
+
+  std::uint64_t mostCells() const;
+};
+
+/// Follows the genes, without bodies, to the scene's stop, or until cells have been asked `most` times. While cells know
+/// nothing of their bodies, it holds for a run with physics too.
+Life predictLife(const Scene& scene, std::uint64_t most = 1'000'000);
+
+/// What an era of bodies needs.
+struct EraCounts {
+  double steps = 0, searches = 0;
+  double pairs = 0;  // evaluations of a vertex and a neighbour
+};
+
+struct TrialRun {
+  World world;                  // as it was left
+  std::vector<EraCounts> eras;  // those that it came to; the last may be unfinished
+  bool whole = false;           // it came to the run's end
+  double seconds = 0;           // [s] of CPU time, all steps
+  // Of these, the steps in which cells were born or died, and the cells that were there then, added up.
+  double changeSeconds = 0;
+  std::uint64_t changeCells = 0;
+  // After the last of them: up to which a time step was stable [time], and the divisions before the youngest cell.
+  double timeStepLimit = 0;
+  int generation = 0;
+};
+
+/// Runs the scene for about so many steps times vertices. `world` is new. Throws NumericalError as a run would.
+TrialRun tryBeginning(World world, const Life& life, double vertexSteps = 8e6);
+
+}  // namespace morula

@@ -1,0 +1,128 @@
+// What a run tells about itself.
+#include <fmt/format.h>
+
+#include "check/check_run.h"
+#include "engines/bullet_check.h"
+#include "files/folders.h"
+#include "run/run_scenario.h"
+#include "scenario/measure_list.h"
+
+namespace morula {
+
+namespace {
+
+std::string against(const Scenario& scenario) {
+  const auto golden = goldenFile(scenario);
+  return fileExists(golden) ? " (" + golden.string() + ")" : "";
+}
+
+/// Not a failure: the same program cuts the same way every time. What differs a little may cut another way.
+std::string describeAmbiguous(const std::vector<DivisionRecord>& divisions) {
+  if (divisions.empty()) return "";
+  const DivisionRecord& first = divisions.front();
+  return fmt::format(
+      "  warning  division.plane: longest: {} division{} of cells whose two largest extents differ by less "
+      "than {:.2g} %: "
+      "the first is of {} at time {:.4g} (ratio {:.6g}); another mesh, time step or precision may cut "
+      "elsewhere; "
+      "division.plane: {{axis: [x, y, z]}} does not\n",
+      divisions.size(), divisions.size() == 1 ? "" : "s", 100 * (ambiguousExtentRatio - 1),
+      first.path.isEgg() ? "the egg" : "cell " + first.path.text(), first.time, *first.extentRatio);
+}
+
+Json ambiguousToJson(const std::vector<DivisionRecord>& divisions) {
+  Json list = Json::array();
+  for (const DivisionRecord& d : divisions)
+    list.push_back({{"path", d.path.text()}, {"time", d.time}, {"extent_ratio", *d.extentRatio}});
+  return list;
+}
+
+std::string describeSanity(const RunOutcome& outcome, const Scenario& scenario) {
+  if (!outcome.isSane()) return "";
+  if (!scenario.check.sane) return "  sane     need not be: " + scenario.check.because + "\n";
+  return *outcome.isSane() ? "  sane     yes\n" : "";
+}
+
+Json sanityJson(const std::vector<CheckResult>& results) {
+  Json list = Json::array();
+  for (const CheckResult& r : results)
+    list.push_back({{"check", r.check},
+                    {"passed", r.passed},
+                    {"cell", orNull(r.cell)},
+                    {"expected", r.expected},
+                    {"actual", r.actual},
+                    {"message", r.message}});
+  return list;
+}
+
+/// As the last rows of the tables sample and cell_sample.
+Json sampleJson(const Sample& sample) {
+  Json json{{"time", sample.world.time}};
+  addMeasures(json, sample.world);
+  json["cell_sample"] = Json::array();
+  for (const CellMeasures& c : sample.cells) {
+    Json cell{{"path", c.path.text()}};
+    addMeasures(cell, c);
+    json["cell_sample"].push_back(std::move(cell));
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
+  const auto& end = outcome.end;
+  auto text = fmt::format("{}  seed {}: {}, {} cell{} at time {:.6g} after {} steps\n", scenario.scene.name,
+                          scenario.scene.seed, name(end.status), end.cells, end.cells == 1 ? "" : "s",
+                          end.time, end.steps);
+  if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
+  if (outcome.canBeResumed) text += "  go on    with the same command and --resume\n";
+  if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
+  if (outcome.checks && outcome.checks->passed()) {
+    std::size_t looked = 0;
+    for (const CheckResult& r : outcome.checks->results) {
+      if (wasSkipped(r)) text += "  bullet   " + r.actual + "\n";
+      else ++looked;
+    }
+    if (looked) text += fmt::format("  checks   all {} pass{}\n", looked, against(scenario));
+  } else if (!outcome.checks && end.status == RunStatus::done)
+    text += "  checks   none: " + outcome.whyNotChecked + "\n";
+  text += describeAmbiguous(outcome.ambiguous);
+  text += describeSanity(outcome, scenario);
+  text += "  results  " + settings.database.string() + " (run " + outcome.id + ")\n";
+  std::size_t frames = 0;
+  for (const auto& file : outcome.pictures) {
+    if (file.find("/sequence/") != file.npos) ++frames;
+    else text += "           " + file + "\n";
+  }
+  if (frames)
+    text += fmt::format("           {} ({} pictures)\n", (settings.folder / "sequence").string(), frames);
+  if (outcome.checks && !outcome.checks->passed()) text += describe(*outcome.checks);
+  if (!outcome.isSane().value_or(true)) text += describe(outcome.sanityReport(scenario));
+  return text;
+}
+
+Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
+  const auto& end = outcome.end;
+  Json json{{"run_id", outcome.id},
+            {"scenario", scenario.scene.name},
+            {"seed", scenario.scene.seed},
+            {"seed_matters", usesSeed(scenario.scene)},
+            {"status", name(end.status)},
+            {"state_hash", end.stateHash ? Json(end.stateHash->text()) : Json()},
+            {"steps", end.steps},
+            {"cells", end.cells},
+            {"time", end.time},
+            {"resumed_at", orNull(outcome.resumedAt)},
+            {"db", settings.database.string()},
+            {"pictures", outcome.pictures},
+            {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
+            {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()},
+            {"sane", orNull(outcome.isSane())},
+            {"sanity", sanityJson(outcome.sanity)}};
+  if (outcome.last) json["sample"] = sampleJson(*outcome.last);
+  if (!end.failure.empty()) json["failure"] = end.failure;
+  return json;
+}
+
+}  // namespace morula

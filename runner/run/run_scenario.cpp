@@ -1,0 +1,150 @@
+#include "run/run_scenario.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/check_run.h"
+#include "check/sanity.h"
+#include "engines/bullet_check.h"
+#include "files/folders.h"
+#include "golden/accept.h"
+#include "pictures/bullet_picture.h"
+#include "pictures/frame_file.h"
+#include "pictures/pictures.h"
+#include "run/resume.h"
+#include "simulation/checkpoint.h"
+#include "store/store.h"
+#include "system/folder_lock.h"
+
+namespace morula {
+
+namespace {
+
+RunRecord recordOf(const Scenario& scenario, const RunSettings& settings) {
+  RunRecord record;
+  record.scenario = scenario.scene.name;
+  record.scenarioHash = scenario.meaning.text();
+  record.seed = scenario.scene.seed;
+  record.documents = {{"scenario", scenario.file, scenario.bytes}, {"resolved", "", scenario.resolved}};
+  for (const auto& file : scenario.files) record.documents.push_back({file.role, file.path, file.content});
+  if (!buildDiff().empty()) record.documents.push_back({"diff", "", buildDiff()});
+  record.command = settings.command;
+  record.isa = name(settings.execution.isa);
+  record.threads = settings.execution.threads;
+  return record;
+}
+
+/// Hashes of the states on the way are stored only of a run that is checked: `explain --db` looks for the
+/// first difference in them.
+bool keepsHashes(const Scenario& scenario, const RunSettings& settings) {
+  return settings.check && !settings.changed && wantsHashes(scenario, fileExists(goldenFile(scenario)));
+}
+
+void checkOutcome(const Scenario& scenario, const RunSettings& settings, const Simulation& run,
+                  const Invariants& invariants, RunOutcome& outcome) {
+  if (!settings.check) outcome.whyNotChecked = "as asked";
+  else if (settings.changed) outcome.whyNotChecked = "the scene was changed by --set or --seed";
+  else if (run.end.status == RunStatus::failed) {
+    if (!scenario.check.fails.empty()) outcome.checks = checkStop(scenario, run.end.failure);
+  } else if (!fileExists(goldenFile(scenario)) && !Invariants::areGiven(scenario.check))
+    outcome.whyNotChecked = "there is no golden file";
+  else outcome.checks = check(scenario, run, invariants, false);
+}
+
+/// Once the run is stored: whatever becomes of Bullet, nothing is lost.
+void besideBullet(const Scenario& scenario, const RunSettings& settings, const Simulation& run, Store& store,
+                  RunOutcome& outcome) {
+  if (!scenario.check.bullet || !settings.check || settings.changed) return;
+  const BulletFindings found = checkAgainstBullet(scenario, run.world, settings.quiet);
+  if (!outcome.checks) outcome.checks = CheckReport{goldenName(scenario.file), {}};
+  outcome.checks->results.insert(outcome.checks->results.end(), found.results.begin(), found.results.end());
+  store.addChecks(outcome.id, found.results);
+  if (!found.bullet) return;
+  store.putBulletSamples(outcome.id, name(scenario.check.bullet->baseline), found.bullet->samples);
+  if (!settings.draw) return;
+  const FolderLock lock(settings.folder);
+  outcome.pictures.push_back((settings.folder / "bullet.png").string());
+  writePicture(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
+}
+
+/// Where the longest extent decides, and hardly differs from the next one.
+std::vector<DivisionRecord> ambiguousDivisions(const World& world) {
+  std::vector<DivisionRecord> ambiguous;
+  const auto& mechanics = world.model.mechanics;
+  if (!mechanics || mechanics->division.plane != DivisionPlane::longest) return ambiguous;
+  for (const DivisionRecord& d : world.divisions)
+    if (d.extentRatio && *d.extentRatio < ambiguousExtentRatio) ambiguous.push_back(d);
+  return ambiguous;
+}
+
+}  // namespace
+
+std::optional<bool> RunOutcome::isSane() const {
+  if (sanity.empty()) return {};
+  return std::all_of(sanity.begin(), sanity.end(), [](const CheckResult& r) { return r.passed; });
+}
+
+CheckReport RunOutcome::sanityReport(const Scenario& scenario) const {
+  return {goldenName(scenario.file), sanity};
+}
+
+RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
+  auto world = makeScenarioWorld(scenario, settings.execution);
+  const SanityCheck sanity(world);
+  // Whatever could go wrong with files goes wrong before the first step.
+  if (settings.draw) makeFolder(settings.folder);
+  makeFolder(settings.database.parent_path());
+  auto store = Store::openForWriting(settings.database);
+
+  const auto record = recordOf(scenario, settings);
+  Recorder recorder(recordingOf(scenario, keepsHashes(scenario, settings)));
+  FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
+  RunOutcome outcome;
+  if (settings.resume) outcome.resumedAt = resumeRun(store, record, world, recorder, frames, settings.quiet);
+  outcome.id = outcome.resumedAt ? runId(record) : store.begin(record);
+  if (const auto step = store.checkpointStep(outcome.id); step && !settings.resume)
+    tell(fmt::format("an earlier attempt was stopped at step {}: --resume goes on from there", *step),
+         settings.quiet);
+
+  Invariants invariants(settings.check && !settings.changed ? scenario.check : CheckParameters{});
+  const std::function<void(const World&)> watch = [&](const World& w) {
+    frames.observe(w);
+    invariants.observe(w);
+  };
+  // Who watches sees every step; who does not lets cells that need no other take many at once.
+  const bool watched = scenario.record.pictures || Invariants::areGiven(scenario.check);
+  const RunHooks hooks{
+      .watch = watched ? watch : nullptr,
+      .keep =
+          [&](const World& w, const Recorder& r) {
+            outcome.canBeResumed = store.keepCheckpoint(
+                outcome.id, {w.clock.step, r.options().every, r.options().hashEvery, saveState(w)},
+                r.records(),
+                {frames.frames().size(), [&](auto i) { return frameBytes(frames.frames()[i]); }});
+          },
+      .keepEvery = settings.checkpointEvery};
+  Progress progress(scenario.scene.name + " " + std::to_string(scenario.scene.seed), settings.quiet);
+  auto run = simulate(std::move(world), std::move(recorder), progress, hooks, outcome.resumedAt.has_value());
+
+  outcome.end = run.end;
+  outcome.canBeResumed = outcome.canBeResumed && run.end.status == RunStatus::killed;
+  const bool done = run.end.status == RunStatus::done;
+  if (done && !run.results.samples.empty()) outcome.last = run.results.samples.back();
+  if (run.end.status != RunStatus::killed) checkOutcome(scenario, settings, run, invariants, outcome);
+  if (done) outcome.sanity = sanity.results(run.world, scenario.check, settings.check && !settings.changed);
+  if (outcome.checks) run.results.checks = outcome.checks->results;
+  run.results.checks.insert(run.results.checks.end(), outcome.sanity.begin(), outcome.sanity.end());
+  store.finish(outcome.id, run.end, run.results);
+  outcome.ambiguous = ambiguousDivisions(run.world);
+  if (done && settings.draw) {
+    // Runs of the same folder draw one after the other; the pictures that stay are those of the last one.
+    const FolderLock lock(settings.folder);
+    outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
+  }
+  if (done) besideBullet(scenario, settings, run, store, outcome);
+  outcome.signal = run.signal;
+  return outcome;
+}
+
+}  // namespace morula

@@ -1,0 +1,49 @@
+#pragma once
+// One run from end to end: simulate, store, check, draw.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "golden/check_result.h"
+#include "loop/simulate.h"
+#include "system/console.h"
+
+namespace morula {
+
+struct RunSettings {
+  Execution execution;
+  std::filesystem::path folder;  // for pictures
+  std::filesystem::path database;
+  std::string command;   // as typed, for the record
+  bool changed = false;  // by --set or --seed: its golden file does not apply
+  bool check = true, draw = true;
+  bool quiet = false;
+  std::uint64_t checkpointEvery = 0;  // [steps] 0: only when a signal ends the run
+  bool resume = false;                // go on from the last checkpoint, if there is one
+};
+
+struct RunOutcome {
+  std::string id;
+  std::optional<std::uint64_t> resumedAt;  // [steps]
+  bool canBeResumed = false;               // it left a checkpoint
+  RunEnd end;
+  std::optional<Sample> last;  // of a run that came to its end
+  std::optional<CheckReport> checks;
+  std::string whyNotChecked;  // against a golden
+  std::vector<CheckResult> sanity;     // of a run with bodies that came to its end, whatever else was checked
+  std::optional<bool> isSane() const;  // or the scenario says that it need not be; absent: not measured
+  CheckReport sanityReport(const Scenario& scenario) const;
+  std::vector<std::string> pictures;
+  std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
+  int signal = 0;                         // that ended it
+};
+
+RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings);
+
+/// For people, on several lines.
+std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings);
+/// As the contract of `morula run --json` says.
+Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings);
+
+}  // namespace morula

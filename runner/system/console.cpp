@@ -1,0 +1,74 @@
+#include "system/console.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <iostream>
+
+#include "base/error.h"
+#include "files/printable.h"
+
+namespace morula {
+
+namespace {
+
+std::string red(const std::string& text) {
+  const char* plain = std::getenv("NO_COLOR");
+  return isTerminal() && !(plain && *plain) ? "\x1b[31m" + text + "\x1b[0m" : text;
+}
+
+}  // namespace
+
+void print(const std::string& text) { std::cout << printable(text); }
+
+void printBytes(const std::string& bytes) { std::cout << bytes; }
+
+void printJson(const Json& members) {
+  Json object{{"morula", 1}};
+  object.update(members);
+  print(jsonText(object, 2) + "\n");
+}
+
+void tell(const std::string& text, bool quiet) {
+  if (!quiet) std::cerr << printable(text) << "\n";
+}
+
+void tellError(const std::string& text) { std::cerr << red("morula: ") << printable(text) << "\n"; }
+
+void tellInputError(const std::string& text) { std::cerr << printable(text) << "\n"; }
+
+void showProgress(const std::string& line) {
+  if (isTerminal()) std::cerr << "\r\x1b[K" << printableLine(line) << std::flush;
+  else std::cerr << printableLine(line) << "\n";
+}
+
+void clearProgress() {
+  if (isTerminal()) std::cerr << "\r\x1b[K" << std::flush;
+}
+
+std::istream& questionStream() { return std::cin; }
+
+std::ostream& answerStream() { return std::cout; }
+
+void flushOutput() {
+  if (std::cout.flush().fail()) throw FileError("standard output cannot be written");
+}
+
+void reserveStandardStreams() {
+  // For reading only: what is written to a closed output must fail, not vanish.
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != stream)
+      throw FileError("/dev/null cannot be opened in place of a closed standard stream");
+}
+
+void tellWarnings(const std::vector<std::string>& lines, bool quiet) {
+  for (const auto& line : lines) tell("warning: " + line, quiet);
+}
+
+bool isTerminal() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && kind && std::string(kind) != "dumb";
+}
+
+}  // namespace morula

@@ -1,0 +1,12 @@
+#pragma once
+// What git remembers of a file.
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace morula {
+
+/// The file as it was last committed; nothing where there is no git, no repository or no such file in it.
+std::optional<std::string> committedText(const std::filesystem::path& file);
+
+}  // namespace morula

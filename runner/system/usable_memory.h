@@ -1,0 +1,14 @@
+#pragma once
+// How much memory a run may take on this machine.
+
+namespace morula {
+
+/// [byte] Nine tenths of what this machine, or the group of processes that this one is in, has free: what is
+/// not known does not limit.
+double usableMemory();
+
+/// The end of a message about memory that was not to be had.
+inline constexpr const char* outOfMemoryRemedy =
+    "stop earlier, take fewer cells or a coarser physics.mesh, or give a --memory-limit below what is free";
+
+}  // namespace morula

@@ -1,0 +1,59 @@
+#pragma once
+// A YAML document as a tree of places and uninterpreted text. What the text means is decided by whoever reads
+// it, not by YAML: to yaml-cpp 010 is 8 and yes is true.
+#include <string>
+#include <vector>
+
+#include "yaml/problems.h"
+#include "yaml/source_text.h"
+
+namespace morula::scenario {
+
+struct Member;
+
+struct Node {
+  enum class Kind {
+    null,  // nothing, ~ or null
+    scalar,
+    sequence,
+    map,
+    broken,  // a problem has been reported; say no more about it
+  };
+  Kind kind = Kind::null;
+  Place place;
+  std::string text;    // of a scalar
+  char style = ' ';    // of a scalar: ' ' plain, '"', '\'', '|' or '>' as written
+  int textColumn = 1;  // of a '|' scalar: the column where its lines begin
+  std::vector<Node> items;
+  std::vector<Member> members;
+
+  bool isPlain() const { return kind == Kind::scalar && style == ' '; }
+  const Member* find(std::string_view key) const;
+};
+
+struct Member {
+  std::string key;
+  Place place;
+  Node value;
+};
+
+/// Reads exactly one document. Syntax errors, anchors, tags, merge keys, further documents, keys that are no
+/// text or stand there twice are problems; after a syntax error the node is broken.
+Node readYaml(const SourceText& source, Problems& problems);
+
+/// Reads the value of an override: YAML's flow notation after [ { " or ', anything else as plain text.
+Node readYamlValue(const std::string& value, const std::string& option, Problems& problems);
+
+/// Puts `value` where `path` ("physics.time_step") points to, and makes the maps that are missing on the way.
+void assign(Node& root, const std::string& path, Node value);
+
+/// Takes away what `path` points to. False if there is nothing.
+bool remove(Node& root, const std::string& path);
+
+/// Says of a node and all in it that it was written in an option.
+void relocate(Node& node, const std::string& option);
+
+/// "a map", "a list", "nothing", or the text in quotes, for messages.
+std::string describe(const Node& node);
+
+}  // namespace morula::scenario

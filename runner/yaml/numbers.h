@@ -1,0 +1,42 @@
+#pragma once
+// Numbers as people write them, and nothing else: no octal or hexadecimal, no units, no .inf, no trailing
+// text. The same text gives the same number on every machine and in every locale.
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "base/number_text.h"
+
+namespace morula::scenario {
+
+/// A number or what is wrong with the text, as half a sentence: "has a leading zero".
+template <class T>
+struct Parsed {
+  T value{};
+  std::string wrong;  // empty: all is well
+};
+
+/// Decimal notation with '.', optional sign, optional exponent; finite.
+Parsed<double> parseReal(std::string_view text);
+/// Decimal digits.
+Parsed<std::uint64_t> parseNatural(std::string_view text);
+
+/// An interval of numbers. Open ends exclude their value.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool openLow = false;
+  bool ordinary = false;  // and nothing that is smaller or larger than ordinary numbers
+
+  bool holds(double value) const { return (openLow ? value > low : value >= low) && value <= high; }
+  /// "> 0", "≥ 0", "from 0 to 4"; empty if everything is allowed.
+  std::string text() const;
+};
+
+inline constexpr Range positive{.low = 0, .openLow = true, .ordinary = true};
+inline constexpr Range notNegative{.low = 0, .ordinary = true};
+/// What an ordinary number is, unless it is 0: its cube, and products of a few such numbers, are numbers still.
+inline constexpr Range ordinaryNumbers{.low = 1e-30, .high = 1e30};
+
+}  // namespace morula::scenario

@@ -1,0 +1,72 @@
+#include "yaml/source_text.h"
+
+#include <algorithm>
+
+#include "base/utf8.h"
+
+namespace morula::scenario {
+
+namespace {
+
+bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+std::string hex(unsigned char c) {
+  constexpr char digits[] = "0123456789abcdef";
+  return {'0', 'x', digits[c >> 4], digits[c & 15]};
+}
+
+}  // namespace
+
+SourceText::SourceText(std::string_view bytes, Problems& problems) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    problems.add({}, "", "the file is UTF-16", "save it as UTF-8");
+    return;
+  }
+  Place at;
+  bool indenting = true;
+  while (!bytes.empty()) {
+    const int length = utf8Length(bytes);
+    const char c = bytes[0];
+    if (length == 0) {
+      problems.add(at, "", "byte " + hex(static_cast<unsigned char>(c)) + " is not UTF-8",
+                   "save the file as UTF-8");
+      text_.clear();
+      lineStarts_ = {0};
+      return;
+    }
+    const bool lineEnd = c == '\n' || bytes.starts_with("\r\n");
+    if (length == 1 && !lineEnd && c != '\t' && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F))
+      problems.add(at, "", "control character " + hex(static_cast<unsigned char>(c)), "remove it");
+    if (indenting && c == '\t') problems.add(at, "", "a tab indents", "YAML indents with spaces only");
+    if (at.column == 1 && c == '%')
+      problems.add(at, "", "a YAML directive", "scenarios do without; remove the line");
+    if (lineEnd) {
+      bytes.remove_prefix(c == '\r' ? 2 : 1);
+      text_ += '\n';
+      lineStarts_.push_back(text_.size());
+      ++at.line;
+      at.column = 1;
+      indenting = true;
+      continue;
+    }
+    indenting = indenting && c == ' ';
+    text_.append(bytes.substr(0, length));
+    bytes.remove_prefix(length);
+    ++at.column;
+  }
+}
+
+std::string_view SourceText::line(int line) const {
+  if (!hasLine(line)) return {};
+  const auto rest = std::string_view(text_).substr(lineStarts_[line - 1]);
+  return rest.substr(0, rest.find('\n'));
+}
+
+Place SourceText::place(int lineNumber, int byte) const {
+  const auto before = line(lineNumber).substr(0, byte);
+  const auto inside = std::count_if(before.begin(), before.end(), isContinuation);
+  return {lineNumber, byte + 1 - static_cast<int>(inside), ""};
+}
+
+}  // namespace morula::scenario

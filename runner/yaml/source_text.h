@@ -1,0 +1,31 @@
+#pragma once
+// The bytes of a scenario as text that YAML may look at: UTF-8, lines ended by '\n', spaces only where YAML
+// indents.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "yaml/problems.h"
+
+namespace morula::scenario {
+
+class SourceText {
+ public:
+  /// Drops a UTF-8 byte order mark and turns CRLF into LF. What YAML would misread is a problem: bytes that
+  /// are not UTF-8, UTF-16, control characters (yaml-cpp takes some for the end of the file), tabs that
+  /// indent, directives.
+  SourceText(std::string_view bytes, Problems& problems);
+
+  const std::string& text() const { return text_; }
+  /// Line number `line`, from 1, without its end; empty beyond the last.
+  std::string_view line(int line) const;
+  bool hasLine(int line) const { return line >= 1 && static_cast<std::size_t>(line) <= lineStarts_.size(); }
+  /// The place, with the column in characters, of byte number `byte` (from 0) of a line.
+  Place place(int line, int byte) const;
+
+ private:
+  std::string text_;
+  std::vector<std::size_t> lineStarts_{0};
+};
+
+}  // namespace morula::scenario

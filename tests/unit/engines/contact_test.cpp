@@ -1,0 +1,60 @@
+// What touches in Bullet: cells, and the shell that Bullet itself has not.
+#include "catch.h"
+#include "engines/bullet_world.h"
+#include "lab.h"
+#include "mesh_oracles.h"
+#include "worst.h"
+
+using namespace morula;
+
+namespace {
+
+/// Two cells side by side in a shell that is too short for them.
+BulletScene pressedPair(bool contact) {
+  BulletScene scene = pressurisedCell(2, Baseline::b1, 8);
+  scene.contact = contact;
+  scene.physics.membrane.damping = 0.02;
+  scene.physics.shell = ShellParameters{{1.9, 1.3, 1.3}};
+  Body left = scene.cells[0], right = scene.cells[0];
+  for (Point& x : left.position) x = 0.8 * x - Vector{0.9, 0, 0};
+  for (Point& x : right.position) x = 0.8 * x + Vector{0.9, 0, 0};
+  scene.cells = {left, right};
+  return scene;
+}
+
+/// How many vertices of a cell lie inside the other.
+int countInside(const BulletScene& scene, const Body& cell, const Body& other) {
+  int inside = 0;
+  for (const Point& x : cell.position) inside += isInside(x, other.position, scene.mesh.faces);
+  return inside;
+}
+
+std::vector<Body> run(const BulletScene& scene, int steps) {
+  BulletWorld world(scene);
+  for (int i = 0; i < steps; ++i) world.step();
+  return world.cells();
+}
+
+}  // namespace
+
+TEST_CASE("Cells stop each other, and the shell stops both") {
+  NEEDS_BULLET
+  const BulletScene scene = pressedPair(true);
+  const auto cells = run(scene, 800);
+  CHECK(countInside(scene, cells[0], cells[1]) == 0);
+  CHECK(countInside(scene, cells[1], cells[0]) == 0);
+  // They do touch: together they would be longer than the shell.
+  CHECK(measureBox(cells[0].position).high.x > measureBox(cells[1].position).low.x - 3 * scene.margin);
+  Worst outermost;
+  for (const Body& cell : cells)
+    for (const Point& p : cell.position) outermost.see(std::abs(p.x) / 1.9);
+  CHECK(outermost <= 1 + 1e-12);
+  CHECK(outermost > 0.999);
+}
+
+TEST_CASE("Without contact they run through each other") {
+  NEEDS_BULLET
+  const BulletScene scene = pressedPair(false);
+  const auto cells = run(scene, 800);
+  CHECK(countInside(scene, cells[0], cells[1]) > 10);
+}

@@ -1,0 +1,108 @@
+// A scenario's run in another process, and all that can go wrong with that process.
+#include "engines/external_run.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "catch.h"
+#include "engines/bullet_world.h"
+#include "engines/engine_worker.h"
+#include "engines/messages.h"
+#include "simulation/measures.h"
+#include "simulation/world.h"
+#include "temporary_folder.h"
+
+using namespace morula;
+
+namespace {
+
+const std::string two =
+    "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(a0|a0)\ncycle: {length: 100}\nstop: {time: 0.25}\n"
+    "cells: [{at: [-1.5, 0, 0], velocity: [2, 0, 0]}, {at: [1.5, 0, 0]}]\n"
+    "physics: {time_step: 0.0078125, mesh: {icosphere: 1}, contact: {}}\n"
+    "check: {volume: [0.5, 2], energy: 1}\n";
+
+Scenario scenarioOf(const std::string& text) { return readScenario(text, "two.yaml", "."); }
+
+/// The worker's side without a process.
+ExternalRun serve(const Scenario& scenario, Engine engine) {
+  std::istringstream in(jsonText(toJson(scenario, ExternalQuestion{.engine = engine})));
+  std::ostringstream out;
+  serveEngine(in, out);
+  const std::string said = out.str();
+  return externalRunFrom(Json::parse(said.substr(said.rfind("{\"answer\""))).at("answer"));
+}
+
+/// A program that does not do what it should: a shell script.
+ExternalRun askScript(const std::string& body, int cpuSeconds = 0) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "worker";
+  std::ofstream(file) << "#!/bin/sh\n" << body << '\n';
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  return runExternally(scenarioOf(two), {.engine = Engine::b1, .cpuSeconds = cpuSeconds}, file);
+}
+
+}  // namespace
+
+TEST_CASE("Ours by another process is ours: steps, results, samples and shapes") {
+  const Scenario scenario = scenarioOf(two);
+  const ExternalRun run = serve(scenario, Engine::thesis);  // whatever law stands in the scenario
+  CHECK(run.end == ExternalRun::End::done);
+  CHECK(run.step == 32);
+  World ours = makeWorld(scenario.scene);
+  while (!finished(ours)) step(ours);
+  REQUIRE(run.shapes.size() == 2);
+  CHECK(run.shapes[1] == cellVertices(ours, ours.cells.path[1]));  // to the last bit
+  REQUIRE(run.samples.size() == 2);  // of the start and of the end
+  CHECK(run.samples[1].cells[0].at("volume") == measureCells(ours)[0].at("volume"));
+  REQUIRE(run.results.size() == 2);
+  CHECK(run.results[0].passed);
+  CHECK(run.results[1].check == "energy");
+  CHECK(!run.results[1].passed);  // 2 at the start
+}
+
+TEST_CASE("Bullet moves the same cells, in the time step that is given, stable or not") {
+  if (!bulletIsAvailable()) {
+    WARN("this program was built without Bullet");
+    return;
+  }
+  const ExternalRun run = serve(scenarioOf(two), Engine::b1);
+  CHECK(run.end == ExternalRun::End::done);
+  CHECK(run.step == 32);
+  REQUIRE(run.shapes.size() == 2);
+  double x = 0;
+  for (const Point& p : run.shapes[0]) x += p.x / static_cast<double>(run.shapes[0].size());
+  CHECK(x == Approx(-1).margin(1e-3));  // it flew freely
+  const auto timeStep = two.find("0.0078125"), stop = two.find("0.25");
+  const std::string unstable = two.substr(0, stop) + "9" + two.substr(stop + 4, timeStep - stop - 4) +
+                               "0.125" + two.substr(timeStep + 9);
+  const ExternalRun broken = serve(scenarioOf(unstable), Engine::b2);
+  CHECK(broken.end == ExternalRun::End::broken);
+  CHECK(broken.step < 72);
+  CHECK(serve(scenarioOf(unstable), Engine::thesis).end == ExternalRun::End::refused);
+}
+
+TEST_CASE("A worker that is killed, cut, confused or stuck is an answer of its own kind, and never a hang") {
+  const auto why = [](const ExternalRun& run) {
+    CHECK(run.end == ExternalRun::End::silent);
+    return run.why;
+  };
+  const ExternalRun killed = askScript("echo '{\"step\": 7}'; echo '{\"ste'; kill -9 $$");
+  CHECK(why(killed) == "its process was ended by signal 9");
+  CHECK(killed.step == 7);
+  CHECK(why(askScript("exit 3")) == "its process ended with code 3");
+  CHECK(why(askScript("echo '{\"step\": 2}'")) == "its answer is cut");
+  CHECK(why(askScript("echo '{\"answer\": {\"end\": 0, \"why\": \"'")) == "its answer is cut");
+  CHECK(why(askScript("echo '{\"answer\": {\"end\": 0}}'")) == "its answer is cut");
+  CHECK(why(askScript("cat > /dev/null; echo answer; echo '{\"answer\": 3}'")) == "its answer is cut");
+  const std::string whole =
+      "echo '{\"answer\": {\"end\": 0, \"why\": \"\", \"step\": 1, \"volumes\": [1, 1], \"results\": [], "
+      "\"shapes\": [], \"samples\": []}}'; ";
+  CHECK(askScript(whole).end == ExternalRun::End::done);
+  CHECK(why(askScript(whole + "exit 3")) == "its process ended with code 3");
+  const ExternalRun stuck = askScript("echo '{\"step\": 4}'; while :; do :; done", 1);
+  CHECK(why(stuck) == "no answer within 1 s of CPU time");
+  CHECK(stuck.step == 4);
+  CHECK(why(runExternally(scenarioOf(two), {}, "/nowhere/morula")) == "its process ended with code 127");
+}
