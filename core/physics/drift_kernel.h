@@ -4,20 +4,23 @@
 
 namespace morula::MORULA_ISA {
 
-/// For each vertex advance(v, lane, x, velocity, predicted), from position and velocity; and the shell keeps
-/// what would leave it. Writes all three.
+/// For each vertex advance(v, lane, acceleration, x, velocity, predicted), from position and velocity; and the
+/// shell keeps what would leave it. Writes the last three.
 template <ShellShape shell, class Advance>
 MORULA_INLINE void driftVertices(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                  const Advance& advance) {
   const ShellSlope slope(p);
-  for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      Vec x = loadVec(b.position, v, lane), velocity = loadVec(b.velocity, v, lane), predicted;
-      advance(v, lane, x, velocity, predicted);
+  Real *position = b.position, *velocities = b.velocity, *predictions = b.predicted;
+  const Real* accelerations = b.acceleration;
+  const int vertices = mesh.vertexCount, liveLanes = b.liveLanes;
+  for (int v = 0; v < vertices; ++v)
+    for (int lane = 0; lane < liveLanes; lane += width) {
+      Vec x = loadVec(position, v, lane), velocity = loadVec(velocities, v, lane), predicted;
+      advance(v, lane, loadVec(accelerations, v, lane), x, velocity, predicted);
       if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
-      storeVec(b.velocity, v, lane, velocity);
-      storeVec(b.predicted, v, lane, predicted);
-      storeVec(b.position, v, lane, x);
+      storeVec(velocities, v, lane, velocity);
+      storeVec(predictions, v, lane, predicted);
+      storeVec(position, v, lane, x);
     }
 }
 

@@ -14,11 +14,11 @@ template <ShellShape shell>
 inline void driftExplicitEuler(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                double dt) {
   const Lanes step = dt;
-  driftVertices<shell>(mesh, b, p,
-                       [&](int v, int lane, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
-                         x = x + step * velocity;
-                         predicted = velocity = velocity + step * loadVec(b.acceleration, v, lane);
-                       });
+  driftVertices<shell>(
+      mesh, b, p, [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+        x = x + step * velocity;
+        predicted = velocity = velocity + step * a;
+      });
 }
 
 /// x ← x', predicted ← v, which a whole kick turns into v'.
@@ -26,10 +26,11 @@ template <ShellShape shell>
 inline void driftSymplecticEuler(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                  double dt) {
   const Lanes step = dt;
-  driftVertices<shell>(mesh, b, p, [&](int, int, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
-    predicted = velocity;
-    x = x + step * velocity;
-  });
+  driftVertices<shell>(mesh, b, p,
+                       [=](int, int, const Vec&, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+                         predicted = velocity;
+                         x = x + step * velocity;
+                       });
 }
 
 }  // namespace morula::MORULA_ISA

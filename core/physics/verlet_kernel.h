@@ -25,10 +25,9 @@ template <ShellShape shell>
 inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                 double dt) {
   const Lanes halfStep = 0.5 * dt, step = dt;
-  driftVertices<shell>(
-      mesh, b, p, [&](int v, int lane, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
-        driftVertex(halfStep, step, loadVec(b.acceleration, v, lane), x, velocity, predicted);
-      });
+  driftVertices<shell>(mesh, b, p,
+                       [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted)
+                           MORULA_INLINE_LAMBDA { driftVertex(halfStep, step, a, x, velocity, predicted); });
 }
 
 /// x ← x', velocity and predicted ← v'.
@@ -36,11 +35,11 @@ template <ShellShape shell>
 inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                               double dt) {
   const Lanes step = dt;
-  driftVertices<shell>(mesh, b, p,
-                       [&](int v, int lane, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
-                         predicted = velocity = velocity + step * loadVec(b.acceleration, v, lane);
-                         x = x + step * velocity;
-                       });
+  driftVertices<shell>(
+      mesh, b, p, [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+        predicted = velocity = velocity + step * a;
+        x = x + step * velocity;
+      });
 }
 
 struct InverseMass {
