@@ -268,36 +268,35 @@ MORULA_MEASURES_OF(CellContext)
 MORULA_MEASURES_OF(Touch)
 #undef MORULA_MEASURES_OF
 
-WorldMeasures measureWorld(const World& world) {
+WorldMeasures measureWorld(const Observation& now) {
   WorldMeasures m;
-  m.time = world.clock.time;
-  m.step = world.clock.step;
-  take(world, Observation(world), m);
+  m.time = now.time;
+  m.step = now.world.clock.step;
+  take(now.world, now, m);
   return m;
 }
 
-std::vector<CellMeasures> measureCells(const World& world) {
+std::vector<CellMeasures> measureCells(const Observation& now) {
   std::vector<CellMeasures> all;
-  if (!world.bodies) return all;
-  const Observation now(world);
-  for (int i = 0; i < world.bodies->count; ++i) {
+  if (!now.world.bodies) return all;
+  for (int i = 0; i < now.world.bodies->count; ++i) {
     const ObservedCell cell(now, i);
     CellMeasures& m = all.emplace_back();
     m.path = cell.path;
     m.state = cell.state;
-    take<CellContext>(world, cell, m);
+    take<CellContext>(now.world, cell, m);
   }
   return all;
 }
 
-std::vector<ContactMeasures> measureContacts(const World& world) {
+std::vector<ContactMeasures> measureContacts(const Observation& now) {
   std::vector<ContactMeasures> all;
-  const Observation now(world);
   for (const auto& [a, b, area] : now.contacts()) {
     ContactMeasures& m = all.emplace_back();
-    m.a = world.cells.path[a];
-    m.b = world.cells.path[b];
-    take<Touch>(world, {now.cell(a), now.cell(b), area}, m);
+    const Touch touch{now.cell(a), now.cell(b), area};
+    m.a = touch.a.path;
+    m.b = touch.b.path;
+    take(now.world, touch, m);
   }
   return all;
 }
