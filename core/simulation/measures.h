@@ -30,9 +30,9 @@ enum class Taken {
 
 template <class Of>
 struct Measure {
-  const char* name;     // of the column, in goldens and in JSON
-  const char* unit;     // "length³"; "": a pure number
-  const char* meaning;  // its definition, with its source; one line
+  const char* name;       // of the column, in goldens and in JSON
+  const char* unit = "";  // "length³"; "": a pure number
+  const char* meaning;    // its definition, with its source; one line
   Needs needs = Needs::bodies;
   Taken taken = Taken::withSamples;
   bool isWhole = false;                     // a whole number
