@@ -281,9 +281,10 @@ ObservationRates measureObservation(const World& world) {
   rates.hash = quickest(nothing, [&] { stateHash(world); }) / count;
   rates.sample = quickest(nothing,
                           [&] {
-                            measureWorld(world);
-                            measureCells(world);
-                            measureContacts(world);
+                            const Observation now(world);
+                            measureWorld(now);
+                            measureCells(now);
+                            measureContacts(now);
                           }) /
                  count;
   return rates;
