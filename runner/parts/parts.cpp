@@ -24,18 +24,6 @@ class Reasons {
   const Scenario& scenario_;
 };
 
-const char* planeText(DivisionPlane plane) {
-  switch (plane) {
-    case DivisionPlane::longest:
-      return "across the longest axis";
-    case DivisionPlane::axis:
-      return "across a fixed axis";
-    case DivisionPlane::random:
-      return "across a random axis";
-  }
-  return "";
-}
-
 const char* integratorText(Integrator integrator) {
   switch (integrator) {
     case Integrator::velocityVerlet:
@@ -168,7 +156,7 @@ std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
   addContact(parts, scenario, ask, why);
   parts.push_back(mechanics && mechanics->connections ? Part{"connections", true, "", why.of({"connections"})}
                                                       : absent("connections", "connections"));
-  parts.push_back(mechanics ? Part{"division", true, planeText(mechanics->division.plane),
+  parts.push_back(mechanics ? Part{"division", true, std::string("across ") + kindOf(mechanics->division.plane).meaning,
                                    why.of({"division.plane", "division"})}
                             : absent("division", "physics"));
   addRecord(parts, scenario, ask, why);
