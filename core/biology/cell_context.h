@@ -28,10 +28,10 @@ class CellContext {
   StateId state = 0;
   double time = 0;       // [time] now
   double lastCycle = 0;  // [time] when its last cell cycle was due, or its mother's at its birth
-  double born = 0;       // [time]
-  double age() const { return time - born; }
+  double born = 0;       // [time] of the step in which it was born, so at times a little after `time`
+  double age() const { return time > born ? time - born : 0; }
 
-  // Found when it is first asked for, and kept. Here: what a cell has of which nothing more is known.
+  // Found when it is first asked for, and kept. Here: of a cell of which nothing more is known.
   /// Its substances, sorted by name, separated by single spaces.
   virtual std::string substances() const { return {}; }
   /// Its body; null in a lineage-only scene.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/maths.h"
 #include "mesh/measures.h"
 #include "mesh/overlap.h"
 
@@ -31,7 +32,7 @@ double contentsEnergy(const Bodies& b, int slot) {
   const double k = b.pressureConstant[slot], outside = b.parameters.pressure.outside;
   if (k == 0) return outside * b.volume[slot];
   const double r = outside * b.volume[slot] / k;
-  return k * (r - 1 - std::log(r));
+  return k * (r - 1 - naturalLog(r));
 }
 
 }  // namespace

@@ -25,168 +25,111 @@ double sumOf(const Observation& now, const Get& get) {
 double volumeOf(const Bodies& b, int slot) { return b.volume[slot]; }
 double pressureOf(const Bodies& b, int slot) { return b.pressure[slot]; }
 
+using Value = std::optional<double>;
+using Now = const Observation&;
+using Cell = const CellContext&;
+
+// clang-format off
 constexpr WorldMeasure ofWorld[] = {
-    {.name = "cells",
-     .unit = "",
-     .meaning = "Cells that live",
-     .needs = Needs::nothing,
-     .isWhole = true,
-     .get = [](const Observation& now) { return std::optional(double(now.world.cells.path.size())); }},
-    {.name = "volume",
-     .unit = "length³",
+    {.name = "cells", .meaning = "Cells that live", .needs = Needs::nothing, .isWhole = true,
+     .get = [](Now now) -> Value { return double(now.world.cells.path.size()); }},
+    {.name = "volume", .unit = "length³",
      .meaning = "Of all cells, as the last evaluation of the forces found it [Nilsson 2008, eq. 4.4]",
-     .get = [](const Observation& now) { return std::optional(sumOf(now, volumeOf)); }},
-    {.name = "kinetic_energy",
-     .unit = "force·length",
+     .get = [](Now now) -> Value { return sumOf(now, volumeOf); }},
+    {.name = "kinetic_energy", .unit = "force·length",
      .meaning = "½ Σ m v² over the vertices of all cells",
-     .get = [](const Observation& now) { return std::optional(sumOf(now, measureKineticEnergy)); }},
-    {.name = "mean_pressure",
-     .unit = "force/length²",
-     .meaning = "Inner minus outer pressure [Nilsson 2008, eq. 4.3], in the mean over the cells; absent "
-                "without cells",
-     .get =
-         [](const Observation& now) {
-           const int count = bodiesOf(now).count;
-           return count > 0 ? std::optional(sumOf(now, pressureOf) / count) : std::nullopt;
-         }},
-    {.name = "shell_fill",
-     .unit = "",
-     .meaning = "Volume of all cells over the shell's",
-     .needs = Needs::shell,
-     .get =
-         [](const Observation& now) {
-           return std::optional(sumOf(now, volumeOf) / measureShellVolume(bodiesOf(now)));
-         }},
-    {.name = "outermost",
-     .unit = "shell radii",
+     .get = [](Now now) -> Value { return sumOf(now, measureKineticEnergy); }},
+    {.name = "mean_pressure", .unit = "force/length²",
+     .meaning = "Inner minus outer pressure [Nilsson 2008, eq. 4.3], in the mean over the cells; absent without cells",
+     .get = [](Now now) -> Value {
+       const int count = bodiesOf(now).count;
+       return count > 0 ? Value(sumOf(now, pressureOf) / count) : Value();
+     }},
+    {.name = "shell_fill", .meaning = "Volume of all cells over the shell's", .needs = Needs::shell,
+     .get = [](Now now) -> Value { return sumOf(now, volumeOf) / measureShellVolume(bodiesOf(now)); }},
+    {.name = "outermost", .unit = "shell radii",
      .meaning = "How far out the farthest vertex, or ball, reaches: 1 on the shell; absent without cells",
      .needs = Needs::shell,
-     .get =
-         [](const Observation& now) {
-           std::optional<double> most;
-           for (int slot : bodiesOf(now).slots)
-             most = std::max(most.value_or(0), measureOutermost(bodiesOf(now), slot));
-           return most;
-         }},
-    {.name = "extent",
-     .unit = "length",
+     .get = [](Now now) -> Value {
+       Value most;
+       for (int slot : bodiesOf(now).slots) most = std::max(most.value_or(0), measureOutermost(bodiesOf(now), slot));
+       return most;
+     }},
+    {.name = "extent", .unit = "length",
      .meaning = "The farthest that a vertex, or a ball's surface, is from the origin",
      .taken = Taken::onDemand,
-     .get = [](const Observation& now) { return std::optional(measureExtent(bodiesOf(now))); }},
-    {.name = "energy",
-     .unit = "force·length",
-     .meaning = "Of motion ½mv², membranes ½k_s(l−l₀)² and contents k_p (r−1−ln r), r = P₀V/k_p: 0 at rest; "
-                "not what "
+     .get = [](Now now) -> Value { return measureExtent(bodiesOf(now)); }},
+    {.name = "energy", .unit = "force·length",
+     .meaning = "Of motion ½mv², membranes ½k_s(l−l₀)² and contents k_p (r−1−ln r), r = P₀V/k_p: 0 at rest; not what "
                 "contacts and connections hold",
      .taken = Taken::onDemand,
-     .get = [](const Observation& now) { return std::optional(measureEnergy(bodiesOf(now))); }},
-    {.name = "momentum_x",
-     .unit = "mass·length/time",
+     .get = [](Now now) -> Value { return measureEnergy(bodiesOf(now)); }},
+    {.name = "momentum_x", .unit = "mass·length/time",
      .meaning = "Σ m v over the vertices of all cells, along x",
      .taken = Taken::onDemand,
-     .get = [](const Observation& now) { return std::optional(measureMomentum(bodiesOf(now)).x); }},
-    {.name = "momentum_y",
-     .unit = "mass·length/time",
-     .meaning = "The same along y",
-     .taken = Taken::onDemand,
-     .get = [](const Observation& now) { return std::optional(measureMomentum(bodiesOf(now)).y); }},
-    {.name = "momentum_z",
-     .unit = "mass·length/time",
-     .meaning = "The same along z",
-     .taken = Taken::onDemand,
-     .get = [](const Observation& now) { return std::optional(measureMomentum(bodiesOf(now)).z); }},
+     .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).x; }},
+    {.name = "momentum_y", .unit = "mass·length/time", .meaning = "The same along y", .taken = Taken::onDemand,
+     .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).y; }},
+    {.name = "momentum_z", .unit = "mass·length/time", .meaning = "The same along z", .taken = Taken::onDemand,
+     .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).z; }},
     {.name = "mean_overlap",
-     .unit = "",
-     .meaning = "Share of a cell's volume that lies in another cell too, in the mean over the cells, by 256 "
-                "× 256 scan "
+     .meaning = "Share of a cell's volume that lies in another cell too, in the mean over the cells, by 256 × 256 scan "
                 "lines",
      .taken = Taken::onDemand,
-     .get = [](const Observation& now) { return std::optional(measureMeanOverlap(bodiesOf(now))); }},
+     .get = [](Now now) -> Value { return measureMeanOverlap(bodiesOf(now)); }},
 };
 
 constexpr CellMeasure ofCell[] = {
-    {.name = "volume",
-     .unit = "length³",
+    {.name = "volume", .unit = "length³",
      .meaning = "What its surface encloses, by the divergence theorem [Nilsson 2008, eq. 4.4]",
-     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).volume); }},
-    {.name = "area",
-     .unit = "length²",
-     .meaning = "Of its surface",
-     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).area); }},
-    {.name = "pressure",
-     .unit = "force/length²",
+     .get = [](Cell cell) -> Value { return shapeOf(cell).volume; }},
+    {.name = "area", .unit = "length²", .meaning = "Of its surface",
+     .get = [](Cell cell) -> Value { return shapeOf(cell).area; }},
+    {.name = "pressure", .unit = "force/length²",
      .meaning = "Inner minus outer [Nilsson 2008, eq. 4.3]; absent in models without contents under pressure",
-     .get = [](const CellContext& cell) { return shapeOf(cell).pressure; }},
-    {.name = "x",
-     .unit = "length",
-     .meaning = "Of the mean of its vertices, which carry the mass",
-     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).centre.x); }},
-    {.name = "y",
-     .unit = "length",
-     .meaning = "The same along y",
-     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).centre.y); }},
-    {.name = "z",
-     .unit = "length",
-     .meaning = "The same along z",
-     .get = [](const CellContext& cell) { return std::optional(shapeOf(cell).centre.z); }},
-    {.name = "sphericity",
-     .unit = "",
-     .meaning = "π^(1/3) (6V)^(2/3) / A: 1 for a sphere [Wadell 1935]",
-     .get =
-         [](const CellContext& cell) {
-           const BodyShape& shape = shapeOf(cell);
-           return std::optional(shape.isBall ? 1.0 : sphericity(shape.volume, shape.area));
-         }},
+     .get = [](Cell cell) -> Value { return shapeOf(cell).pressure; }},
+    {.name = "x", .unit = "length", .meaning = "Of the mean of its vertices, which carry the mass",
+     .get = [](Cell cell) -> Value { return shapeOf(cell).centre.x; }},
+    {.name = "y", .unit = "length", .meaning = "The same along y",
+     .get = [](Cell cell) -> Value { return shapeOf(cell).centre.y; }},
+    {.name = "z", .unit = "length", .meaning = "The same along z",
+     .get = [](Cell cell) -> Value { return shapeOf(cell).centre.z; }},
+    {.name = "sphericity", .meaning = "π^(1/3) (6V)^(2/3) / A: 1 for a sphere [Wadell 1935]",
+     .get = [](Cell cell) -> Value {
+       const BodyShape& shape = shapeOf(cell);
+       return shape.isBall ? 1 : sphericity(shape.volume, shape.area);
+     }},
     {.name = "elongation",
-     .unit = "",
-     .meaning = "Largest over second largest extent, root mean square distances of its vertices from their "
-                "mean along "
+     .meaning = "Largest over second largest extent, root mean square distances of its vertices from their mean along "
                 "the principal axes: 1 for a ball and a disc",
-     .get =
-         [](const CellContext& cell) {
-           const BodyShape& shape = shapeOf(cell);
-           return std::optional(shape.isBall ? 1.0 : extentRatio(shape.surface.vertices));
-         }},
-    {.name = "neighbours",
-     .unit = "",
-     .meaning = "Cells that it touches; 0 where cells cannot touch",
-     .needs = Needs::contact,
+     .get = [](Cell cell) -> Value {
+       const BodyShape& shape = shapeOf(cell);
+       return shape.isBall ? 1 : extentRatio(shape.surface.vertices);
+     }},
+    {.name = "neighbours", .meaning = "Cells that it touches; 0 where cells cannot touch", .needs = Needs::contact,
      .isWhole = true,
-     .get = [](const CellContext& cell) { return std::optional(double(cell.neighbours().size())); }},
+     .get = [](Cell cell) -> Value { return double(cell.neighbours().size()); }},
     {.name = "volume_over_rest",
-     .unit = "",
-     .meaning = "Volume over what it would be if nothing pressed on the cell: with contents under pressure "
-                "its share of "
+     .meaning = "Volume over what it would be if nothing pressed on the cell: with contents under pressure its share of "
                 "the egg's, otherwise that of its mesh with its rest lengths",
      .taken = Taken::onDemand,
-     .get =
-         [](const CellContext& cell) {
-           return std::optional(cell.physical()->getVolume() / cell.physical()->getRestVolume());
-         }},
-    {.name = "volume_over_mesh",
-     .unit = "",
-     .meaning = "Volume over that of its mesh with its rest lengths",
+     .get = [](Cell cell) -> Value { return cell.physical()->getVolume() / cell.physical()->getRestVolume(); }},
+    {.name = "volume_over_mesh", .meaning = "Volume over that of its mesh with its rest lengths",
      .taken = Taken::onDemand,
-     .get =
-         [](const CellContext& cell) {
-           return std::optional(cell.physical()->getVolume() / cell.physical()->getMeshVolume());
-         }},
-    {.name = "inverted",
-     .unit = "",
-     .meaning = "Share of its surface whose outer side is turned to the mean of its vertices",
+     .get = [](Cell cell) -> Value { return cell.physical()->getVolume() / cell.physical()->getMeshVolume(); }},
+    {.name = "inverted", .meaning = "Share of its surface whose outer side is turned to the mean of its vertices",
      .taken = Taken::onDemand,
-     .get = [](const CellContext& cell) { return std::optional(measureInvertedShare(shapeOf(cell))); }},
+     .get = [](Cell cell) -> Value { return measureInvertedShare(shapeOf(cell)); }},
 };
 
 constexpr PairMeasure ofPair[] = {
-    {.name = "area",
-     .unit = "length²",
-     .meaning = "Of the contact: the mean of what the vertices of either cell stand for that touch the other "
-                "one; of two "
+    {.name = "area", .unit = "length²",
+     .meaning = "Of the contact: the mean of what the vertices of either cell stand for that touch the other one; of two "
                 "balls the disc in which their surfaces meet",
      .needs = Needs::contact,
-     .get = [](const Touch& touch) { return std::optional(touch.area); }},
+     .get = [](const Touch& touch) -> Value { return touch.area; }},
 };
+// clang-format on
 
 /// True if a world has what a measure needs.
 bool has(const World& world, Needs needs) {
@@ -268,36 +211,35 @@ MORULA_MEASURES_OF(CellContext)
 MORULA_MEASURES_OF(Touch)
 #undef MORULA_MEASURES_OF
 
-WorldMeasures measureWorld(const World& world) {
+WorldMeasures measureWorld(const Observation& now) {
   WorldMeasures m;
-  m.time = world.clock.time;
-  m.step = world.clock.step;
-  take(world, Observation(world), m);
+  m.time = now.time;
+  m.step = now.world.clock.step;
+  take(now.world, now, m);
   return m;
 }
 
-std::vector<CellMeasures> measureCells(const World& world) {
+std::vector<CellMeasures> measureCells(const Observation& now) {
   std::vector<CellMeasures> all;
-  if (!world.bodies) return all;
-  const Observation now(world);
-  for (int i = 0; i < world.bodies->count; ++i) {
+  if (!now.world.bodies) return all;
+  for (int i = 0; i < now.world.bodies->count; ++i) {
     const ObservedCell cell(now, i);
     CellMeasures& m = all.emplace_back();
     m.path = cell.path;
     m.state = cell.state;
-    take<CellContext>(world, cell, m);
+    take<CellContext>(now.world, cell, m);
   }
   return all;
 }
 
-std::vector<ContactMeasures> measureContacts(const World& world) {
+std::vector<ContactMeasures> measureContacts(const Observation& now) {
   std::vector<ContactMeasures> all;
-  const Observation now(world);
   for (const auto& [a, b, area] : now.contacts()) {
     ContactMeasures& m = all.emplace_back();
-    m.a = world.cells.path[a];
-    m.b = world.cells.path[b];
-    take<Touch>(world, {now.cell(a), now.cell(b), area}, m);
+    const Touch touch{now.cell(a), now.cell(b), area};
+    m.a = touch.a.path;
+    m.b = touch.b.path;
+    take(now.world, touch, m);
   }
   return all;
 }

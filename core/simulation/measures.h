@@ -30,9 +30,9 @@ enum class Taken {
 
 template <class Of>
 struct Measure {
-  const char* name;     // of the column, in goldens and in JSON
-  const char* unit;     // "length³"; "": a pure number
-  const char* meaning;  // its definition, with its source; one line
+  const char* name;       // of the column, in goldens and in JSON
+  const char* unit = "";  // "length³"; "": a pure number
+  const char* meaning;    // its definition, with its source; one line
   Needs needs = Needs::bodies;
   Taken taken = Taken::withSamples;
   bool isWhole = false;                     // a whole number
@@ -86,11 +86,17 @@ struct WorldMeasures : Measured<Observation> {
   std::uint64_t step = 0;
 };
 
-WorldMeasures measureWorld(const World& world);
+WorldMeasures measureWorld(const Observation& now);
 /// By lineage path; empty in a lineage-only world.
-std::vector<CellMeasures> measureCells(const World& world);
+std::vector<CellMeasures> measureCells(const Observation& now);
 /// By (a, b); empty without contact.
-std::vector<ContactMeasures> measureContacts(const World& world);
+std::vector<ContactMeasures> measureContacts(const Observation& now);
+
+inline WorldMeasures measureWorld(const World& world) { return measureWorld(Observation(world)); }
+inline std::vector<CellMeasures> measureCells(const World& world) { return measureCells(Observation(world)); }
+inline std::vector<ContactMeasures> measureContacts(const World& world) {
+  return measureContacts(Observation(world));
+}
 
 /// The surface of one living cell: vertex positions, in the order of its mesh, and faces. Empty if no such
 /// cell lives, or without bodies.

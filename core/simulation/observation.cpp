@@ -8,7 +8,7 @@
 
 namespace morula {
 
-Observation::Observation(const World& w, double t) : world(w), time(t) {}
+Observation::Observation(const World& w, double t) : world{w}, time{t} {}
 Observation::Observation(const World& w) : Observation(w, w.clock.time) {}
 Observation::~Observation() = default;
 

@@ -17,8 +17,8 @@ class ObservedCell;
 
 class Observation {
  public:
-  /// `time` [time]: what cells take for now; it may lie a little before the clock's, where a step is longer
-  /// than the way to a cell cycle. The world outlives it.
+  /// `time` [time]: when it is for the cells: when the present cell cycles are due, which may lie a little
+  /// before the clock's time. The world must outlive this.
   Observation(const World& world, double time);
   explicit Observation(const World& world);
   Observation(const Observation&) = delete;
@@ -28,8 +28,8 @@ class Observation {
   const World& world;
   const double time;
 
-  /// A living cell by its number, as others see it: kept as long as this. For a look at each cell in turn, an
-  /// ObservedCell of one's own keeps no more than one cell's shape at a time.
+  /// A living cell by its number; it and what is measured of it are kept as long as this. To look at all cells
+  /// one after the other make an ObservedCell of each: then only one shape is in memory at a time.
   const CellContext& cell(int number) const;
 
   /// Cells that touch, by (a, b); none without contact.

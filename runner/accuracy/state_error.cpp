@@ -40,10 +40,13 @@ ComparedCell comparedCell(const CellPath& path, Mesh surface) {
 }
 
 Shapes takeShapes(const World& world) {
-  Shapes shapes{world.clock.time, {}, measureContacts(world)};
-  for (const CellMeasures& measures : measureCells(world)) {
-    shapes.cells.push_back(comparedCell(measures.path, cellMesh(world, measures.path)));
-    shapes.cells.back().pressure = measures["pressure"].value_or(0);
+  const Observation now(world);
+  Shapes shapes{world.clock.time, {}, measureContacts(now)};
+  for (int i = 0; world.bodies && i < world.bodies->count; ++i) {
+    const ObservedCell cell(now, i);
+    const BodyShape& shape = cell.physical()->getShape();
+    shapes.cells.push_back(comparedCell(cell.path, shape.surface));
+    shapes.cells.back().pressure = shape.pressure.value_or(0);
   }
   return shapes;
 }

@@ -27,18 +27,6 @@ class Reasons {
   const Scenario& scenario_;
 };
 
-const char* planeText(DivisionPlane plane) {
-  switch (plane) {
-    case DivisionPlane::longest:
-      return "across the longest axis";
-    case DivisionPlane::axis:
-      return "across a fixed axis";
-    case DivisionPlane::random:
-      return "across a random axis";
-  }
-  return "";
-}
-
 Part absent(const char* name, const std::string& key) { return {name, false, "", key}; }
 
 void addModel(std::vector<Part>& parts, const PhysicsParameters& p, const Reasons& why) {
@@ -149,7 +137,7 @@ std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
   addContact(parts, scenario, ask, why);
   parts.push_back(mechanics && mechanics->connections ? Part{"connections", true, "", why.of({"connections"})}
                                                       : absent("connections", "connections"));
-  parts.push_back(mechanics ? Part{"division", true, planeText(mechanics->division.plane),
+  parts.push_back(mechanics ? Part{"division", true, std::string("across ") + kindOf(mechanics->division.plane).meaning,
                                    why.of({"division.plane", "division"})}
                             : absent("division", "physics"));
   addRecord(parts, scenario, ask, why);

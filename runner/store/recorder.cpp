@@ -58,7 +58,8 @@ void Recorder::hash(const World& world) {
 }
 
 void Recorder::sample(const World& world) {
-  results_.samples.push_back({measureWorld(world), measureCells(world), measureContacts(world)});
+  const Observation now(world);
+  results_.samples.push_back({measureWorld(now), measureCells(now), measureContacts(now)});
   for (const CellMeasures& c : results_.samples.back().cells) describe(world, c.state);
   const Sample& taken = results_.samples.back();
   bytes_ += double(sizeof(Sample) + taken.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +

@@ -68,3 +68,26 @@ TEST_CASE("The power of two below a number") {
     REQUIRE(powerOfTwoBelow(power * 1.75) == power);
   }
 }
+
+TEST_CASE("The natural logarithm, over all numbers above 0") {
+  double worst = 0;
+  for (int exponent = -1074; exponent <= 1023; ++exponent)
+    for (int i = 0; i < 20; ++i) {
+      const double mantissa =
+          1 + randomUnit({2, {}, static_cast<std::uint32_t>(exponent + 2000), Purpose::test}, i);
+      const double a = std::ldexp(mantissa, exponent);
+      const long double truth = std::log(static_cast<long double>(a));
+      worst = std::max(worst, static_cast<double>(std::abs(naturalLog(a) - truth) / (1 + std::abs(truth))));
+    }
+  CHECK(worst < 4e-16);
+  CHECK(worst > 0);
+  CHECK(naturalLog(1) == 0);
+  for (const double near :
+       {1 - 0x1p-53, 1 + 0x1p-52, 0.7071067811865475, 0.7071067811865476, 1.414213562373095})
+    CHECK(naturalLog(near) == Approx(std::log(near)).epsilon(1e-14));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  CHECK(naturalLog(0) == -infinity);
+  CHECK(naturalLog(infinity) == infinity);
+  CHECK(std::isnan(naturalLog(-1)));
+  CHECK(std::isnan(naturalLog(std::nan(""))));
+}

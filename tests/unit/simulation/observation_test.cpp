@@ -49,6 +49,7 @@ TEST_CASE("A cell knows its path, state, ages, substances, sister, and how its m
     const auto order = orderByPath(world.lineage);
     CHECK(cell.born == find(world.lineage, order, path)->born);
     CHECK(cell.age() == 3.25 - cell.born);
+    CHECK(ObservedCell(Observation(world, cell.born / 2), i).age() == 0);
     CHECK(cell.lastCycle == world.cells.lastCycle[i]);
     REQUIRE(cell.sister());
     CHECK(cell.sister()->path == path.mother().daughter(!path.letter(2)));
