@@ -14,7 +14,6 @@
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "parts/parts.h"
-#include "pictures/bullet_picture.h"
 #include "pictures/frame_file.h"
 #include "pictures/pictures.h"
 #include "simulation/checkpoint.h"
