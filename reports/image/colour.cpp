@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "base/error.h"
@@ -22,13 +23,6 @@ const std::array<double, 256>& linearTable() {
   return table;
 }
 
-int hexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
 }  // namespace
 
 double linearLight(std::uint8_t channel) { return linearTable()[channel]; }
@@ -43,27 +37,11 @@ std::uint8_t channelOf(double linear) {
 }
 
 Colour parseColour(std::string_view text) {
-  const auto fail = [&] {
+  unsigned value = 0;
+  const char* end = text.data() + text.size();
+  if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, value, 16).ptr != end)
     throw InputError("'" + std::string(text) + "' is not a colour; write '#rrggbb', such as '#e41a1c'");
-  };
-  if (text.size() != 7 || text[0] != '#') fail();
-  std::array<std::uint8_t, 3> channel;
-  for (int i = 0; i < 3; ++i) {
-    const int high = hexDigit(text[1 + 2 * i]), low = hexDigit(text[2 + 2 * i]);
-    if (high < 0 || low < 0) fail();
-    channel[i] = std::uint8_t(16 * high + low);
-  }
-  return {channel[0], channel[1], channel[2]};
-}
-
-std::string text(Colour colour) {
-  static constexpr char digits[] = "0123456789abcdef";
-  std::string result = "#";
-  for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
-    result += digits[channel >> 4];
-    result += digits[channel & 15];
-  }
-  return result;
+  return {std::uint8_t(value >> 16), std::uint8_t(value >> 8), std::uint8_t(value)};
 }
 
 Colour mixColours(const std::vector<Colour>& colours) {

@@ -19,9 +19,6 @@ inline constexpr Colour neutralGrey{0xbd, 0xbd, 0xbd};
 /// Reads "#rrggbb", either case. Throws InputError for anything else.
 Colour parseColour(std::string_view text);
 
-/// "#rrggbb".
-std::string text(Colour colour);
-
 /// The average in linear light, as if the colours were lamps: red and green give yellow and not brown. Order
 /// does not matter; none gives neutralGrey.
 Colour mixColours(const std::vector<Colour>& colours);

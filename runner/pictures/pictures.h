@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/comparison.h"
 #include "organism/organism.h"
 #include "scenario/scenario.h"
 #include "simulation/world.h"
@@ -37,6 +38,11 @@ TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
                              const std::function<std::string(StateId)>& describe, double end,
                              const Scenario& scenario);
 TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
+
+/// Ours, Bullet's, and the distance of each of our vertices from Bullet's surface (drawComparison). `shapes`:
+/// the vertices of Bullet's cells, in the order of ours.
+Drawing drawBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
+                         const Scenario& scenario);
 
 /// Keeps the organism's shape at 0, every, 2·every, … for a sequence of pictures.
 class FrameCollector {

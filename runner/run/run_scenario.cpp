@@ -9,7 +9,6 @@
 #include "engines/bullet_check.h"
 #include "files/folders.h"
 #include "golden/accept.h"
-#include "pictures/bullet_picture.h"
 #include "pictures/frame_file.h"
 #include "pictures/pictures.h"
 #include "run/resume.h"
