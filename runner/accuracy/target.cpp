@@ -183,14 +183,14 @@ std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
 
 Json toJson(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report) {
   const auto mesh = report.mesh.error();
-  const std::optional<double> whole =
-      answer.best && mesh ? std::optional(*mesh + answer.best->error) : std::nullopt;
+  const bool known = answer.best && mesh;
+  const double whole = known ? *mesh + answer.best->error : 0;
   return {{"error", question.error},
           {"settings", answer.best ? morula::toJson(answer.best->setting) : Json()},
           {"run_to_the_end", toJson(answer.best)},
           {"mesh_error", orNull(mesh)},
-          {"whole_error", orNull(whole)},
-          {"mesh_holds", whole ? Json(whole.value_or(0) <= question.error) : Json()},
+          {"whole_error", known ? Json(whole) : Json()},
+          {"mesh_holds", known ? Json(whole <= question.error) : Json()},
           {"icosphere_that_holds", orNull(answer.levelThatHolds)},
           {"finer_run_to_the_end", toJson(answer.finer)},
           {"failures", answer.failures}};

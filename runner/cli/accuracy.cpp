@@ -31,7 +31,7 @@ namespace {
 struct AccuracyWords {
   std::string until, target, halvings = "4", rounds = "3", budget = "120", out = "results", picture;
   std::vector<std::string> scenarios, integrators, levels;
-  bool only = false, intoGolden = false, bullet = false;
+  bool only = false, intoGolden = false, bullet = false, quick = false;
   InputOptions input;
   SceneOptions scene;
   ExecutionOptions execution;
@@ -62,8 +62,18 @@ std::vector<std::uint64_t> levels(const AccuracyWords& words, const Scenario& sc
   return list;
 }
 
-AccuracyOptions meant(const AccuracyWords& words, const Scenario& scenario) {
+/// [time] That 32 of the scene's first steps take, within its end.
+double quickTime(const Scenario& scenario, const World& start) {
+  const double time = 32 * start.clock.timeStep;
+  const auto end = plannedEnd(scenario.scene);
+  return end ? std::min(time, *end) : time;
+}
+
+AccuracyOptions meant(const AccuracyWords& given, const Scenario& scenario, const World& start) {
+  AccuracyWords words = given;
+  if (words.quick) words.only = true, words.halvings = words.rounds = "1";
   AccuracyOptions options;
+  if (words.quick) options.until = quickTime(scenario, start);
   if (!words.until.empty()) options.until = positiveOption("--until", words.until);
   options.integrators = integrators(words.integrators);
   options.levels = levels(words, scenario);
@@ -78,8 +88,6 @@ AccuracyOptions meant(const AccuracyWords& words, const Scenario& scenario) {
   options.tell = [quiet = words.output.quiet](const std::string& text) { tell("accuracy: " + text, quiet); };
   return options;
 }
-
-using Tell = std::function<void(const std::string&)>;
 
 /// Reads one scenario with the changes that were asked for, and further ones.
 ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
@@ -100,11 +108,12 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   const ReadScenario read = readerOf(words, file);
   const Scenario scenario = read({});
   if (words.intoGolden) refuseIntoGolden(scenario);
-  const auto options = meant(words, scenario);
+  const World start =
+      makeScenarioWorld(scenario, execution(words.execution));  // its mistakes are told with their places
+  const auto options = meant(words, scenario, start);
   if (const auto end = plannedEnd(scenario.scene); options.until && end && *options.until > *end)
     throw UsageError(
         fmt::format("--until: {} is after the scene's end; needs at most {}", words.until, numberText(*end)));
-  makeScenarioWorld(scenario, options.execution);  // its mistakes are told with their places
   std::optional<double> target;
   if (!words.target.empty()) target = positiveOption("--target", words.target);
   const auto folder = std::filesystem::path(words.out) / "accuracy";
@@ -161,6 +170,8 @@ int act(const AccuracyWords& words) {
     throw UsageError("--into-golden: it is of the scenario as it is; remove --set and --seed");
   if (words.intoGolden && !words.target.empty())
     throw UsageError("--into-golden: no settings are tried beside the scenario's own; remove --target");
+  if (words.quick && (words.intoGolden || !words.target.empty()))
+    throw UsageError("--quick is a first look, and neither for --target nor for --into-golden");
   if (words.scenarios.size() == 1) return actOn(words, words.scenarios.front());
   if (!words.intoGolden || words.output.json)
     throw UsageError("accuracy takes several scenarios only with --into-golden and without --json");
@@ -190,6 +201,8 @@ void addAccuracy(CLI::App& app, Action& action) {
              "CPU time that runs on finer meshes may take, and those of --target to their ends");
   verb.takes("--only", words->only,
              "No other meshes, precision, contact law or cell model than the scenario's");
+  verb.takes("--quick", words->quick,
+             "A first look: 32 steps of the scenario, few others beside it, once each");
   verb.takes("--halvings", words->halvings, "N", "Of the longest time step, twice the scenario's smallest");
   verb.takes("--rounds", words->rounds, "N", "Runs of each, for the CPU time");
   verb.takes("--out", words->out, "FOLDER", "Folder for results");

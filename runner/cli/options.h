@@ -29,7 +29,7 @@ struct SceneOptions {
 
 /// How to compute; changes no result.
 struct ExecutionOptions {
-  std::string threads = "1", isa, search, memoryLimit;
+  std::string threads = "1", isa = {}, search = {}, memoryLimit = {};
 };
 
 void add(Verb& verb, OutputOptions& options);

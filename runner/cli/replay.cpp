@@ -18,7 +18,7 @@ namespace {
 
 struct ReplayOptions {
   std::string what, run, database, databaseOut;
-  ExecutionOptions execution{"", "", ""};
+  ExecutionOptions execution{.threads = ""};  // as then
   OutputOptions output;
 };
 
