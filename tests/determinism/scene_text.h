@@ -26,8 +26,8 @@ inline auto fields(Mesh& a) {
   return std::tie(vertices, faces);
 }
 inline auto fields(Gene& a) {
-  auto& [name, product, inputs] = a;
-  return std::tie(name, product, inputs);
+  auto& [name, product, inputs, repressors] = a;
+  return std::tie(name, product, inputs, repressors);
 }
 inline auto fields(Dna& a) {
   auto& [substances, start, genes, source, warnings] = a;
