@@ -14,8 +14,6 @@
 namespace morula {
 namespace {
 
-static_assert(sizeof(Colour) == 3);
-
 /// cairo's 24-bit pixels are numbers 0xrrggbb.
 Surface surfaceOf(const Image& image) {
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
@@ -49,8 +47,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 Spot between(Spot a, Spot b, double share) { return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}; }
 
 void trace(cairo_t* target, const std::vector<Spot>& points, double rounding) {
-  constexpr double quarterCircle =
-      0.5523;  // where a cubic curve's control points stand on the way to the corner
+  constexpr double quarterCircle = 0.5523;  // where a cubic's control points stand on the way to the corner
   const auto before = [&](Spot corner, Spot other) {
     const double length = std::hypot(other.x - corner.x, other.y - corner.y);
     return between(corner, other, length > 0 ? std::min(0.5, rounding / length) : 0);
