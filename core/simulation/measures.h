@@ -45,6 +45,12 @@ using PairMeasure = Measure<Touch>;
 /// All rows of one table: `Of` is Observation, CellContext or Touch. Those taken with samples stand first.
 template <class Of>
 std::span<const Measure<Of>> measures();
+template <>
+std::span<const WorldMeasure> measures<Observation>();
+template <>
+std::span<const CellMeasure> measures<CellContext>();
+template <>
+std::span<const PairMeasure> measures<Touch>();
 /// Those that are taken with samples.
 template <class Of>
 std::span<const Measure<Of>> sampledMeasures();
