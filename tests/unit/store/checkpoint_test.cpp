@@ -165,7 +165,7 @@ TEST_CASE("records that were made in another way are replaced as a whole") {
 }
 
 TEST_CASE("a value that SQLite cannot take is refused, not stored as nothing") {
-  Database db("", Database::Mode::temporary, std::chrono::milliseconds(0));
+  Database db("values", Database::Mode::temporary, std::chrono::milliseconds(0));
   constexpr std::size_t tooMuch = 2'000'000'000;  // its length is looked at before its bytes
   CHECK_THROWS_AS(Statement(db, "SELECT ?").run(std::string_view("x", tooMuch)), StoreError);
 }
