@@ -12,7 +12,7 @@ struct BodyShape {
   Point centre;   // [length] the mean of the vertices, which carry the mass
   double volume;  // [length³] by the divergence theorem [Nilsson 2008, eq. 4.4]; of a sphere the ball's
   double area;    // [length²]; of a sphere the ball's
-  // [force/length²] Inner minus outer at this volume [Nilsson 2008, eq. 4.3]; absent: without contents under
+  // [force/length²] Inner minus outer at this volume [Nilsson 2008, eq. 4.3]; absent: without fluid under
   // pressure.
   std::optional<double> pressure;
   bool isBall = false;  // it has no surface but that of a ball
@@ -25,10 +25,10 @@ class PhysicalUnit {
   // As the last evaluation of the forces left it: free
   virtual double getMass() const = 0;    // [mass]
   virtual double getVolume() const = 0;  // [length³]
-  /// [force/length²] Inner minus outer pressure [Nilsson 2008, eq. 4.3]; 0 without contents under pressure.
+  /// [force/length²] Inner minus outer pressure [Nilsson 2008, eq. 4.3]; 0 without fluid under pressure.
   virtual double getPressure() const = 0;
 
-  /// [length³] What its volume would be if nothing pressed on it: with contents under pressure its share of
+  /// [length³] What its volume would be if nothing pressed on it: with fluid under pressure its share of
   /// the egg's, which divisions and growth have given it; otherwise that of its mesh with its rest lengths.
   virtual double getRestVolume() const = 0;
   /// [length³] That of its mesh with its rest lengths.

@@ -8,7 +8,7 @@
 
 namespace morula {
 
-CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double production) {
+CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFactor) {
   CutResult result;
   Body &a = result.daughters.a, &b = result.daughters.b;
   a = b = mother;
@@ -37,8 +37,8 @@ CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double produc
   b.pressureConstant = mother.pressureConstant - a.pressureConstant;
   const double rootA = cubeRoot(volumeA), rootB = cubeRoot(volumeB);
   const double surfaceShareA = rootA * rootA / (rootA * rootA + rootB * rootB);
-  a.restScale = mother.restScale * std::sqrt(production * surfaceShareA);
-  b.restScale = mother.restScale * std::sqrt(production * (1 - surfaceShareA));
+  a.restScale = mother.restScale * std::sqrt(areaFactor * surfaceShareA);
+  b.restScale = mother.restScale * std::sqrt(areaFactor * (1 - surfaceShareA));
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/maths.h"
 #include "mesh/measures.h"
@@ -11,7 +12,7 @@ namespace morula {
 
 namespace {
 
-constexpr double ballArea = 12.566370614359172;  // 4π, over the square of the radius
+constexpr double ballArea = 4 * std::numbers::pi;  // over the square of the radius
 
 /// Every edge once: in one of its two faces it runs upwards.
 double membraneEnergy(const Bodies& b, int slot) {
@@ -28,7 +29,7 @@ double membraneEnergy(const Bodies& b, int slot) {
   return 0.5 * b.parameters.membrane.stiffness * sum;
 }
 
-double contentsEnergy(const Bodies& b, int slot) {
+double fluidEnergy(const Bodies& b, int slot) {
   const double k = b.pressureConstant[slot], outside = b.parameters.pressure.outside;
   if (k == 0) return outside * b.volume[slot];
   const double r = outside * b.volume[slot] / k;
@@ -46,7 +47,7 @@ BodyShape measureShape(const Bodies& b, int slot) {
   const auto& [vertices, faces] = surface;
   BodyShape shape{
       {}, measureCentroid(vertices), measureVolume(vertices, faces), measureArea(vertices, faces), {}, false};
-  if (b.parameters.cell.model == CellModel::shell)
+  if (b.model().hasMembrane)
     shape.pressure = b.pressureConstant[slot] / shape.volume - b.parameters.pressure.outside;
   shape.surface = std::move(surface);
   return shape;
@@ -59,9 +60,8 @@ double measureMeshVolume(const Bodies& b, int meshLevel) {
 }
 
 double measureRestVolume(const Bodies& b, int slot, double meshVolume) {
-  const double contents = b.parameters.pressure.constant, scale = b.restScale[slot];
-  if (b.parameters.cell.model == CellModel::shell && contents > 0)
-    return meshVolume * (b.pressureConstant[slot] / contents);
+  const double ofEgg = b.parameters.pressure.constant, scale = b.restScale[slot];
+  if (b.model().hasMembrane && ofEgg > 0) return meshVolume * (b.pressureConstant[slot] / ofEgg);
   return meshVolume * scale * scale * scale;
 }
 
@@ -81,7 +81,7 @@ double measureKineticEnergy(const Bodies& b, int slot) {
 double measureEnergy(const Bodies& b) {
   double sum = 0;
   for (int slot : b.slots)
-    sum += measureKineticEnergy(b, slot) + membraneEnergy(b, slot) + contentsEnergy(b, slot);
+    sum += measureKineticEnergy(b, slot) + membraneEnergy(b, slot) + fluidEnergy(b, slot);
   return sum;
 }
 

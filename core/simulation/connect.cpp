@@ -1,5 +1,6 @@
 // Connections by gene, and their end by distance [Nilsson 2008, §4.1.1, §4.4.3].
 #include <algorithm>
+#include <numbers>
 
 #include "base/maths.h"
 #include "simulation/population.h"
@@ -10,7 +11,7 @@ namespace morula {
 namespace {
 
 /// Of the sphere that holds the cell's volume.
-double radius(const Bodies& b, int slot) { return cubeRoot(3 * b.volume[slot] / 12.566370614359172); }
+double radius(const Bodies& b, int slot) { return cubeRoot(3 * b.volume[slot] / (4 * std::numbers::pi)); }
 
 }  // namespace
 

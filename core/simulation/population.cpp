@@ -74,7 +74,7 @@ void add(Population& p, const CellPath& path, StateId state, double lastCycle, d
   p.cells.entry.push_back(entry);
 }
 
-void end(World& world, std::size_t i, Fate fate) {
+void closeEntry(World& world, std::size_t i, Fate fate) {
   LineageEntry& entry = world.lineage.entries[world.cells.entry[i]];
   entry.fate = fate;
   entry.ended = world.clock.time;
@@ -82,7 +82,7 @@ void end(World& world, std::size_t i, Fate fate) {
 }
 
 /// Records a daughter's birth and adds her to the population.
-void bear(World& world, Population& next, std::size_t mother, bool b) {
+void addDaughter(World& world, Population& next, std::size_t mother, bool b) {
   const Cells& cells = world.cells;
   const StateId state = world.biology->daughterState(cells.state[mother], b);
   const CellPath path = cells.path[mother].daughter(b);
@@ -151,11 +151,11 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
   std::vector<Cut> cuts;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (changes[i] == CellChange::dies) {
-      end(world, i, Fate::died);  // it leaves the physics and stays in the lineage
+      closeEntry(world, i, Fate::died);  // it leaves the physics and stays in the lineage
     } else if (changes[i] == CellChange::divides) {
-      end(world, i, Fate::divided);
-      bear(world, next, i, false);
-      bear(world, next, i, true);
+      closeEntry(world, i, Fate::divided);
+      addDaughter(world, next, i, false);
+      addDaughter(world, next, i, true);
       if (world.bodies) {
         auto& [cut, daughters, record] = divisions[cuts.size()];
         next.bodies.push_back(std::move(daughters.a));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "mesh/measures.h"
@@ -14,7 +15,7 @@ namespace morula {
 
 namespace {
 
-constexpr double ballVolume = 12.566370614359172 / 3;  // 4π/3, over the cube of the radius
+constexpr double ballVolume = 4 * std::numbers::pi / 3;  // over the cube of the radius
 constexpr int linesPerPair = 16;
 
 /// The worst value so far and whose it is. What is no number is the worst there can be, and stays it.

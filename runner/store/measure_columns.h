@@ -25,9 +25,9 @@ std::vector<MeasureColumn> columnsOf() {
 /// Of a cell in Bullet: what is seen of its body alone.
 std::vector<MeasureColumn> bulletColumns();
 
-/// "INSERT INTO table (keys, columns) VALUES (?, …)".
+/// "INSERT INTO table (keys, columns) VALUES (?, …)"; keys separated by commas.
 std::string insertInto(const std::string& table, const std::string& keys,
-                       const std::vector<MeasureColumn>& columns);
+                       const std::vector<MeasureColumn>& columns = {});
 
 /// The values of these columns, to be bound one after the other.
 BoundNumbers valuesOf(const std::vector<std::optional<double>>& values,

@@ -10,8 +10,8 @@ namespace morula {
 namespace {
 
 void insertDocuments(Database& db, const std::string& id, const std::vector<Document>& documents) {
-  Statement content(db, "INSERT INTO document VALUES (?, ?) ON CONFLICT DO NOTHING");
-  Statement use(db, "INSERT INTO run_document VALUES (?, ?, ?, ?, ?)");
+  Statement content(db, insertInto("document", "hash, content") + " ON CONFLICT DO NOTHING");
+  Statement use(db, insertInto("run_document", "run_id, number, role, path, hash"));
   int number = 0;
   for (const Document& d : documents) {
     const std::string hash = Hasher().add(d.content).digest().text();
@@ -34,7 +34,8 @@ void insertCells(Database& db, const std::string& id, const RunResults& results)
   for (const LineageEntry& e : results.lineage) entries.push_back(&e);
   std::sort(entries.begin(), entries.end(), [](auto* a, auto* b) { return a->path < b->path; });
 
-  Statement insert(db, "INSERT INTO cell VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement insert(
+      db, insertInto("cell", "run_id, path, parent, born, ended, fate, state, name, born_step, ended_step"));
   for (const LineageEntry* e : entries) {
     std::optional<double> ended;
     std::optional<std::uint64_t> endedStep;
@@ -70,8 +71,8 @@ void insertSamples(Database& db, const std::string& id, const RunResults& result
 
 void insertChain(Database& db, const std::string& id, const std::vector<ChainLink>& chain,
                  std::optional<std::uint64_t> after) {
-  Statement link(db, "INSERT INTO step_hash VALUES (?, ?, ?, ?, ?, ?, ?)");
-  Statement cell(db, "INSERT INTO cell_hash VALUES (?, ?, ?, ?)");
+  Statement link(db, insertInto("step_hash", "run_id, step, hash, state, clock, connections, lineage"));
+  Statement cell(db, insertInto("cell_hash", "run_id, step, path, hash"));
   for (const ChainLink& l : chain) {
     if (!isNew(l.step, after)) continue;
     const StateHashes& s = l.state;
@@ -93,10 +94,12 @@ void insertRun(Database& db, const std::string& id, const RunRecord& r, const st
     if (end->stateHash) hash = end->stateHash->text();
     if (!end->failure.empty()) failure = end->failure;
   }
-  Statement(
-      db,
-      "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-      "?, ?, ?)")
+  Statement(db, insertInto("run",
+                           "run_id, scenario, seed, status, state_hash, started, ended, steps, "
+                           "cells, time, failure, scenario_hash, build_id, version, sources, "
+                           "git_commit, git_state, compiler, flags, target, "
+                           "libraries, cpu, kernel, isa, threads, command, binary_hash, "
+                           "fp_environment, cpu_features"))
       .run(id, r.scenario, r.seed, name(end ? end->status : RunStatus::running), hash, started, ended, steps,
            cells, time, failure, r.scenarioHash, buildId(r.build), r.build.version, r.build.sources,
            r.build.gitCommit, r.build.gitState, r.build.compiler, r.build.flags, r.build.target,
@@ -135,16 +138,17 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
   insertCells(db, id, results);
   insertRecords(db, id, results);
 
-  Statement connection(db, "INSERT INTO connection VALUES (?, ?, ?, ?, ?, ?, ?)");
+  Statement connection(db, insertInto("connection", "run_id, number, a, b, made, released, cause"));
   std::uint64_t number = 0;
   for (const ConnectionRecord& c : results.connections)
     connection.run(id, number++, c.a.text(), c.b.text(), c.made,
                    c.released < 0 ? std::nullopt : std::optional(c.released), c.cause);
 
-  Statement timeStep(db, "INSERT INTO time_step VALUES (?, ?, ?, ?)");
+  Statement timeStep(db, insertInto("time_step", "run_id, step, time, time_step"));
   for (const TimeStepRecord& t : results.timeSteps) timeStep.run(id, t.step, t.time, t.timeStep);
 
-  Statement division(db, "INSERT INTO division VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement division(
+      db, insertInto("division", "run_id, path, time, step, axis_x, axis_y, axis_z, share, extent_ratio"));
   for (const DivisionRecord& d : results.divisions)
     division.run(id, d.path.text(), d.time, d.step, d.axis.x, d.axis.y, d.axis.z, d.share, d.extentRatio);
 
@@ -155,7 +159,9 @@ void insertChecks(Database& db, const std::string& id, const std::vector<CheckRe
   Statement last(db, "SELECT coalesce(max(number), -1) FROM check_result WHERE run_id = ?");
   last.start(id).next();
   std::int64_t number = last.integer(0);
-  Statement insert(db, "INSERT INTO check_result VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement insert(db, insertInto("check_result",
+                                  "run_id, number, \"check\", kind, expected, actual, tolerance, passed, "
+                                  "class, first_step, cell, field, share_of_tolerance, message"));
   for (const CheckResult& c : checks)
     insert.run(id, ++number, c.check, c.kind, c.expected, c.actual, c.tolerance, c.passed, c.failureClass,
                c.firstStep, c.cell, c.field, c.share, c.message);

@@ -1,5 +1,6 @@
 // Runs that stop on the way, and go on.
 #include "base/error.h"
+#include "store/measure_columns.h"
 #include "store/rows.h"
 #include "store/store.h"
 
@@ -15,18 +16,17 @@ std::optional<std::uint64_t> keptStep(Database& db, const std::string& id, const
 }
 
 void replaceCheckpoint(Database& db, const std::string& id, const Checkpoint& c) {
-  Statement(
-      db,
-      "INSERT INTO checkpoint VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT DO UPDATE SET step = excluded.step, "
-      "made = excluded.made, every = excluded.every, hash_every = excluded.hash_every, "
-      "state = excluded.state")
+  Statement(db, insertInto("checkpoint", "run_id, step, made, every, hash_every, state") +
+                    " ON CONFLICT DO UPDATE SET step = excluded.step, "
+                    "made = excluded.made, every = excluded.every, hash_every = excluded.hash_every, "
+                    "state = excluded.state")
       .run(id, c.step, utcNow(), c.every, c.hashEvery, Blob{c.state});
 }
 
 void addFrames(Database& db, const std::string& id, const FrameSource& frames) {
   Statement there(db, "SELECT count(*) FROM checkpoint_frame WHERE run_id = ?");
   there.start(id).next();
-  Statement insert(db, "INSERT INTO checkpoint_frame VALUES (?, ?, ?)");
+  Statement insert(db, insertInto("checkpoint_frame", "run_id, number, content"));
   for (std::size_t i = there.natural(0); i < frames.count; ++i) {
     const std::string bytes = frames.bytes(i);
     insert.run(id, i, Blob{bytes});
