@@ -57,10 +57,13 @@ int act(const RenderOptions& options) {
   if (!options.time.empty()) {
     time = nonNegativeOption("--time", options.time);
     if (const auto end = plannedEnd(scenario.scene); end && *time > *end) failAfterEnd(options.time, *end);
-    scenario.scene.stop.time = time;
   }
   Progress progress(scenario.scene.name, options.messages.quiet);
-  const auto run = simulate(makeScenarioWorld(scenario, execution(options.execution)), {}, progress);
+  World world = makeScenarioWorld(scenario, execution(options.execution));
+  if (time)
+    world.model.stop.time =
+        time;  // of the world, not of the scenario: it runs as it always does, only not so far
+  const auto run = simulate(std::move(world), {}, progress);
   if (run.signal) return signalled + run.signal;
   if (run.end.status == RunStatus::failed) {
     tellError(run.end.failure);
