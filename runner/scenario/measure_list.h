@@ -1,9 +1,9 @@
 #pragma once
 // The tables of measures (core/simulation/measures.h) for people and programs, and measured values as JSON.
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "simulation/measures.h"
+#include "system/json.h"
 
 namespace morula {
 
