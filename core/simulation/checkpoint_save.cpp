@@ -71,8 +71,8 @@ class StateWriter {
         put(std::get<ColumnOf<T>>((next++)->second), value);
       });
     }
-    for (const auto& [name, column] : columns)
-      std::visit([&](const auto& values) { out_.add(name, values); }, column);
+    for (const auto& named : columns)  // a lambda cannot capture a structured binding
+      std::visit([&](const auto& values) { out_.add(named.first, values); }, named.second);
   }
 
   void operator()(const char* table, const Bodies& b) {
