@@ -62,18 +62,17 @@ std::vector<std::uint64_t> levels(const AccuracyWords& words, const Scenario& sc
   return list;
 }
 
-/// [time] That 32 of the scene's first steps take, within its end.
-double quickTime(const Scenario& scenario, const World& start) {
-  const double time = 32 * start.clock.timeStep;
-  const auto end = plannedEnd(scenario.scene);
-  return end ? std::min(time, *end) : time;
+/// [time] That 32 of the scene's first steps take, or all of them. A scene may stop at a number of cells.
+double quickTime(World world) {
+  for (int i = 0; i < 32 && !finished(world); ++i) step(world);
+  return world.clock.time;
 }
 
-AccuracyOptions meant(const AccuracyWords& given, const Scenario& scenario, const World& start) {
+AccuracyOptions meant(const AccuracyWords& given, const Scenario& scenario, World start) {
   AccuracyWords words = given;
   if (words.quick) words.only = true, words.halvings = words.rounds = "1";
   AccuracyOptions options;
-  if (words.quick) options.until = quickTime(scenario, start);
+  if (words.quick) options.until = quickTime(std::move(start));
   if (!words.until.empty()) options.until = positiveOption("--until", words.until);
   options.integrators = integrators(words.integrators);
   options.levels = levels(words, scenario);
@@ -108,9 +107,9 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   const ReadScenario read = readerOf(words, file);
   const Scenario scenario = read({});
   if (words.intoGolden) refuseIntoGolden(scenario);
-  const World start =
+  World start =
       makeScenarioWorld(scenario, execution(words.execution));  // its mistakes are told with their places
-  const auto options = meant(words, scenario, start);
+  const auto options = meant(words, scenario, std::move(start));
   if (const auto end = plannedEnd(scenario.scene); options.until && end && *options.until > *end)
     throw UsageError(
         fmt::format("--until: {} is after the scene's end; needs at most {}", words.until, numberText(*end)));

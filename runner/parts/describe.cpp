@@ -1,7 +1,6 @@
 // The prediction as people read it.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "parts/prediction.h"
@@ -30,35 +29,23 @@ std::string plural(double count, const std::string& word) {
   return fmt::format("{:.0f} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-/// Characters, not bytes: "µ" is one.
-std::size_t lengthOf(const std::string& text) {
-  return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string padded(const std::string& text, std::size_t width) {
-  const std::size_t length = lengthOf(text);
-  return text + std::string(length < width ? width - length : 1, ' ');
-}
-
-std::string right(const std::string& text, std::size_t width) {
-  const std::size_t length = lengthOf(text);
-  return std::string(length < width ? width - length : 0, ' ') + text;
+/// A column's value, or "–" where there is none.
+template <class Text>
+std::string column(const std::optional<double>& value, const Text& textOf) {
+  return value ? textOf(*value) : "–";
 }
 
 std::string line(const Prediction& f, const PartCost& c) {
-  const auto column = [](const std::optional<double>& value, auto&& textOf, std::size_t width) {
-    return right(value ? textOf(*value) : "–", width);
+  const auto fixed = [](int digits, double scale, const char* unit) {
+    return [=](double value) { return fmt::format("{:.{}f}{}", scale * value, digits, unit); };
   };
-  const auto number = [](const char* format, double scale) {
-    return [=](double value) { return fmt::format(fmt::runtime(format), scale * value); };
-  };
-  std::string text = "  " + padded(c.part.name, 13) + column(c.seconds, timeText, 9);
-  text += column(c.share, number("{:.1f} %", 100), 9);
+  std::string text = fmt::format("  {:<12} {:>9}{:>9}", c.part.name, column(c.seconds, timeText),
+                                 column(c.share, fixed(1, 100, " %")));
   if (f.vertices)
-    text += column(c.nsPerVertexStep, number("{:.2f}", 1), 11) +
-            column(c.bytesPerVertex, number("{:.1f}", 1), 10);
-  text += column(c.bytes, memoryText, 11);
-  return text + "  " + c.part.why + (c.part.what.empty() ? "" : " (" + c.part.what + ")") + "\n";
+    text += fmt::format("{:>11}{:>10}", column(c.nsPerVertexStep, fixed(2, 1, "")),
+                        column(c.bytesPerVertex, fixed(1, 1, "")));
+  text += fmt::format("{:>11}  {}", column(c.bytes, memoryText), c.part.why);
+  return text + (c.part.what.empty() ? "" : " (" + c.part.what + ")") + "\n";
 }
 
 }  // namespace
@@ -74,12 +61,12 @@ std::string describe(const Prediction& f, const std::string& title) {
     text += f.triedWhole
                 ? "; the whole run was rehearsed"
                 : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
-  text += "\n\n  " + padded("part", 13) + right("time", 9) + right("share", 9);
-  if (f.vertices) text += right("ns/v·step", 11) + right("B/vertex", 10);
-  text += right("memory", 11) + "  asked for by\n";
+  text += fmt::format("\n\n  {:<12} {:>9}{:>9}", "part", "time", "share");
+  if (f.vertices) text += fmt::format("{:>11}{:>10}", "ns/v·step", "B/vertex");
+  text += fmt::format("{:>11}  asked for by\n", "memory");
   for (const PartCost& c : f.costs) text += line(f, c);
   text += "\n  absent, and free:\n";
-  for (const Part& part : f.absent) text += "  " + padded(part.name, 13) + "needs " + part.why + "\n";
+  for (const Part& part : f.absent) text += fmt::format("  {:<12} needs {}\n", part.name, part.why);
   for (const std::string& remark : f.remarks) text += "\n  " + remark + "\n";
   return text;
 }

@@ -126,7 +126,8 @@ void measureOwnStep(World& world, StepRates& rates) {
   else if (!shells) rates.shapeMatching = rest;
   else rates.springs = share * rest, rates.pressure = (1 - share) * rest;
   if (world.connections)
-    rates.connections = std::max(timing.ofStep([](World& w) { w.contacts.reset(); }) - whole, 0.0);
+    rates.connections = timing.of(
+        [](World&) {}, [](World& w) { addConnectionForces(*w.connections, w.cells.path, *w.bodies); });
 }
 
 /// What touching cells do to each other. Snapshots and pairs are told apart by counting.

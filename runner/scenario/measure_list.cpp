@@ -4,8 +4,6 @@ namespace morula {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 template <class Of>
 Json rowsAsJson() {
   Json rows = Json::array();

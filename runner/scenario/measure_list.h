@@ -14,10 +14,10 @@ std::string measuresAsJson();
 
 /// Adds each value under its measure's name; null where it was not measured.
 template <class Of>
-void addMeasures(nlohmann::ordered_json& json, const Measured<Of>& measured) {
+void addMeasures(Json& json, const Measured<Of>& measured) {
   const auto rows = sampledMeasures<Of>();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    nlohmann::ordered_json& value = json[rows[i].name];
+    Json& value = json[rows[i].name];
     const std::optional<double>& v = measured.values[i];
     if (!v) value = nullptr;
     else if (rows[i].isWhole) value = static_cast<std::int64_t>(*v);
