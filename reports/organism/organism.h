@@ -49,7 +49,7 @@ struct OrganismPicture {
   std::string caption;  // one line under the title, for example time and cells
   std::vector<LegendEntry> legend;
   int width = 900, height = 900;  // [pixel] 16 to 8192; width · height · samples² at most 50 million
-  int samples = 2;  // per pixel side, 1 to 4; higher: smoother edges, slower, more memory
+  int samples = 2;                // per pixel side, 1 to 4; higher: smoother edges, slower, more memory
 };
 
 enum class Style {
