@@ -18,8 +18,8 @@ struct EyeAxes {
 /// Throws InputError if the directions have no length or are parallel.
 EyeAxes eyeAxes(const Camera& camera);
 
-/// Half of the picture's width and height at distance 1 from the eye: the smaller one is fixed, the larger
-/// follows.
+/// Tangents of half the angles that the picture's width and height are seen under, from the eye: the smaller
+/// one is 0.19, the larger follows from the sides.
 struct Aperture {
   double x, y;
 };

@@ -36,20 +36,20 @@ struct Framing {
 struct Camera {
   Vector towardsEye{0.35, -1, 0.45};  // from the organism to the eye; any length but 0
   Vector up{0, 0, 1};                 // what is up in the picture; not parallel to towardsEye
-  std::optional<Framing> framing;     // absent: fits the shell, or without a shell the cells
+  std::optional<Framing> framing;     // absent: fitFraming's
 };
 
 struct OrganismPicture {
   std::vector<Face> faces;  // the mesh of all cells that have none of their own
   std::vector<CellShape> cells;
-  std::optional<Vector> shell;  // semi-axes [length] of an ellipsoid about the origin, drawn as a faint rim
+  std::optional<Vector> shell;  // semi-axes [length] > 0, about the origin; a faint rim, 2 % outside
   std::vector<LineMark> lines;
   Camera camera;
   std::string title;    // top left; all texts are UTF-8
   std::string caption;  // one line under the title, for example time and cells
   std::vector<LegendEntry> legend;
-  int width = 900, height = 900;  // [pixel] 16 to 8192
-  int samples = 2;  // supersampling: rays per pixel side, 1 to 4; higher: smoother edges, slower, more memory
+  int width = 900, height = 900;  // [pixel] 16 to 8192; width · height · samples² at most 50 million
+  int samples = 2;                // per pixel side, 1 to 4; higher: smoother edges, slower, more memory
 };
 
 enum class Style {
@@ -62,14 +62,15 @@ inline const std::vector<Face>& facesOf(const OrganismPicture& picture, const Ce
 }
 
 /// Draws the picture; equal input gives equal pixels. No cells (an empty organism) give the background, shell
-/// and texts. Throws InputError for sizes out of range, a cell whose vertex count does not fit the faces, and
-/// coordinates that are not finite.
+/// and texts. Throws InputError for sizes and opacities out of range, a cell whose vertex count does not fit
+/// its faces or colours, a camera without a direction, and coordinates that are not finite.
 Image drawOrganism(const OrganismPicture& picture, Style style = Style::solid);
 
 /// Solid and wireframe side by side, 2·width × height.
 Image drawSolidAndWireframe(const OrganismPicture& picture);
 
-/// The framing that `drawOrganism` would choose.
+/// The nearest framing in which the shell is whole, or without a shell all cells that are drawn (opacity > 0)
+/// and lines.
 Framing fitFraming(const OrganismPicture& picture);
 
 /// One framing in which all of these pictures are whole. Throws InputError for none.
@@ -79,10 +80,11 @@ Framing fitFraming(const std::vector<OrganismPicture>& sequence);
 /// sin(angle) / (product of the lengths of the two edges) [Max 1999].
 std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std::vector<Face>& faces);
 
-/// Adds a line along the normal of every vertex, as the thesis draws them. [length]
+/// Adds a line of this length along the normal of every vertex, as the thesis draws them.
 void addNormals(OrganismPicture& picture, double length, Colour colour = {0x33, 0x66, 0xcc});
 
-/// Adds a line along the force on every vertex of cell number `cell`. `lengthPerForce` in [length/force].
+/// Adds a line along the force on every vertex of cell number `cell`, counted from 0. `lengthPerForce` in
+/// [length/force]. Throws InputError if there is no such cell, or not one force for each of its vertices.
 void addForces(OrganismPicture& picture, std::size_t cell, const std::vector<Vector>& forces,
                double lengthPerForce, Colour colour = {0xcc, 0x22, 0x22});
 
