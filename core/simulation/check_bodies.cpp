@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "simulation/body_failure.h"
 #include "simulation/stages.h"
+#include "simulation/state_fields.h"
 
 namespace morula {
 
@@ -62,6 +63,23 @@ void checkBodies(const World& world) {
             "physics.pressure.outside beside the mesh's volume, and at what presses: physics.contact, "
             "connections");
   }
+}
+
+void checkNumbers(const World& world, std::size_t cell, const char* field, std::span<const double> values) {
+  if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) return;
+  throw NumericalError(world.cells.path[cell].text(), world.clock.step,
+                       "its " + std::string(field) + " is not finite",
+                       "speeds, masses or forces are beyond what numbers can hold: look at cells: velocity, "
+                       "physics.cell.mass and stiffnesses");
+}
+
+void checkNumbers(const World& world) {
+  for (std::size_t cell = 0; cell < world.cells.path.size(); ++cell)
+    visitBody(*world.bodies, world.bodies->slots[cell], [&](const Field& field, const auto& value) {
+      if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>)
+        checkNumbers(world, cell, field.name, {&value, 1});
+      else checkNumbers(world, cell, field.name, value);
+    });
 }
 
 }  // namespace morula

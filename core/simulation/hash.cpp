@@ -3,7 +3,9 @@
 
 #include <map>
 #include <string>
+#include <type_traits>
 
+#include "simulation/stages.h"
 #include "simulation/state_fields.h"
 
 namespace morula {
@@ -58,7 +60,11 @@ struct PartHasher {
       visitCell(cells, i, fieldsInto(h));
       if (world.bodies)
         visitBody(*world.bodies, world.bodies->slots[i], [&](const Field& field, const auto& value) {
-          if (field.use == Use::result) h.field(field.name).add(value);
+          if (field.use != Use::result) return;
+          if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>)
+            checkNumbers(world, i, field.name, {&value, 1});
+          else checkNumbers(world, i, field.name, value);
+          h.field(field.name).add(value);
         });
       parts.cells.push_back({cells.path[i], h.digest()});
     }

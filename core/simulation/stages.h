@@ -1,6 +1,7 @@
 #pragma once
 // The stages of a step that concern the whole world; step.cpp calls them in order.
 #include <cstdint>
+#include <span>
 
 #include "simulation/world.h"
 
@@ -35,6 +36,12 @@ void setStages(World& world, Isa isa);
 
 /// Throws NumericalError if a cell's volume is not a positive number below the largest sensible one.
 void checkBodies(const World& world);
+
+/// Throws NumericalError if one of these numbers of a cell's state is not finite. The step itself looks at volumes alone:
+/// what they do not show yet, the next step brings into them.
+void checkNumbers(const World& world, std::size_t cell, const char* field, std::span<const double> values);
+/// All numbers of all cells' bodies.
+void checkNumbers(const World& world);
 
 /// Throws NumericalError if a vertex has moved farther in this step than its contacts reach: cells could then
 /// pass through each other and never have touched. To be called with all snapshots, before the list follows.

@@ -74,6 +74,7 @@ void beginWithBodies(World& world) {
   if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
   evaluateForces(world);
   checkBodies(world);
+  checkNumbers(world);
   chooseTimeStep(world);
 }
 

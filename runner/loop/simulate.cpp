@@ -104,6 +104,7 @@ Simulation simulate(World world, Recorder recorder, Progress& progress, const Ru
       observe();
       if (hooks.keepEvery > 0 && run.world.clock.step % hooks.keepEvery == 0) hooks.keep(run.world, recorder);
     }
+    run.end = endOf(run.world, status, failure);  // hashes the state, which must be numbers
   } catch (const BodyFailure& error) {
     status = RunStatus::failed;
     failure = diagnose(run.world.model, run.world.execution, error);
@@ -115,7 +116,7 @@ Simulation simulate(World world, Recorder recorder, Progress& progress, const Ru
     failure = fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy);
   }
   progress.clear();
-  run.end = endOf(run.world, status, failure);
+  if (status == RunStatus::failed) run.end = endOf(run.world, status, failure);
   run.results = recorder.take(run.world, status == RunStatus::failed);
   return run;
 }
