@@ -117,6 +117,12 @@ Parameter presentation(Parameter p) {
   return p;
 }
 
+/// A choice, and what it is of.
+Parameter of(const char* what, Parameter choice) {
+  choice.meaning = what + ("; " + choice.meaning);
+  return choice;
+}
+
 /// One that joined the format later [Parameter::later].
 Parameter later(Parameter p) {
   p.later = true;
@@ -150,7 +156,7 @@ std::vector<Parameter> parameters() {
       optionalNatural("physics.substeps", {1, 10'000}, "1",
                       "Of a time step, with integrator xpbd only; more: more exact and slower",
                       PHYSICS(substeps)),
-      choice("physics.precision", PHYSICS(precision)),
+      of("Of the numbers that physics computes with", choice("physics.precision", PHYSICS(precision))),
       real("physics.drag", "1/time", notNegative, "The medium slows every vertex: acceleration −drag·v",
            PHYSICS(drag)),
 
