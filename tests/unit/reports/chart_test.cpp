@@ -51,3 +51,24 @@ TEST_CASE("A chart shows its lines, and draws nothing of nothing") {
   chart.lines.clear();
   CHECK(countPixels(drawChart(chart), red) == 0);
 }
+
+TEST_CASE("Labels of points lie beside their line and not on it, whichever way it goes") {
+  const Colour red{200, 0, 0};
+  for (const bool rising : {true, false}) {
+    CAPTURE(rising);
+    Chart chart;
+    chart.lines = {{"line", red, {{8, 10}, {32, 100}, {128, 1000}}}};
+    if (!rising) std::swap(chart.lines[0].points[0].y, chart.lines[0].points[2].y);
+    const Image without = drawChart(chart).pixels();
+    chart.lines[0].pointLabels = {"1/128", "1/256", "1/512"};
+    const Image with = drawChart(chart).pixels();
+    std::size_t labels = 0, covered = 0;
+    for (std::size_t i = 0; i < with.pixels.size(); ++i) {
+      if (with.pixels[i] == without.pixels[i]) continue;
+      ++labels;
+      covered += without.pixels[i].g < 100;  // of the line or a point
+    }
+    CHECK(labels > 200);
+    CHECK(covered == 0);
+  }
+}
