@@ -1,4 +1,6 @@
 // What is shown of texts, and which file names come of them.
+#include "files/text.h"
+
 #include "base/utf8.h"
 #include "catch.h"
 #include "files/printable.h"
@@ -37,4 +39,15 @@ TEST_CASE("a name made from data is a name, and no path") {
   const auto whole = safeName("1" + umlauts, "x");
   CHECK(whole.size() == 99);
   CHECK(printable(whole) == whole);
+}
+
+TEST_CASE("Words are joined, lines are parted, and a bar does not end a table's cell") {
+  CHECK(join({}) == "");
+  CHECK(join({"a"}, " or ") == "a");
+  CHECK(join({"a", "b", "c"}) == "a, b, c");
+  CHECK(join({"a", "b", "c"}, " or ") == "a, b or c");
+  CHECK(linesOf("a\n\nb") == std::vector<std::string>{"a", "", "b"});
+  CHECK(linesOf("").empty());
+  CHECK(firstLine("a\nb") == "a");
+  CHECK(markdownCell("|a||b") == "\\|a\\|\\|b");
 }
