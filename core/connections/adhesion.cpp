@@ -1,17 +1,12 @@
 // [Nilsson 2008, eq. 4.9] f_c = k_c v̂.
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "connections/connections.h"
 
 namespace morula {
 
 namespace {
-
-/// Spreads a force over all vertices of a cell.
-void addToVertices(Bodies& bodies, int slot, const Vector& force) {
-  for (int v = 0; v < bodies.vertexCount(slot); ++v)
-    bodies.write(bodies.acceleration, slot, v, bodies.read(bodies.acceleration, slot, v) + force);
-}
 
 /// [1] Of the egg's mass or of its volume at rest, whichever is the smaller share, and no more than all of
 /// it.
@@ -20,31 +15,51 @@ double shareOfEgg(const Bodies& b, int slot) {
   return std::min({1.0, b.mass(slot) / b.parameters.cell.mass, scale * scale * scale});
 }
 
+/// Which cells are connected, and the connections of each, in the order of the active ones.
+void findEnds(ConnectionScratch& scratch, const Connections& c, const std::vector<CellPath>& paths) {
+  const auto cellOf = [&](const CellPath& path) {
+    return static_cast<int>(std::lower_bound(paths.begin(), paths.end(), path) - paths.begin());
+  };
+  scratch.ends.clear();
+  for (std::size_t i : c.active) scratch.ends.push_back({cellOf(c.history[i].a), cellOf(c.history[i].b)});
+  scratch.first.assign(paths.size() + 1, 0);
+  for (const auto& [a, b] : scratch.ends) ++scratch.first[a + 1], ++scratch.first[b + 1];
+  for (std::size_t cell = 0; cell < paths.size(); ++cell) scratch.first[cell + 1] += scratch.first[cell];
+  scratch.ofCell.resize(2 * scratch.ends.size());
+  scratch.next.assign(scratch.first.begin(), scratch.first.end() - 1);
+  for (std::size_t i = 0; i < scratch.ends.size(); ++i)
+    for (const int cell : scratch.ends[i]) scratch.ofCell[scratch.next[cell]++] = static_cast<int>(i);
+}
+
 }  // namespace
 
-void addConnectionForces(Connections& c, const std::vector<CellPath>& paths, Bodies& bodies) {
-  const auto cellOf = [&](const CellPath& path) {
-    return std::lower_bound(paths.begin(), paths.end(), path) - paths.begin();
+void addConnectionForces(Connections& c, const std::vector<CellPath>& paths, Bodies& bodies, int threads) {
+  ConnectionScratch& scratch = c.scratch;
+  findEnds(scratch, c, paths);
+  const int cells = static_cast<int>(paths.size());
+  const auto countOf = [&](int cell) { return scratch.first[cell + 1] - scratch.first[cell]; };
+  const auto part = [&](int cell) {
+    return sharedStrength * shareOfEgg(bodies, bodies.slots[cell]) / countOf(cell);
   };
-  const bool shared = !c.parameters.strength;
-  if (shared) {
-    c.count.assign(paths.size(), 0);
-    for (std::size_t i : c.active) ++c.count[cellOf(c.history[i].a)], ++c.count[cellOf(c.history[i].b)];
-  }
-  const auto part = [&](std::ptrdiff_t cell) {
-    return sharedStrength * shareOfEgg(bodies, bodies.slots[cell]) / c.count[cell];
-  };
-  for (std::size_t i : c.active) {
-    const auto first = cellOf(c.history[i].a), second = cellOf(c.history[i].b);
-    const int a = bodies.slots[first], b = bodies.slots[second];
-    const Vector between = measureCentre(bodies, b) - measureCentre(bodies, a);
-    const double distance = norm(between);
-    if (!(distance > 0)) continue;  // concentric: no direction, no force
-    const double pull = shared ? std::min(part(first), part(second)) : *c.parameters.strength;
-    const auto share = [&](int slot) { return (pull / (distance * bodies.vertexCount(slot))) * between; };
-    addToVertices(bodies, a, share(a));
-    addToVertices(bodies, b, -share(b));
-  }
+  scratch.centre.resize(paths.size());
+  parallelFor(cells, threads, [&](int cell) {
+    if (countOf(cell) > 0) scratch.centre[cell] = measureCentre(bodies, bodies.slots[cell]);
+  });
+  // Each cell gathers its own forces, one connection after the other, so that threads cannot matter.
+  parallelFor(cells, threads, [&](int cell) {
+    const int slot = bodies.slots[cell], vertices = bodies.vertexCount(slot);
+    for (int k = scratch.first[cell]; k < scratch.first[cell + 1]; ++k) {
+      const auto& [a, b] = scratch.ends[scratch.ofCell[k]];
+      const Vector between = scratch.centre[b] - scratch.centre[a];
+      const double distance = norm(between);
+      if (!(distance > 0)) continue;  // concentric: no direction, no force
+      const double pull = c.parameters.strength ? *c.parameters.strength : std::min(part(a), part(b));
+      const Vector share = (pull / (distance * vertices)) * between;
+      const Vector force = cell == a ? share : -share;
+      for (int v = 0; v < vertices; ++v)
+        bodies.write(bodies.acceleration, slot, v, bodies.read(bodies.acceleration, slot, v) + force);
+    }
+  });
 }
 
 }  // namespace morula

@@ -19,12 +19,20 @@ struct ConnectionRecord {
   const char* cause = "";          // one of releaseCauses
 };
 
+/// Of addConnectionForces; kept, so that a steady step allocates nothing.
+struct ConnectionScratch {
+  std::vector<std::array<int, 2>> ends;  // [active connection] the numbers of its cells
+  std::vector<int> first, next,
+      ofCell;                  // a cell's active connections: ofCell[first[cell]] to first[cell + 1]
+  std::vector<Vector> centre;  // [cell], of those with a connection
+};
+
 struct Connections {
   ConnectionParameters parameters;
   std::vector<ConnectionRecord> history;  // in the order in which they were made
   std::vector<std::size_t> active;        // places in history, by (a, b)
 
-  std::vector<int> count;  // scratch of addConnectionForces: [cell] its connections
+  ConnectionScratch scratch;
 };
 
 bool areConnected(const Connections& connections, const CellPath& a, const CellPath& b);
@@ -41,6 +49,7 @@ std::vector<CellPath> partners(const Connections& connections, const CellPath& c
 /// centre, spread evenly over its vertices. `paths` [cell], sorted. Adds to the bodies' forces; equal and
 /// opposite on a pair. Without a strength k_c is the smaller of what the two cells have for each of their
 /// connections.
-void addConnectionForces(Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies);
+void addConnectionForces(Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies,
+                         int threads = 1);
 
 }  // namespace morula

@@ -106,7 +106,7 @@ void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
   });
   if (isolated) return;
 
-  if (world.connections) addConnectionForces(*world.connections, world.cells.path, bodies);
+  if (world.connections) addConnectionForces(*world.connections, world.cells.path, bodies, threads);
   if (world.contacts) {
     checkReach(world);
     refreshLists(world);

@@ -55,6 +55,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
   try {
     beginWithBodies(world);
+    checkNumbers(world);
   } catch (const NumericalError& e) {
     throw InputError(e.quantity + "; " + e.remedy);  // nothing has run yet: the scene is at fault
   }
@@ -74,7 +75,6 @@ void beginWithBodies(World& world) {
   if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
   evaluateForces(world);
   checkBodies(world);
-  checkNumbers(world);
   chooseTimeStep(world);
 }
 

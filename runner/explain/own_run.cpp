@@ -34,7 +34,7 @@ bool OwnRun::addLink(Trail& trail) {
   const auto before = trail.links.empty() ? std::nullopt : std::optional(trail.links.back().hash);
   try {
     trail.links.push_back(nextLink(before, *world_));
-  } catch (const BugError&) { failure_ = "its state holds something that is not a number"; }
+  } catch (const NumericalError& error) { failure_ = error.what(); }
   return failure_.empty();
 }
 

@@ -9,7 +9,7 @@ set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 program=$1
 functions='takeSnapshot addPairForces buildNeighbourList refreshList addConnectionForces driftVelocityVerlet<(morula::ShellShape)1>
-  findTensions<true> addPressureForces<true> measureWorld measureCells measureContactAreas morula::grow('
+  findTensions<true> addPressureForces<true> measureContactAreas morula::grow('
 
 skip() {
   echo "skipped: $*"
