@@ -25,7 +25,10 @@ Trial run(double off) {
   for (int time = 0; time < 3; ++time) {
     Shapes shapes{double(time), {comparedCell({}, moved(scenes::cube(), {time > 0 ? off : 0, 0, 0}))}};
     shapes.cells[0].pressure = 2 + off;
-    shapes.contacts = {{CellPath::parse("A"), CellPath::parse("B"), 1 + off}};
+    ContactMeasures& contact = shapes.contacts.emplace_back();
+    contact.a = CellPath::parse("A");
+    contact.b = CellPath::parse("B");
+    contact["area"] = 1 + off;
     trial.shapes.push_back(shapes);
   }
   return trial;
