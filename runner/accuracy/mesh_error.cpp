@@ -119,7 +119,7 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
   }
   const RunDistance fine = toFinest.back();
   toFinest.emplace_back();  // the finest is nowhere from itself
-  RunDistance coarse;      // from the third level to the second
+  RunDistance coarse;       // from the third level to the second
   error.orderIsObserved = solved.size() > 2;
   if (error.orderIsObserved)
     coarse = compareRuns(*solved[solved.size() - 3].trial, *solved[solved.size() - 2].trial, eggRadius);
