@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "accuracy/convergence.h"
-#include "accuracy/divided_elsewhere.h"
 #include "accuracy/mesh_error.h"
 #include "accuracy/trial.h"
+#include "charts/chart.h"
+#include "system/json.h"
 
 namespace morula {
 
@@ -38,10 +39,8 @@ struct ErrorParts {
   double sum() const;
 };
 
-struct AccuracyRow {
-  Setting setting;
+struct AccuracyRow : Outcome {
   std::string series, engine = "morula";
-  std::string failure;  // "": it ran to the end
   // Up to `partedAt`, the largest of all times of comparison, against the reference on the scenario's mesh
   std::optional<double> error;  // the largest of the three in `errors`
   ErrorParts parts;
@@ -50,8 +49,6 @@ struct AccuracyRow {
   double birthTimes = 0;           // [cycle lengths] largest difference of births
   std::optional<double> partedAt;  // [time] first comparison at which other cells lived
   bool resolved = false;           // whether the reference is ten times as good at least
-  double cpuSeconds = 0;
-  std::uint64_t steps = 0, forceEvaluations = 0, vertexSteps = 0;
 };
 
 /// What all rows are held against: the scenario's own mesh in time steps that no longer matter.
@@ -124,5 +121,14 @@ std::vector<SpeedAtError> findSpeeds(const std::vector<AccuracyRow>& rows, const
 
 /// For people.
 std::string describe(const AccuracyReport& report);
+
+/// For other programs. `picture`: where it lies.
+Json toJson(const AccuracyReport& report, const std::string& picture);
+Json toJson(const Setting& setting);
+
+/// As a picture: error over CPU time, both on logarithmic scales, one line per series, each point labelled with
+/// its time step; what failed or is not resolved is not drawn. A run in which other cells live from some time
+/// on is a hollow point by itself, with that time.
+Drawing drawAccuracy(const AccuracyReport& report);
 
 }  // namespace morula

@@ -1,6 +1,4 @@
-#include "accuracy/accuracy_json.h"
-
-#include "accuracy/cheaper_model.h"
+#include "accuracy/accuracy.h"
 
 namespace morula {
 
@@ -70,7 +68,7 @@ Json toJson(const AccuracyReference& r) {
 }
 
 Json toJson(const MeshMeasures& m) {
-  return {{"position", m.position},
+  return {{"position", m.centroid},
           {"volume", m.volume},
           {"surface", m.surface},
           {"pressure", m.pressure},

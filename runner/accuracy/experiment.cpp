@@ -227,15 +227,12 @@ class Experiment {
 
   AccuracyRow judged(const Trial& t, const std::string& series, const std::string& engine) const {
     AccuracyRow row;
-    row.setting = t.setting;
+    static_cast<Outcome&>(row) = t;
     row.series = series, row.engine = engine;
-    row.failure = t.failure;
-    row.cpuSeconds = t.cpuSeconds;
-    row.steps = t.steps, row.forceEvaluations = t.forceEvaluations, row.vertexSteps = t.vertexSteps;
     if (row.failure.empty()) {
-      const Comparison c = compare(t, reference_, radius_);
-      row.partedAt = c.partedAt;
-      if (c.errors) row.errors = *c.errors, row.error = c.errors->largest();
+      const RunDistance d = compareRuns(t, reference_, radius_);
+      row.partedAt = d.partedAt;
+      row.errors = d.worst, row.error = d.error();
       row.birthTimes = compareBirths(t.born, reference_.born) / scenario_.scene.cycle.length;
       row.resolved = row.error && *row.error >= resolution * report_.reference.left.error;
       row.cut = findDividedElsewhere(t.divisions, reference_.divisions);
@@ -265,7 +262,7 @@ class Experiment {
       parts.mesh = study_.error.errorOf(*s.level);
     }
     if (s.precision == Precision::binary64) {
-      parts.time = largestError(t, *converged);
+      parts.time = compareRuns(t, *converged, radius_).error();
       parts.precision = report_.horizon->rounding / radius_;
       return parts;
     }
@@ -273,14 +270,9 @@ class Experiment {
     twin.precision = Precision::binary64;
     const Trial wide = lab_->trial(twin, 1);
     if (!wide.failure.empty()) return parts;
-    parts.time = largestError(wide, *converged);
-    parts.precision = largestError(t, wide);
+    parts.time = compareRuns(wide, *converged, radius_).error();
+    parts.precision = compareRuns(t, wide, radius_).error();
     return parts;
-  }
-
-  std::optional<double> largestError(const Trial& t, const Trial& converged) const {
-    const Comparison c = compare(t, converged, radius_);
-    return c.errors ? std::optional(c.errors->largest()) : std::nullopt;
   }
 
   void addRemarks() {

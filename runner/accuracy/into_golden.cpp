@@ -9,17 +9,10 @@ namespace morula {
 
 namespace {
 
+/// A golden states an error in two digits: it is measured, not a result.
 double twoDigits(double a) { return std::stod(fmt::format("{:.1e}", a)); }
 
-}  // namespace
-
-void refuseIntoGolden(const Scenario& scenario) {
-  const auto file = goldenPath(scenario.file);
-  refuseWithinCi(file);
-  if (readGoldenFile(file).data.scenarioHash != scenario.meaning.text())
-    throw InputError(file.string() + ": the scenario has changed since; accept its result first");
-}
-
+/// "" if it has one.
 std::string whyNoError(const AccuracyReport& report) {
   const AccuracyRow& own = report.own;
   if (!own.failure.empty()) return own.failure;
@@ -31,12 +24,13 @@ std::string whyNoError(const AccuracyReport& report) {
   return "";
 }
 
-GoldenError errorForGolden(const AccuracyReport& report) {
-  // A mesh's error over a shorter time is another statement: the line has one `until`.
-  const bool asLong = report.mesh.none || report.mesh.until >= report.times.back();
-  const auto mesh = asLong ? report.mesh.error() : std::nullopt;
-  return {twoDigits(*report.own.error), mesh ? std::optional(twoDigits(*mesh)) : std::nullopt,
-          report.times.back()};
+}  // namespace
+
+void refuseIntoGolden(const Scenario& scenario) {
+  const auto file = goldenPath(scenario.file);
+  refuseWithinCi(file);
+  if (readGoldenFile(file).data.scenarioHash != scenario.meaning.text())
+    throw InputError(file.string() + ": the scenario has changed since; accept its result first");
 }
 
 void writeIntoGolden(const Scenario& scenario, const AccuracyReport& report) {
@@ -44,7 +38,11 @@ void writeIntoGolden(const Scenario& scenario, const AccuracyReport& report) {
     throw InputError(scenario.file + ": it has no error to state: " + why);
   const auto file = goldenPath(scenario.file);
   Golden golden = readGoldenFile(file);
-  golden.error = errorForGolden(report);
+  // A mesh's error over a shorter time is another statement: the line has one `until`.
+  const bool asLong = report.mesh.none || report.mesh.until >= report.times.back();
+  const auto mesh = asLong ? report.mesh.error() : std::nullopt;
+  golden.error = {twoDigits(*report.own.error), mesh ? std::optional(twoDigits(*mesh)) : std::nullopt,
+                  report.times.back()};
   acceptGolden(file, golden, {golden.acceptedBy, golden.why});
 }
 

@@ -10,6 +10,10 @@ namespace morula {
 
 namespace {
 
+constexpr double MeshMeasures::*meshMeasures[] = {&MeshMeasures::centroid, &MeshMeasures::volume,
+                                                  &MeshMeasures::surface, &MeshMeasures::pressure,
+                                                  &MeshMeasures::contactArea};
+
 double largestPressure(const Shapes& shapes) {
   double largest = 0;
   for (const ComparedCell& cell : shapes.cells) largest = std::max(largest, std::abs(cell.pressure));
@@ -49,13 +53,15 @@ double over(double difference, double scale) { return difference == 0 ? 0 : diff
 
 }  // namespace
 
-double MeshMeasures::largest() const { return std::max({position, volume, surface}); }
+std::optional<double> RunDistance::error() const {
+  return until > 0 ? std::optional(worst.largest()) : std::nullopt;
+}
 
-MeshDistance compareMeshes(const Trial& coarse, const Trial& fine, double eggRadius) {
-  MeshDistance d;
+RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRadius) {
+  RunDistance d;
   double pressure = 0, pressureScale = 0, area = 0, areaScale = 0;
-  for (std::size_t i = 0; i < std::min(coarse.shapes.size(), fine.shapes.size()); ++i) {
-    const Shapes &a = coarse.shapes[i], &b = fine.shapes[i];
+  for (std::size_t i = 0; i < std::min(trial.shapes.size(), reference.shapes.size()); ++i) {
+    const Shapes &a = trial.shapes[i], &b = reference.shapes[i];
     if (!haveSameCells(a, b)) {
       d.partedAt = b.time;
       break;
@@ -66,7 +72,7 @@ MeshDistance compareMeshes(const Trial& coarse, const Trial& fine, double eggRad
       continue;
     }
     const double p = pressureDifference(a, b), s = areaDifference(a, b);
-    d.atEnd = {e.centroid, e.volume, e.surface, over(p, largestPressure(b)), over(s, largestArea(b))};
+    d.atEnd = {e, over(p, largestPressure(b)), over(s, largestArea(b))};
     pressure = std::max(pressure, p), pressureScale = std::max(pressureScale, largestPressure(b));
     area = std::max(area, s), areaScale = std::max(areaScale, largestArea(b));
     for (const auto m : meshMeasures) d.worst.*m = std::max(d.worst.*m, d.atEnd.*m);
@@ -99,9 +105,9 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
   MeshError error;
   error.own = own;
   error.until = INFINITY;
-  std::vector<MeshDistance> toFinest;
+  std::vector<RunDistance> toFinest;
   for (std::size_t i = 0; i + 1 < solved.size(); ++i) {
-    const MeshDistance d = compareMeshes(*solved[i].trial, *solved.back().trial, eggRadius);
+    const RunDistance d = compareRuns(*solved[i].trial, *solved.back().trial, eggRadius);
     error.until = std::min(error.until, d.until);
     if (d.partedAt && (!error.partedAt || *d.partedAt < *error.partedAt)) error.partedAt = d.partedAt;
     toFinest.push_back(d);
@@ -111,12 +117,12 @@ MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t
     error.unknown = "on other meshes other cells live from the first comparison on";
     return error;
   }
-  const MeshDistance fine = toFinest.back();
+  const RunDistance fine = toFinest.back();
   toFinest.emplace_back();  // the finest is nowhere from itself
-  MeshDistance coarse;      // from the third level to the second
+  RunDistance coarse;       // from the third level to the second
   error.orderIsObserved = solved.size() > 2;
   if (error.orderIsObserved)
-    coarse = compareMeshes(*solved[solved.size() - 3].trial, *solved[solved.size() - 2].trial, eggRadius);
+    coarse = compareRuns(*solved[solved.size() - 3].trial, *solved[solved.size() - 2].trial, eggRadius);
   const auto left = [&](double coarseToMiddle, double middleToFine) -> LeftError {
     if (error.orderIsObserved) return estimateByRichardson(coarseToMiddle, middleToFine, assumedMeshOrder);
     return {middleToFine / (std::exp2(assumedMeshOrder) - 1), assumedMeshOrder};

@@ -1,39 +1,33 @@
 #pragma once
-// What a mesh costs: the same scene on meshes of several fineness, all with converged time steps.
-#include <array>
+// How far two runs are apart, and what a mesh costs: the same scene on meshes of several fineness, all with
+// converged time steps.
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "accuracy/divided_elsewhere.h"
 #include "accuracy/trial.h"
 
 namespace morula {
 
-/// Between two meshes, each the largest over the cells or pairs of cells.
-struct MeshMeasures {
-  double position = 0;     // [radii of the egg] centroids of the enclosed volumes
-  double volume = 0;       // [1] over the finer one's volume
-  double surface = 0;      // [radii of the egg] root mean square distance; flat faces count
-  double pressure = 0;     // [1] over the finer one's largest
-  double contactArea = 0;  // [1] over the finer one's largest
-  /// Of what rows are compared by.
-  double largest() const;
+/// Between two runs, each the largest over the cells or pairs of cells. Flat faces count in the surfaces;
+/// `largest` is of what rows are compared by, without these two.
+struct MeshMeasures : StateError {
+  double pressure = 0;     // [1] over the reference's largest
+  double contactArea = 0;  // [1] over the reference's largest
 };
 
-inline constexpr std::array<double MeshMeasures::*, 5> meshMeasures{
-    &MeshMeasures::position, &MeshMeasures::volume, &MeshMeasures::surface, &MeshMeasures::pressure,
-    &MeshMeasures::contactArea};
-
-struct MeshDistance {
+struct RunDistance {
   MeshMeasures worst, atEnd;       // of all times after the start; at the last one compared
   double atStart = 0;              // [radii of the egg] surfaces at time 0: faces are flat, cells are not
   double until = 0;                // [time] of the last comparison; 0: there was none
   std::optional<double> partedAt;  // [time] first comparison at which other cells lived
+  /// Absent: there was no comparison.
+  std::optional<double> error() const;
 };
 
-MeshDistance compareMeshes(const Trial& coarse, const Trial& fine, double eggRadius);
+/// Up to where other cells live. The meshes may differ.
+RunDistance compareRuns(const Trial& trial, const Trial& reference, double eggRadius);
 
 /// The scene on one mesh, with converged time steps.
 struct SolvedMesh {

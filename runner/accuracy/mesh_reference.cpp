@@ -92,7 +92,7 @@ class Study {
   }
 
   double largestDistance(const Trial& a, const Trial& b) const {
-    return compareMeshes(a, b, lab_.eggRadius).worst.largest();
+    return compareRuns(a, b, lab_.eggRadius).worst.largest();
   }
 
   /// One level up, in steps that are halved until halving them changes little beside what the mesh does.

@@ -1,7 +1,6 @@
-#include "accuracy/picture.h"
-
 #include <fmt/format.h>
 
+#include "accuracy/accuracy.h"
 #include "base/number_text.h"
 #include "drawing/palette.h"
 

@@ -6,13 +6,6 @@
 
 namespace morula {
 
-/// Largest error up to where other cells live.
-struct Comparison {
-  std::optional<StateError> errors;
-  std::optional<double> partedAt;  // [time]
-};
-Comparison compare(const Trial& trial, const Trial& reference, double eggRadius);
-
 /// A setting that computes in doubles, whose error falls with its time step alone.
 Setting convergent(Setting setting, Integrator integrator);
 

@@ -1,10 +1,12 @@
 #pragma once
 // How far one world is from another that should be the same.
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/cell_path.h"
 #include "biology/lineage.h"
+#include "division/record.h"
 #include "mesh/mesh.h"
 #include "simulation/measures.h"
 
@@ -47,6 +49,21 @@ bool haveSameCells(const Shapes& a, const Shapes& b);
 
 /// Of two with the same cells.
 StateError compareShapes(const Shapes& shapes, const Shapes& reference, double eggRadius);
+
+/// Two runs whose cells divide at the same times, but across other planes: a round cell has no longest extent,
+/// and a small difference chooses one. What comes later then differs by a large share of a radius, whatever
+/// the time step.
+struct DividedElsewhere {
+  CellPath mother;
+  double time = 0;                    // [time] of the division in the reference
+  double angle = 0;                   // [degrees] between the two axes to daughter A, up to 180
+  std::optional<double> extentRatio;  // [1] of the reference's mother [DivisionRecord]
+};
+
+/// The first division whose axes are more than `least` degrees apart.
+std::optional<DividedElsewhere> findDividedElsewhere(std::span<const DivisionRecord> divisions,
+                                                     std::span<const DivisionRecord> reference,
+                                                     double least = 1);
 
 /// Largest difference of the times at which cells of both lineages were born. [time]
 double compareBirths(std::span<const LineageEntry> a, std::span<const LineageEntry> b);

@@ -73,7 +73,7 @@ std::string ownText(const AccuracyReport& report) {
 
 std::string measuresText(const MeshMeasures& m) {
   return fmt::format("position {:.2g}, volume {:.2g}, surface {:.2g}, pressure {:.2g}, contact area {:.2g}",
-                     m.position, m.volume, m.surface, m.pressure, m.contactArea);
+                     m.centroid, m.volume, m.surface, m.pressure, m.contactArea);
 }
 
 std::string meshText(const MeshError& mesh) {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
-#include "accuracy/accuracy_json.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "files/scratch_folder.h"
@@ -65,9 +65,7 @@ class Runner {
     const ScratchFolder folder(question_.folder);
     auto words = command;
     words.insert(words.begin(), question_.program);
-    for (const std::string& word : {std::string("--no-check"), std::string("--no-pictures"),
-                                    std::string("--quiet"), std::string("--out"), folder.path().string()})
-      words.push_back(word);
+    words.insert(words.end(), {"--no-check", "--no-pictures", "--quiet", "--out", folder.path().string()});
     const ChildEnd end = runChild(
         words, {.cpuSeconds = static_cast<int>(std::ceil(rest)), .silent = false, .errorsToo = true});
     spent_ += end.cpuSeconds;
@@ -90,10 +88,14 @@ std::string quoted(const std::string& word) {
   const bool plain = !word.empty() && word.find_first_not_of(
                                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                           "0123456789-_=./,:+@%") == std::string::npos;
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+  return plain ? word : "'" + std::regex_replace(word, std::regex("'"), "'\\''") + "'";
+}
+
+/// "morula run file --set path=value", words in quotes where a shell needs them.
+std::string commandText(const std::vector<std::string>& command) {
+  std::string text = "morula";
+  for (const std::string& word : command) text += " " + quoted(word);
+  return text;
 }
 
 /// The coarsest that leaves room for what time steps add, also of levels that did not take part.
@@ -112,12 +114,6 @@ Json toJson(const std::optional<EndedRun>& run) {
 }
 
 }  // namespace
-
-std::string commandText(const std::vector<std::string>& command) {
-  std::string text = "morula";
-  for (const std::string& word : command) text += " " + quoted(word);
-  return text;
-}
 
 TargetAnswer findTarget(const AccuracyReport& report, const TargetQuestion& question) {
   TargetAnswer answer;

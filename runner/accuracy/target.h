@@ -5,7 +5,6 @@
 
 #include "accuracy/accuracy.h"
 #include "scenario/scenario.h"
-#include "system/console.h"
 
 namespace morula {
 
@@ -37,9 +36,6 @@ struct TargetAnswer {
 };
 
 TargetAnswer findTarget(const AccuracyReport& report, const TargetQuestion& question);
-
-/// "morula run file --set path=value", words in quotes where a shell needs them.
-std::string commandText(const std::vector<std::string>& command);
 
 /// For people.
 std::string describe(const TargetAnswer& answer, const TargetQuestion& question,

@@ -21,8 +21,8 @@ struct Converged {
 
 double distance(const Trial& a, const Trial& b, double eggRadius) {
   if (!a.failure.empty() || !b.failure.empty()) return INFINITY;
-  const Comparison c = compare(a, b, eggRadius);
-  return c.partedAt || !c.errors ? INFINITY : c.errors->largest();
+  const RunDistance d = compareRuns(a, b, eggRadius);
+  return d.partedAt ? INFINITY : d.error().value_or(INFINITY);
 }
 
 Converged converge(const Laboratory& lab, Integrator integrator, int halvings) {
@@ -41,19 +41,6 @@ Converged converge(const Laboratory& lab, Integrator integrator, int halvings) {
 }
 
 }  // namespace
-
-Comparison compare(const Trial& trial, const Trial& reference, double eggRadius) {
-  Comparison c;
-  for (std::size_t i = 1; i < reference.shapes.size() && i < trial.shapes.size(); ++i) {
-    if (!haveSameCells(trial.shapes[i], reference.shapes[i])) {
-      c.partedAt = reference.shapes[i].time;
-      break;
-    }
-    const StateError now = compareShapes(trial.shapes[i], reference.shapes[i], eggRadius);
-    c.errors = c.errors ? larger(*c.errors, now) : now;
-  }
-  return c;
-}
 
 Setting convergent(Setting s, Integrator integrator) {
   s.integrator = integrator;

@@ -9,15 +9,19 @@
 
 namespace morula {
 
-struct Trial {
+/// How far it came, and at what cost.
+struct Outcome {
   Setting setting;
-  std::string failure;             // "": it ran to the end
-  std::vector<Shapes> shapes;      // at the times asked for, as far as it came
-  std::vector<LineageEntry> born;  // the whole lineage
-  std::vector<DivisionRecord> divisions;
+  std::string failure;  // "": it ran to the end
   // Cost of the steps alone
   double cpuSeconds = 0;  // median of the rounds
   std::uint64_t steps = 0, forceEvaluations = 0, vertexSteps = 0;
+};
+
+struct Trial : Outcome {
+  std::vector<Shapes> shapes;      // at the times asked for, as far as it came
+  std::vector<LineageEntry> born;  // the whole lineage
+  std::vector<DivisionRecord> divisions;
 };
 
 /// Runs it `rounds` times, which give the same, through the times [time], rising multiples of its time step.

@@ -8,13 +8,17 @@
 #include <vector>
 
 #include "base/precision.h"
+#include "bench/bullet_subject.h"
 #include "bench/machine_limits.h"
+#include "bench/work.h"
+#include "charts/chart.h"
 #include "contacts/contact_search.h"
 
 namespace morula {
 
 enum class Stage { step, internal, contact, rebuild, integrate };
-const char* name(Stage stage);
+inline constexpr const char* stageNames[] = {"step", "internal", "contact", "rebuild", "integrate"};
+constexpr const char* name(Stage stage) { return stageNames[static_cast<int>(stage)]; }
 
 struct BenchOptions {
   std::vector<int> cells;        // of packed scenes
@@ -33,13 +37,6 @@ struct BenchOptions {
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
-/// One of the settings that Bullet was timed with.
-struct BulletSettingRow {
-  double margin = 0;   // [share radii] of each surface
-  int iterations = 1;  // of its position solver
-  double nsPerVertexStep = 0;
-};
-
 struct BenchRow {
   std::string scene;   // packed, packed-friction, packed-single, free
   std::string engine;  // morula, bullet-b1, bullet-b2, scalar
@@ -53,6 +50,7 @@ struct BenchRow {
   std::string search;                       // of rows that search for neighbours
   double nsPerVertexStep = 0;               // median; by the wall's clock the shortest
   double spread = 0;                        // half the distance between quartiles, over the median
+  std::optional<Work> work;                 // per vertex and step, where a limit is known
   std::optional<double> shareOfLimit;       // the least time that the machine would need, over this one
   std::optional<double> shareOfPeak;        // the same for multiplications and additions alone
   std::optional<double> shareWithRoots;     // the same with roots and their quotients after those
@@ -91,6 +89,11 @@ BenchReport runBench(const BenchOptions& options);
 
 /// For people.
 std::string describe(const BenchReport& report);
+
+/// As a picture: time per vertex and step over the number of cells, both on logarithmic scales. One line per
+/// engine and instruction set, for whole steps of packed cells of 162 vertices; the thesis' own times, scaled
+/// so that 8 cells cost as much as ours.
+Drawing drawBench(const BenchReport& report);
 
 /// What the project has promised itself, read off a finished table: those whose rows are there.
 std::vector<BenchRatio> findRatios(const std::vector<BenchRow>& rows);

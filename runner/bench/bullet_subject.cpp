@@ -55,33 +55,28 @@ void BulletSubject::settle() {
   }
 }
 
-void BulletSubject::time(BulletTiming& timing) {
+void BulletSubject::time(BulletSettingRow& timing) {
   const auto which = std::find(std::begin(margins), std::end(margins), timing.margin) - std::begin(margins);
   const BulletResult result = ask(timing.margin, timing.iterations, settled_[static_cast<std::size_t>(which)],
                                   warmUpSteps + timedSteps);
   if (!areWhole(scene_, result.cells)) return;
   for (int i = warmUpSteps; i < warmUpSteps + timedSteps; ++i)
     timing.samples.push_back(result.stepSeconds[static_cast<std::size_t>(i)] / vertices());
+  timing.nsPerVertexStep = 1e9 * median(timing.samples);
 }
 
 void BulletSubject::round() {
   const bool first = settled_.empty();
   if (first) settle();
-  std::stable_sort(timings_.begin(), timings_.end(), [](const BulletTiming& a, const BulletTiming& b) {
-    if (a.samples.empty() || b.samples.empty()) return !a.samples.empty();
-    return median(a.samples) < median(b.samples);
-  });
+  std::ranges::stable_sort(timings_, {}, &BulletSettingRow::nsPerVertexStep);
   for (std::size_t i = 0; i < (first ? timings_.size() : std::min(fastest, timings_.size())); ++i)
     time(timings_[i]);
 }
 
-std::vector<BulletTiming> BulletSubject::timings() const {
-  std::vector<BulletTiming> list;
-  for (const BulletTiming& t : timings_)
-    if (!t.samples.empty()) list.push_back(t);
-  std::sort(list.begin(), list.end(), [](const BulletTiming& a, const BulletTiming& b) {
-    return median(a.samples) < median(b.samples);
-  });
+std::vector<BulletSettingRow> BulletSubject::timings() const {
+  std::vector<BulletSettingRow> list = timings_;
+  std::erase_if(list, [](const BulletSettingRow& t) { return t.samples.empty(); });
+  std::ranges::stable_sort(list, {}, &BulletSettingRow::nsPerVertexStep);
   return list;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // A packed scene in Bullet under measurement, with all settings that Bullet leaves to its users.
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -8,10 +9,11 @@
 namespace morula {
 
 /// One of Bullet's settings and what it took.
-struct BulletTiming {
-  double margin = 0;                 // [share radii] of each surface
-  int iterations = 1;                // of the position solver
-  std::vector<double> samples = {};  // [s] per vertex and step; none: the cells did not stay whole
+struct BulletSettingRow {
+  double margin = 0;                  // [share radii] of each surface
+  int iterations = 1;                 // of the position solver
+  double nsPerVertexStep = INFINITY;  // median; infinite: the cells did not stay whole
+  std::vector<double> samples = {};   // [s] per vertex and step
 };
 
 class BulletSubject {
@@ -27,19 +29,19 @@ class BulletSubject {
   void round();
 
   /// Of all settings whose cells stayed whole, by their medians, the fastest first.
-  std::vector<BulletTiming> timings() const;
+  std::vector<BulletSettingRow> timings() const;
 
  private:
   BulletResult ask(double margin, int iterations, const std::vector<Body>& start, int steps) const;
   void settle();
-  void time(BulletTiming& timing);
+  void time(BulletSettingRow& timing);
   double vertices() const;
 
   BulletScene scene_;
   double shareRadius_;
   Run run_;
   std::vector<std::vector<Body>> settled_;  // for each margin
-  std::vector<BulletTiming> timings_;
+  std::vector<BulletSettingRow> timings_;
 };
 
 }  // namespace morula

@@ -9,6 +9,10 @@
 
 namespace morula {
 
+MORULA_TABLES(PeakKernels, peak, tables, )
+
+const PeakKernels& peakKernels(Isa isa) { return tables[isa]; }
+
 namespace {
 
 // From well within a first level cache to beyond the last. [byte]

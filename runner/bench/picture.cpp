@@ -1,7 +1,6 @@
-#include "bench/picture.h"
-
 #include <map>
 
+#include "bench/bench.h"
 #include "drawing/palette.h"
 
 namespace morula {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "bench/stir.h"
+#include "base/random.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
 
@@ -30,6 +30,25 @@ double secondsPerCall(ClockKind clock, const Call& call) {
 
 }  // namespace
 
+void stir(World& world) {
+  Bodies& b = *world.bodies;
+  const double edge = b.mesh.meanRestLength * b.restScale[0];
+  const double wanted = stirredMove * edge / world.clock.timeStep;
+  double squares = 0;
+  for (int slot = 0; slot < b.count; ++slot) {
+    const Vector push =
+        wanted * randomDirection({0, world.cells.path[slot], static_cast<std::uint32_t>(world.clock.step),
+                                  Purpose::perturbation});
+    for (int v = 0; v < b.vertexCount(); ++v) {
+      const Vector now = b.read(b.velocity, slot, v) + push;
+      b.write(b.velocity, slot, v, now);
+      squares += dot(now, now);
+    }
+  }
+  const double scale = wanted / std::sqrt(squares / (double(b.count) * b.vertexCount()));
+  for (std::size_t i = 0; i < b.velocity.size(); ++i) b.velocity[i] = scale * b.velocity[i];
+}
+
 Subject::Subject(const PackedScene& packed, int mostThreads, const std::filesystem::path& folder,
                  const std::function<void(const std::string&)>& tell)
     : world_(makePackedWorld(packed, {.isa = bestIsa(), .threads = mostThreads}, folder, tell)) {
@@ -40,14 +59,18 @@ Subject::Subject(const PackedScene& packed, int mostThreads, const std::filesyst
     ordinary_.push_back(makeOrdinaryCell(world_.bodies->mesh, takeBody(*world_.bodies, slot)));
 }
 
+Contacts Subject::contactsWith(Isa isa, const SearchSettings& search) const {
+  const PhysicsParameters& p = world_.bodies->parameters;
+  return makeContacts(world_.contacts->parameters, isa, search, p.precision, p.cell.model);
+}
+
 void Subject::useIsa(Isa isa, int threads) {
   world_.execution.isa = isa;
   world_.execution.threads = threads;
   setStages(world_, isa);
   if (!world_.contacts) return;
   Contacts& c = *world_.contacts;
-  const PhysicsParameters& p = world_.bodies->parameters;
-  const Contacts other = makeContacts(c.parameters, isa, world_.execution.search, p.precision, p.cell.model);
+  const Contacts other = contactsWith(isa, world_.execution.search);
   c.kernels = other.kernels;
   c.takeSnapshot = other.takeSnapshot;
   c.addForces = other.addForces;
@@ -67,62 +90,54 @@ void Subject::restore(const State& s) {
   if (world_.contacts) world_.contacts->rows = s.rows, world_.contacts->farthest = s.farthest;
 }
 
-double Subject::timeInternal(Isa isa) {
+template <class Call>
+double Subject::timeBlocks(Isa isa, const Call& call) {
   useIsa(isa, 1);
   const State before = keep();
-  Bodies& b = *world_.bodies;
-  const TemplateView mesh = b.mesh.view();
   const double time = secondsPerCall(ClockKind::cpu, [&] {
-    for (int i = 0; i < b.blockCount(); ++i) {
-      const BlockView block = b.block(i, 0);
-      world_.stages.findTensions(mesh, block, b.kernelParameters);
-      world_.stages.accumulateRings(mesh, block, b.kernelParameters);
-      world_.stages.finishForces(mesh, block, b.kernelParameters);
-    }
+    for (int i = 0; i < world_.bodies->blockCount(); ++i) call(i);
   });
   restore(before);
   return time / vertices();
+}
+
+double Subject::timeInternal(Isa isa) {
+  Bodies& b = *world_.bodies;
+  const TemplateView mesh = b.mesh.view();
+  return timeBlocks(isa, [&](int i) {
+    const BlockView block = b.block(i, 0);
+    world_.stages.findTensions(mesh, block, b.kernelParameters);
+    world_.stages.accumulateRings(mesh, block, b.kernelParameters);
+    world_.stages.finishForces(mesh, block, b.kernelParameters);
+  });
 }
 
 double Subject::timeIntegration(Isa isa) {
-  useIsa(isa, 1);
-  const State before = keep();
   Bodies& b = *world_.bodies;
   const TemplateView mesh = b.mesh.view();
   // Kicks turn forces into accelerations: without new forces between them, only zero stays what it is.
+  const Reals kept = b.acceleration;
   b.acceleration.assign(b.acceleration.size(), 0);
   const double dt = world_.clock.timeStep;
-  const double time = secondsPerCall(ClockKind::cpu, [&] {
-    for (int i = 0; i < b.blockCount(); ++i) {
-      const BlockView block = b.block(i, 0);
-      world_.stages.drift(mesh, block, b.kernelParameters, dt);
-      kick(world_.stages, b, block, dt);
-    }
+  const double time = timeBlocks(isa, [&](int i) {
+    const BlockView block = b.block(i, 0);
+    world_.stages.drift(mesh, block, b.kernelParameters, dt);
+    kick(world_.stages, b, block, dt);
   });
-  restore(before);
-  return time / vertices();
+  b.acceleration = kept;
+  return time;
 }
 
 double Subject::timeContact(Isa isa) {
-  useIsa(isa, 1);
-  const State before = keep();
   Bodies& b = *world_.bodies;
   Contacts& c = *world_.contacts;
   // Snapshots from the scratch of whichever block was last: as much work as from the right one, and as hot.
-  const double snapshots = secondsPerCall(ClockKind::cpu, [&] {
-    for (int i = 0; i < b.blockCount(); ++i) takeSnapshot(c, b, b.block(i, 0), i);
-  });
-  restore(before);
-  const double forces = secondsPerCall(ClockKind::cpu, [&] {
-    for (int i = 0; i < b.blockCount(); ++i) addContactForces(c, b, i, world_.clock.timeStep);
-  });
-  restore(before);
-  return (snapshots + forces) / vertices();
+  return timeBlocks(isa, [&](int i) { takeSnapshot(c, b, b.block(i, 0), i); }) +
+         timeBlocks(isa, [&](int i) { addContactForces(c, b, i, world_.clock.timeStep); });
 }
 
 double Subject::timeRebuild(Isa isa, ContactSearch method, ClockKind clock, int threads) {
-  Contacts other = makeContacts(world_.contacts->parameters, isa, {.method = method},
-                                world_.bodies->parameters.precision, world_.bodies->parameters.cell.model);
+  Contacts other = contactsWith(isa, {.method = method});
   resetContacts(other, *world_.bodies);
   return secondsPerCall(clock,
                         [&] {
@@ -174,8 +189,7 @@ StepTimes Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
   // The state's own list of neighbours waits for its return.
   std::optional<Contacts> other;
   if (world_.contacts) {
-    other = makeContacts(world_.contacts->parameters, isa, world_.execution.search,
-                         world_.bodies->parameters.precision, world_.bodies->parameters.cell.model);
+    other = contactsWith(isa, world_.execution.search);
     resetContacts(*other, *world_.bodies);
     std::swap(other, world_.contacts);
   }

@@ -12,6 +12,11 @@
 
 namespace morula {
 
+/// [edges] Root mean square way of a vertex in one step. An organism that divides moves ten times as fast for
+/// a moment and slower for most of a cycle.
+constexpr double stirredMove = 6e-4;
+constexpr int stirEvery = 32;  // [steps]
+
 /// What a whole step took, from groups of steps in which no search for neighbours fell; from one group in
 /// which one fell, if there are no others.
 using StepTimes = std::vector<double>;
@@ -20,6 +25,11 @@ using StepTimes = std::vector<double>;
 struct StepCounters {
   std::uint64_t steps = 0, rebuilds = 0, pairs = 0;  // pairs: entries of the lists that were gone through
 };
+
+/// Keeps a packed world moving, so that it is timed as a living organism and not as a still life.
+/// Gives every cell a push of its own in a random direction, then scales all velocities so that vertices move
+/// by `stirredMove` per step. The same pushes for the same step, whoever asks.
+void stir(World& world);
 
 class Subject {
  public:
@@ -50,9 +60,14 @@ class Subject {
     AlignedVector<RowMemory> rows;
     AlignedVector<double> farthest;
   };
+  /// As the world's, but empty.
+  Contacts contactsWith(Isa isa, const SearchSettings& search) const;
   void useIsa(Isa isa, int threads);
   State keep() const;
   void restore(const State& state);
+  /// [s] per vertex of a call for every block, on a state that stays.
+  template <class Call>
+  double timeBlocks(Isa isa, const Call& call);
   /// Times groups of steps, with `each` after every step; `after` every group hears how many there were.
   template <class Each, class After>
   StepTimes timeSteps(ClockKind clock, int count, const Each& each, const After& after);

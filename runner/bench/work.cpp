@@ -8,10 +8,6 @@ namespace {
 
 constexpr double vectorBytes = 24, rowBytes = 64, indexBytes = 4;
 
-}  // namespace
-
-namespace {
-
 /// Operations per vertex.
 struct InternalWork {
   double springs = 0, rings = 0, pressure = 0;

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "accuracy/accuracy_json.h"
 #include "accuracy/into_golden.h"
-#include "accuracy/picture.h"
 #include "accuracy/target.h"
 #include "base/error.h"
 #include "base/number_text.h"

@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "bench/picture.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/picture_name.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accuracy/picture.h"
 #include "base/error.h"
 #include "catch.h"
 #include "drawing/palette.h"

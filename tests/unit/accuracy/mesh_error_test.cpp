@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "accuracy/accuracy.h"
-#include "accuracy/divided_elsewhere.h"
 #include "catch.h"
 #include "reader.h"
 #include "scenes.h"
@@ -41,19 +40,19 @@ TEST_CASE("Three meshes whose errors quarter tell them exactly; two assume it") 
   const MeshError all = estimateMeshError({{1, &one}, {2, &two}, {3, &three}}, 1, 1);
   CHECK(all.orderIsObserved);
   CHECK(all.order == Approx(2));
-  CHECK(all.find(1)->worst.position == Approx(0.16));
-  CHECK(all.find(2)->atEnd.position == Approx(0.04));
-  CHECK(all.find(3)->worst.position == Approx(0.01));
+  CHECK(all.find(1)->worst.centroid == Approx(0.16));
+  CHECK(all.find(2)->atEnd.centroid == Approx(0.04));
+  CHECK(all.find(3)->worst.centroid == Approx(0.01));
   CHECK(all.find(1)->worst.volume == 0);
   CHECK(all.find(1)->worst.contactArea == Approx(0.16).epsilon(0.02));
-  CHECK(*all.error() >= all.find(1)->worst.position * (1 - 1e-12));
+  CHECK(*all.error() >= all.find(1)->worst.centroid * (1 - 1e-12));
   CHECK(*all.errorOf(4) == Approx(*all.errorOf(3) / 4));
   CHECK(all.until == 2);
   CHECK(all.unknown.empty());
 
   const MeshError pair = estimateMeshError({{1, &one}, {2, &two}}, 2, 1);
   CHECK_FALSE(pair.orderIsObserved);
-  CHECK(pair.find(2)->worst.position == Approx(0.04));
+  CHECK(pair.find(2)->worst.centroid == Approx(0.04));
   CHECK_FALSE(pair.errorOf(0));
 }
 
@@ -61,7 +60,7 @@ TEST_CASE("Meshes that do not come closer have no order, and at least the larges
   const Trial one = run(0.1), two = run(0.2), three = run(0);
   const MeshError error = estimateMeshError({{1, &one}, {2, &two}, {3, &three}}, 2, 1);
   CHECK(error.order == 0);
-  CHECK(error.find(2)->worst.position >= 0.2 * (1 - 1e-15));  // rounding of 0.3 − 0.1
+  CHECK(error.find(2)->worst.centroid >= 0.2 * (1 - 1e-15));  // rounding of 0.3 − 0.1
   CHECK_FALSE(error.errorOf(4));
 }
 

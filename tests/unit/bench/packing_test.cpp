@@ -8,7 +8,7 @@
 
 #include "bench/body_file.h"
 #include "bench/packed_world.h"
-#include "bench/stir.h"
+#include "bench/subject.h"
 #include "catch.h"
 #include "simulation/measures.h"
 

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "bench/bench.h"
-#include "bench/picture.h"
 #include "bench/work.h"
 #include "catch.h"
 #include "drawing/palette.h"
