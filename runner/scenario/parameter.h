@@ -39,18 +39,18 @@ enum class Decides {
 };
 
 struct Parameter {
-  std::string path;     // "physics.membrane.stiffness"
-  std::string unit;     // "force/length"; empty: a pure number or no number
-  std::string allowed;  // for people: "a number > 0", "longest or random"
-  std::string meaning;  // one line
+  std::string path{};     // "physics.membrane.stiffness"
+  std::string unit{};     // "force/length"; empty: a pure number or no number
+  std::string allowed{};  // for people: "a number > 0", "longest or random"
+  std::string meaning{};  // one line
   bool required = false;
   Decides decides = Decides::results;
-  Json schema;         // JSON Schema of the value
-  std::string absent;  // for people: what holds if an optional value is not given
-  std::string needs;   // the key of a neighbour that it refines and makes no sense without
+  Json schema{};         // JSON Schema of the value
+  std::string absent{};  // for people: what holds if an optional value is not given
+  std::string needs{};   // the key of a neighbour that it refines and makes no sense without
   bool later = false;  // joined when there were goldens: at its default it is no part of the meaning
-  std::function<void(Scenario&, const Node&, Reading&)> read;
-  std::function<Json(const Scenario&)> write;  // null: not given
+  std::function<void(Scenario&, const Node&, Reading&)> read{};
+  std::function<Json(const Scenario&)> write{};  // null: not given
 
   std::string key() const { return path.substr(path.rfind('.') + 1); }
   std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
