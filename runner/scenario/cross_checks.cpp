@@ -1,5 +1,4 @@
-#include "scenario/cross_checks.h"
-
+// What the table cannot say: values that do not fit each other, the DNA or the start cells.
 #include <algorithm>
 
 #include "base/did_you_mean.h"

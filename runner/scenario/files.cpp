@@ -1,4 +1,4 @@
-#include "scenario/files.h"
+#include "scenario/parameter.h"
 
 #include "base/error.h"
 #include "biology/substances.h"

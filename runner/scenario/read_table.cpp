@@ -1,4 +1,4 @@
-#include "scenario/read_table.h"
+#include "scenario/parameter.h"
 
 #include <algorithm>
 
