@@ -49,7 +49,7 @@ struct Parameter {
   Json schema{};         // JSON Schema of the value
   std::string absent{};  // for people: what holds if an optional value is not given
   std::string needs{};   // the key of a neighbour that it refines and makes no sense without
-  bool later = false;  // joined when there were goldens: at its default it is no part of the meaning
+  bool later = false;    // joined when there were goldens: at its default it is no part of the meaning
   std::function<void(Scenario&, const Node&, Reading&)> read{};
   std::function<Json(const Scenario&)> write{};  // null: not given
 
