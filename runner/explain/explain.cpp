@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "golden/chain_cells.h"
+#include "golden/difference.h"
 #include "loop/simulate.h"
 #include "simulation/world.h"
 

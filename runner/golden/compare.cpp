@@ -4,8 +4,6 @@
 #include <map>
 #include <set>
 
-#include "base/error.h"
-#include "golden/chain_cells.h"
 #include "golden/change.h"
 #include "golden/difference.h"
 #include "golden/number_text.h"
@@ -23,16 +21,7 @@ struct Pair {
 /// The pairs of one check, in the golden's order, then what only the run has.
 using Pairs = std::vector<Pair>;
 
-std::string checkOf(const GoldenItem& item) {
-  if (item.kind == "count") return "counts";
-  if (item.kind == "cell" || item.kind == "generation") return "lineage";
-  if (item.kind == "time_step") return "time_steps";
-  if (item.kind == "step_hash") return "step_hashes";
-  if (item.kind == "image") return "images";
-  if (item.kind == "cost") return "costs";
-  if (item.kind == "value") return "values";
-  return item.kind;  // bits
-}
+std::string checkOf(const GoldenItem& item) { return std::string(findForm(item.kind)->check); }
 
 /// What a value is of and what it is: "final/AB/" and "volume".
 std::pair<std::string, std::string> splitValue(const std::string& key) {
@@ -313,23 +302,18 @@ CheckReport unusableGolden(const std::string& scenario, const std::string& why) 
           {failedCheck("golden", "INPUT_CHANGED", "a golden file as it was accepted", "another", why)}};
 }
 
-CheckReport compareGoldenText(const std::string& text, const std::string& file, const GoldenData& observed) {
-  try {
-    return compareGolden(readGolden(text, file), observed);
-  } catch (const InputError& e) { return unusableGolden(observed.scenario, e.what()); }
-}
-
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed) {
   CheckReport report{golden.data.scenario, {}};
   std::map<std::string, Pairs> checks = pairUp(golden, observed);
   report.results.push_back(compareScenario(golden, observed));
-  for (const char* check : {"counts", "lineage", "time_steps", "bits"})
-    if (const auto found = checks.find(check); found != checks.end())
-      report.results.push_back(compareExactly(golden.file, check, found->second));
-  if (checks.contains("step_hashes")) report.results.push_back(compareChain(golden, checks["step_hashes"]));
-  if (checks.contains("images")) report.results.push_back(compareImages(golden.file, checks["images"]));
-  if (checks.contains("costs"))
-    report.results.push_back(compareExactly(golden.file, "costs", checks["costs"]));
+  for (const std::string check :
+       {"counts", "lineage", "time_steps", "bits", "step_hashes", "images", "costs"}) {
+    const auto found = checks.find(check);
+    if (found == checks.end()) continue;
+    report.results.push_back(check == "step_hashes" ? compareChain(golden, found->second)
+                             : check == "images"    ? compareImages(golden.file, found->second)
+                                                    : compareExactly(golden.file, check, found->second));
+  }
   if (checks.contains("values") || !golden.rules.empty())
     compareValues(golden, checks["values"], report.results);
   classify(report.results);

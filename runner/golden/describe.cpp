@@ -1,5 +1,6 @@
 // A report for people.
 #include "base/cell_path.h"
+#include "files/text.h"
 #include "golden/check_result.h"
 #include "golden/number_text.h"
 
@@ -41,11 +42,7 @@ std::string describe(const CheckReport& report) {
   text += report.change;
   for (const CheckResult& r : report.results) {
     text += (r.passed ? "  ok    " : "  FAIL  ") + oneLine(r) + '\n';
-    for (std::size_t begin = 0; begin < r.message.size();) {
-      const std::size_t end = std::min(r.message.find('\n', begin), r.message.size());
-      text += "        " + r.message.substr(begin, end - begin) + '\n';
-      begin = end + 1;
-    }
+    for (const std::string& line : linesOf(r.message)) text += "        " + line + '\n';
   }
   return text;
 }

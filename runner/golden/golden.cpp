@@ -108,10 +108,9 @@ void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
 
 /// Sizes rise, steps do not fall: of lines in another order `horizonOf` would make another horizon.
 GoldenGrowth readGrowth(const Lines& lines, std::string_view line, const std::vector<GoldenGrowth>& before) {
-  line.remove_prefix(std::string_view("growth ").size());
-  const std::size_t space = std::min(line.find(' '), line.size());
-  const auto size = readReal(line.substr(0, space));
-  const auto step = readNatural(line.substr(std::min(space + 1, line.size())));
+  takeWord(line);
+  const auto size = readReal(takeWord(line));
+  const auto step = readNatural(line);
   if (!size || !(*size > 0) || !step) lines.fail("`growth SIZE STEP` is expected");
   if (!(*size <= 1)) lines.fail("growth: the size " + exactText(*size) + " is above 1 radius of the egg");
   if (before.empty()) return {*size, *step};
@@ -131,12 +130,7 @@ GoldenGrowth readGrowth(const Lines& lines, std::string_view line, const std::ve
 /// "error time 2.8e-4 mesh 1.3e-2 until 6", "error time 2.8e-4 mesh unknown until 6"; and as goldens said it
 /// before meshes were compared: "error 2.8e-4 until 6".
 GoldenError readError(const Lines& lines, std::string_view line) {
-  const auto word = [&] {
-    const std::size_t space = std::min(line.find(' '), line.size());
-    const std::string_view first = line.substr(0, space);
-    line.remove_prefix(std::min(space + 1, line.size()));
-    return first;
-  };
+  const auto word = [&] { return takeWord(line); };
   const auto refuse = [&] { lines.fail("`error time SIZE mesh SIZE until TIME` is expected"); };
   word();
   std::string_view text = word();
@@ -163,10 +157,10 @@ GoldenError readError(const Lines& lines, std::string_view line) {
 }
 
 std::pair<std::string, std::string> readParameter(const Lines& lines, std::string_view line) {
-  line.remove_prefix(std::string_view("parameter ").size());
-  const std::size_t space = std::min(line.find(' '), line.size());
-  if (space == 0 || space + 1 >= line.size()) lines.fail("`parameter KEY VALUE` is expected");
-  return {std::string(line.substr(0, space)), std::string(line.substr(space + 1))};
+  takeWord(line);
+  const std::string_view key = takeWord(line);
+  if (key.empty() || line.empty()) lines.fail("`parameter KEY VALUE` is expected");
+  return {std::string(key), std::string(line)};
 }
 
 /// No growth later than the run's last step.
@@ -241,6 +235,11 @@ Golden readGolden(const std::string& text, const std::string& file) {
   golden.why = header(lines, "why");
 
   std::map<std::string, int> seen;  // "kind key" → its line
+  const auto expectNew = [&](const std::string& name) {
+    if (const auto [first, isNew] = seen.emplace(name, lines.number()); !isNew)
+      lines.fail(name + " stands twice, first in line " + std::to_string(first->second) +
+                 "; restore the file from git");
+  };
   while (lines.next(line)) {
     if (line.starts_with("end ")) {
       checkGrowth(lines, golden);
@@ -259,10 +258,7 @@ Golden readGolden(const std::string& text, const std::string& file) {
     }
     if (line.starts_with("parameter ")) {
       data.parameters.push_back(readParameter(lines, line));
-      const std::string& key = data.parameters.back().first;
-      if (const auto [first, isNew] = seen.emplace("parameter " + key, lines.number()); !isNew)
-        lines.fail("parameter " + key + " stands twice, first in line " + std::to_string(first->second) +
-                   "; restore the file from git");
+      expectNew("parameter " + data.parameters.back().first);
       continue;
     }
     if (line.starts_with("error ")) {
@@ -272,25 +268,18 @@ Golden readGolden(const std::string& text, const std::string& file) {
     }
     GoldenItem item = readItem(line, lines.place());
     item.line = lines.number();
-    const std::string name = item.kind + ' ' + item.key;
-    if (const auto [first, isNew] = seen.emplace(name, item.line); !isNew)
-      lines.fail(name + " stands twice, first in line " + std::to_string(first->second) +
-                 "; restore the file from git");
+    expectNew(item.kind + ' ' + item.key);
     data.items.push_back(std::move(item));
   }
   lines.fail("the file ends without its last line `end …`: it is truncated; restore it from git");
 }
 
-std::string readGoldenText(const std::filesystem::path& file) {
+Golden readGoldenFile(const std::filesystem::path& file) {
   if (!fileExists(file))
     throw InputError(file.string() +
                      ": there is no golden file; look at the result and, if it is right, accept it with "
                      "`morula review --accept --why \"…\"`");
-  return readFile(file);
-}
-
-Golden readGoldenFile(const std::filesystem::path& file) {
-  return readGolden(readGoldenText(file), file.string());
+  return readGolden(readFile(file), file.string());
 }
 
 }  // namespace morula

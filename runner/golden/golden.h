@@ -63,16 +63,12 @@ std::string writeGolden(const Golden& golden);
 Golden readGolden(const std::string& text, const std::string& file);
 /// The same from a file; InputError also if there is none, FileError if it cannot be read.
 Golden readGoldenFile(const std::filesystem::path& file);
-/// A golden file's bytes, with the same errors.
-std::string readGoldenText(const std::filesystem::path& file);
 
 /// Holds what was observed against the golden. One result per check: scenario, completeness, tolerances,
 /// counts, lineage, time_steps, bits, step_hashes, and values by tolerance rule.
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed);
-/// The same with a golden's text as it lies in a file. One that cannot be used (edited, cut off, with merge
-/// markers) is one failed check "golden" of class INPUT_CHANGED.
-CheckReport compareGoldenText(const std::string& text, const std::string& file, const GoldenData& observed);
-/// A golden that is nobody's, or unusable for the reason given.
+/// A golden that is nobody's, or unusable for the reason given (edited, cut off, with merge markers): one
+/// failed check "golden" of class INPUT_CHANGED.
 CheckReport unusableGolden(const std::string& scenario, const std::string& why);
 
 }  // namespace morula

@@ -14,14 +14,6 @@ namespace {
 
 using enum FieldType;
 
-/// Splits off the text before the next space; the rest keeps what follows the space.
-std::string_view takeWord(std::string_view& rest) {
-  const std::size_t space = rest.find(' ');
-  const std::string_view word = rest.substr(0, space);
-  rest = space == std::string_view::npos ? std::string_view() : rest.substr(space + 1);
-  return word;
-}
-
 bool isHash(std::string_view word) {
   return word.size() == 32 && word.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
@@ -57,24 +49,32 @@ void checkField(const FieldForm& form, std::string_view given, const std::string
 
 }  // namespace
 
+std::string_view takeWord(std::string_view& rest) {
+  const std::size_t space = rest.find(' ');
+  const std::string_view word = rest.substr(0, space);
+  rest = space == std::string_view::npos ? std::string_view() : rest.substr(space + 1);
+  return word;
+}
+
 const std::vector<ItemForm>& itemForms() {
   static const std::vector<ItemForm> forms{
-      {"count", "name", {{"count", natural}}},
+      {"count", "name", "counts", {{"count", natural}}},
       {"cell",
        "path",
+       "lineage",
        {{"born", real},
         {"born_step", natural},
         {"ended", real, true},
         {"ended_step", natural, true},
         {"fate", word},
         {"state", text}}},
-      {"generation", "number", {{"cells", natural}, {"hash", hash}}},
-      {"time_step", "step", {{"time", real}, {"time_step", real}}},
-      {"bits", "domain", {{"hash", hash}}},
-      {"step_hash", "step", {{"hash", hash}, {"cells", text}}},
-      {"image", "name", {{"renderer", word}, {"hash", hash}}},
-      {"cost", "name", {{"count", natural}}},
-      {"value", "name", {{"step", natural}, {"value", real}}},
+      {"generation", "number", "lineage", {{"cells", natural}, {"hash", hash}}},
+      {"time_step", "step", "time_steps", {{"time", real}, {"time_step", real}}},
+      {"bits", "domain", "bits", {{"hash", hash}}},
+      {"step_hash", "step", "step_hashes", {{"hash", hash}, {"cells", text}}},
+      {"image", "name", "images", {{"renderer", word}, {"hash", hash}}},
+      {"cost", "name", "costs", {{"count", natural}}},
+      {"value", "name", "values", {{"step", natural}, {"value", real}}},
   };
   return forms;
 }

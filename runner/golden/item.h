@@ -19,7 +19,8 @@ struct FieldForm {
 
 struct ItemForm {
   std::string_view kind;
-  std::string_view key;  // what the key is called in messages
+  std::string_view key;    // what the key is called in messages
+  std::string_view check;  // the check that compares it
   std::vector<FieldForm> fields;
 };
 
@@ -34,6 +35,9 @@ struct GoldenItem {
   std::vector<std::string> fields;  // canonical text: equal text is equal bits
   int line = 0;                     // in the file it was read from; 0: observed
 };
+
+/// Splits off the text before the next space; the rest keeps what follows the space.
+std::string_view takeWord(std::string_view& rest);
 
 std::string write(const GoldenItem& item);
 /// Reads one line. Throws InputError that begins with `place` ("file:line").

@@ -24,23 +24,6 @@ std::map<std::string, const GoldenItem*> byName(const GoldenData& data) {
   return items;
 }
 
-/// How far the value may lie from `expected`.
-double allowed(const ToleranceRule* rule, double expected) {
-  if (!rule) return 0;
-  const Tolerance& t = rule->tolerance;
-  switch (t.kind) {
-    case Tolerance::Kind::exact:
-      return 0;
-    case Tolerance::Kind::absolute:
-      return t.amount;
-    case Tolerance::Kind::relative:
-      return t.amount * std::max(std::abs(expected), t.scale);
-    case Tolerance::Kind::ulp:
-      return t.amount * (std::nextafter(std::abs(expected), INFINITY) - std::abs(expected));
-  }
-  return 0;
-}
-
 /// "3 lines removed:" and the first nine of them.
 std::string section(const std::string& heading, const std::vector<std::string>& lines) {
   constexpr std::size_t most = 9;
@@ -97,7 +80,10 @@ std::vector<std::string> loosenedTolerances(const Golden& before, const Golden& 
     if (item.kind != "value") continue;
     const double expected = readReal(item.fields[1]).value_or(0);
     const ToleranceRule *was = ruleFor(before.rules, item), *is = ruleFor(golden.rules, item);
-    if (allowed(is, expected) > allowed(was, expected))
+    const auto allowed = [&](const ToleranceRule* rule) {
+      return rule ? rule->tolerance.allowed(expected) : 0;
+    };
+    if (allowed(is) > allowed(was))
       ++count["`" + is->text() + "`, before " + (was ? "`" + was->text() + "`" : "exact")];
   }
   std::vector<std::string> lines;

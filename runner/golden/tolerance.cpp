@@ -50,26 +50,24 @@ double Tolerance::size() const {
   return kind == Kind::ulp ? amount * std::numeric_limits<double>::epsilon() : amount;
 }
 
+double Tolerance::allowed(double expected) const {
+  const double size = std::abs(expected);
+  if (kind == Kind::relative) return amount * std::max(size, scale);
+  if (kind == Kind::ulp) return amount * (std::nextafter(size, INFINITY) - size);
+  return kind == Kind::absolute ? amount : 0;
+}
+
 double Tolerance::share(double expected, double actual) const {
   constexpr double nothingAllowed = std::numeric_limits<double>::infinity();
   if (std::isnan(expected) || std::isnan(actual)) return nothingAllowed;
   if (std::bit_cast<std::uint64_t>(expected) == std::bit_cast<std::uint64_t>(actual)) return 0;
-  double used = 0, allowed = 0;
-  switch (kind) {
-    case Kind::exact:
-      return nothingAllowed;
-    case Kind::absolute:
-      used = std::abs(actual - expected), allowed = amount;
-      break;
-    case Kind::relative:
-      used = std::abs(actual - expected), allowed = amount * std::max(std::abs(expected), scale);
-      break;
-    case Kind::ulp:
-      used = static_cast<double>(ulpsBetween(expected, actual)), allowed = amount;
-      break;
-  }
+  if (kind == Kind::exact) return nothingAllowed;
+  const bool inUlps = kind == Kind::ulp;
+  const double used =
+      inUlps ? static_cast<double>(ulpsBetween(expected, actual)) : std::abs(actual - expected);
   if (used == 0) return 0;  // −0 and 0
-  return allowed > 0 && std::isfinite(used) ? used / allowed : nothingAllowed;
+  const double most = inUlps ? amount : allowed(expected);
+  return most > 0 && std::isfinite(used) ? used / most : nothingAllowed;
 }
 
 bool ToleranceRule::matches(std::string_view name, std::uint64_t step) const {

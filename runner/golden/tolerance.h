@@ -21,6 +21,8 @@ struct Tolerance {
 
   /// "exact", "abs 1e-9", "rel 1e-9 scale 1", "ulp 4".
   std::string text() const;
+  /// How far a value may lie from `expected`.
+  double allowed(double expected) const;
   /// As a relative difference: what a chaos horizon is about. An ulp counts as 2.2e-16.
   double size() const;
   /// The part of the tolerance that the difference uses: 0 equal bits, 1 at its edge, infinite when nothing

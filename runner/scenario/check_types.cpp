@@ -4,31 +4,21 @@
 namespace morula::scenario {
 
 Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field) {
-  Parameter p;
-  p.path = std::move(path);
-  p.allowed = "two numbers ≥ 0, the least and the most, as [0.9, 1.1]";
-  p.meaning = std::move(meaning);
-  p.absent = "not checked";
-  p.decides = Decides::presentation;
-  p.schema = {{"type", "array"}, {"items", numberSchema(notNegative)}, {"minItems", 2}, {"maxItems", 2}};
+  auto p = Parameter{
+      .path = std::move(path),
+      .allowed = "two numbers ≥ 0, the least and the most, as [0.9, 1.1]",
+      .meaning = std::move(meaning),
+      .decides = Decides::presentation,
+      .schema = {{"type", "array"}, {"items", numberSchema(notNegative)}, {"minItems", 2}, {"maxItems", 2}},
+      .absent = "not checked"};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    if (node.kind == Node::Kind::broken) return;
-    if (node.kind != Node::Kind::sequence || node.items.size() != 2) {
-      reading.problems.add(node.place, path,
-                           node.kind == Node::Kind::null ? "is empty"
-                           : node.kind == Node::Kind::sequence
-                               ? "has " + std::to_string(node.items.size()) + " entries"
-                               : "is " + describe(node),
-                           "needs " + allowed);
-      return;
-    }
-    const auto least = readReal(node.items[0], notNegative, path, allowed, reading.problems);
-    const auto most = readReal(node.items[1], notNegative, path, allowed, reading.problems);
-    if (!least || !most) return;
-    if (*least <= *most) field(s) = Bounds{*least, *most};
+    const auto bounds = readReals(node, 2, notNegative, path, allowed, reading.problems);
+    if (!bounds) return;
+    const double least = bounds->front(), most = bounds->back();
+    if (least <= most) field(s) = Bounds{least, most};
     else
       reading.problems.add(node.place, path, "the least is above the most",
-                           "write [" + exactText(*most) + ", " + exactText(*least) + "]");
+                           "write [" + exactText(most) + ", " + exactText(least) + "]");
   };
   p.write = [field](const Scenario& s) {
     const auto& bounds = field(const_cast<Scenario&>(s));
@@ -46,12 +36,7 @@ Parameter texts(std::string path, std::string meaning, Field<std::vector<std::st
   p.decides = Decides::presentation;
   p.schema = {{"type", "array"}, {"items", {{"type", "string"}, {"minLength", 1}}}, {"minItems", 1}};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    if (node.kind == Node::Kind::broken) return;
-    if (node.kind != Node::Kind::sequence || node.items.empty()) {
-      const bool empty = node.kind == Node::Kind::sequence || node.kind == Node::Kind::null;
-      reading.problems.add(node.place, path, empty ? "is empty" : "is " + describe(node), "needs " + allowed);
-      return;
-    }
+    if (!expectEntries(node, path, allowed, reading.problems)) return;
     for (const auto& item : node.items) {
       const auto value = readText(item, path, "a text", reading.problems);
       if (value && value->empty())

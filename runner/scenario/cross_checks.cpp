@@ -1,5 +1,4 @@
-#include "scenario/cross_checks.h"
-
+// What the table cannot say: values that do not fit each other, the DNA or the start cells.
 #include <algorithm>
 
 #include "base/did_you_mean.h"
@@ -36,30 +35,31 @@ void checkSubstances(const Dna& dna, Reading& reading) {
   }
 }
 
-/// The parameter's value, or else null.
-const Node* given(const Node& root, const std::string& path) {
+/// The parameter's value, or that of the innermost map that is given; `whole`: whether it is the parameter's.
+const Node& innermost(const Node& root, const std::string& path, bool& whole) {
   const Node* node = &root;
   for (std::size_t begin = 0; begin < path.size();) {
     const auto end = std::min(path.find('.', begin), path.size());
     const auto* member = node->find(path.substr(begin, end - begin));
-    if (!member) return nullptr;
-    node = &member->value;
-    begin = end + 1;
-  }
-  return node;
-}
-
-/// The place of a parameter's value, or of the innermost map that is given.
-Place placeOf(const Node& root, const std::string& path) {
-  const Node* node = &root;
-  for (std::size_t begin = 0; begin < path.size();) {
-    const auto end = std::min(path.find('.', begin), path.size());
-    const auto* member = node->find(path.substr(begin, end - begin));
+    whole = member != nullptr;
     if (!member) break;
     node = &member->value;
     begin = end + 1;
   }
-  return node->place;
+  return *node;
+}
+
+/// The parameter's value, or else null.
+const Node* given(const Node& root, const std::string& path) {
+  bool whole = true;
+  const Node& node = innermost(root, path, whole);
+  return whole ? &node : nullptr;
+}
+
+/// The place of a parameter's value, or of the innermost map that is given.
+Place placeOf(const Node& root, const std::string& path) {
+  bool whole = true;
+  return innermost(root, path, whole).place;
 }
 
 /// [1] How far out the egg's shape reaches, in its radii. An icosphere counts as the sphere that it stands
@@ -226,10 +226,6 @@ void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
   for (const Unfit& unfit : unfitForBullet(scenario, scenario.check.bullet->baseline))
     reading.problems.add(placeOf(root, "check.bullet"), "check.bullet", unfit.wrong, unfit.right);
 }
-
-}  // namespace
-
-namespace {
 
 /// More would be neither stored nor looked at in any reasonable time.
 void checkInterval(const std::string& path, std::optional<double> every, double most, const char* of,

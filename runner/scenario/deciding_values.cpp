@@ -1,6 +1,6 @@
 #include "scenario/deciding_values.h"
 
-#include "scenario/resolved.h"
+#include "scenario/parameter.h"
 #include "yaml/numbers.h"
 
 namespace morula {

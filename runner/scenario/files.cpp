@@ -1,10 +1,9 @@
-#include "scenario/files.h"
-
 #include "base/error.h"
 #include "biology/substances.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "mesh/measures.h"
+#include "scenario/parameter.h"
 
 namespace morula::scenario {
 

@@ -1,6 +1,7 @@
 #pragma once
 // One description per parameter feeds the loader, the schema for editors, the list for people and the
 // resolved form.
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -39,18 +40,18 @@ enum class Decides {
 };
 
 struct Parameter {
-  std::string path;     // "physics.membrane.stiffness"
-  std::string unit;     // "force/length"; empty: a pure number or no number
-  std::string allowed;  // for people: "a number > 0", "longest or random"
-  std::string meaning;  // one line
+  std::string path{};     // "physics.membrane.stiffness"
+  std::string unit{};     // "force/length"; empty: a pure number or no number
+  std::string allowed{};  // for people: "a number > 0", "longest or random"
+  std::string meaning{};  // one line
   bool required = false;
   Decides decides = Decides::results;
-  Json schema;         // JSON Schema of the value
-  std::string absent;  // for people: what holds if an optional value is not given
-  std::string needs;   // the key of a neighbour that it refines and makes no sense without
-  bool later = false;  // joined when there were goldens: at its default it is no part of the meaning
-  std::function<void(Scenario&, const Node&, Reading&)> read;
-  std::function<Json(const Scenario&)> write;  // null: not given
+  Json schema{};         // JSON Schema of the value
+  std::string absent{};  // for people: what holds if an optional value is not given
+  std::string needs{};   // the key of a neighbour that it refines and makes no sense without
+  bool later = false;    // joined when there were goldens: at its default it is no part of the meaning
+  std::function<void(Scenario&, const Node&, Reading&)> read{};
+  std::function<Json(const Scenario&)> write{};  // null: not given
 
   std::string key() const { return path.substr(path.rfind('.') + 1); }
   std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
@@ -91,5 +92,37 @@ const ParameterTable& parameterTable();
 
 /// A Scenario with all defaults, in which every section exists.
 Scenario allDefaults();
+
+// What is done by the table, in the order in which a file is read.
+
+/// Fills the scenario from the document. Everything the table does not allow becomes a problem.
+void readTable(const Node& root, Scenario& scenario, Reading& reading);
+
+/// Where named files are looked for.
+struct Places {
+  std::filesystem::path folder;          // "": nowhere, only what is stored
+  const std::vector<NamedFile>& stored;  // first, by role
+  bool allowOutside;                     // of the folder
+};
+
+/// Parses the DNA and builds the mesh, from the scenario itself or from files. What is wrong in them is
+/// reported with their own lines.
+void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places);
+
+/// Substances that the DNA does not know, an egg that does not fit its shell, pictures without bodies.
+void crossCheck(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// Every parameter of every part that exists, in the table's order. Itself a scenario: reading it gives the
+/// same again.
+Json resolve(const Scenario& scenario);
+
+/// Every parameter that decides results, as `hashMeaning` takes them.
+Json resolveMeaning(const Scenario& scenario);
+
+/// The hash of all that decides results, the mesh's vertices among it.
+Hash hashMeaning(const Scenario& scenario);
+
+/// JSON with two spaces per level and numbers as std::to_chars writes them, the same on every machine.
+std::string writeJson(const Json& value);
 
 }  // namespace morula::scenario

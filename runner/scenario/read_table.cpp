@@ -1,9 +1,8 @@
-#include "scenario/read_table.h"
-
 #include <algorithm>
 
 #include "base/did_you_mean.h"
 #include "files/text.h"
+#include "scenario/parameter.h"
 
 namespace morula::scenario {
 

@@ -1,5 +1,4 @@
-#include "scenario/resolved.h"
-
+#include "scenario/parameter.h"
 #include "yaml/numbers.h"
 
 namespace morula::scenario {

@@ -2,10 +2,7 @@
 
 #include "base/error.h"
 #include "files/read_file.h"
-#include "scenario/cross_checks.h"
-#include "scenario/files.h"
-#include "scenario/read_table.h"
-#include "scenario/resolved.h"
+#include "scenario/parameter.h"
 
 namespace morula {
 

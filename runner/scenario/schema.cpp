@@ -1,7 +1,7 @@
 #include "scenario/schema.h"
 
 #include "files/text.h"
-#include "scenario/resolved.h"
+#include "scenario/parameter.h"
 
 namespace morula {
 

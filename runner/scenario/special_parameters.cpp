@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/did_you_mean.h"
+#include "files/text.h"
 #include "scenario/value_types.h"
 
 namespace morula::scenario {
@@ -12,8 +13,6 @@ namespace {
 const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
                        const std::string& allowed, Problems& problems) {
   const Member* found = nullptr;
-  std::string known;
-  for (const std::string& key : keys) known += (known.empty() ? "" : ", ") + key;
   for (const auto& member : node.members) {
     const bool isKnown = std::ranges::find(keys, member.key) != keys.end();
     if (isKnown && !found) found = &member;
@@ -22,7 +21,7 @@ const Member* readOnly(const Node& node, const std::string& path, const std::vec
     else if (!member.key.empty()) {
       const std::string meant = closest(member.key, keys);
       problems.add(member.place, path + "." + member.key, "unknown key",
-                   meant.empty() ? "known here: " + known : "did you mean " + meant + "?");
+                   meant.empty() ? "known here: " + join(keys) : "did you mean " + meant + "?");
     }
   }
   if (node.members.empty()) problems.add(node.place, path, "is empty", "needs " + allowed);
@@ -74,10 +73,8 @@ Parameter dna() {
       if (node.style == '>')
         reading.problems.add(node.place, "dna", "'>' joins the lines", "write '|', which keeps them");
       else reading.dna.text = node;
-    } else if (node.kind != Node::Kind::broken) {
-      reading.problems.add(node.place, "dna",
-                           node.kind == Node::Kind::null ? "is empty" : "is " + describe(node),
-                           "needs " + allowed);
+    } else {
+      refuse(node, "dna", allowed, reading.problems);
     }
   };
   p.write = [](const Scenario& s) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/did_you_mean.h"
+#include "files/text.h"
 #include "scenario/value_types.h"
 
 namespace morula::scenario {
@@ -38,11 +39,9 @@ class CellReader {
   void checkKeys() {
     for (const auto& member : node_.members) {
       if (member.key.empty() || std::find(keys.begin(), keys.end(), member.key) != keys.end()) continue;
-      std::string known;
-      for (const auto& key : keys) known += (known.empty() ? "" : ", ") + key;
       const auto near = closest(member.key, keys);
       reading_.problems.add(member.place, path_ + "." + member.key, "unknown key",
-                            near.empty() ? "known here: " + known : "did you mean " + near + "?");
+                            near.empty() ? "known here: " + join(keys) : "did you mean " + near + "?");
     }
   }
 
@@ -63,10 +62,7 @@ class CellReader {
   std::vector<std::string> readSubstances(const Node& list) {
     const std::string path = path_ + ".substances", allowed = "a list of substances, as [a0, a1]";
     std::vector<std::string> names;
-    if (list.kind != Node::Kind::sequence && list.kind != Node::Kind::broken)
-      reading_.problems.add(list.place, path,
-                            list.kind == Node::Kind::null ? "is empty" : "is " + describe(list),
-                            "needs " + allowed);
+    if (list.kind != Node::Kind::sequence) refuse(list, path, allowed, reading_.problems);
     for (const auto& item : list.items) {
       const auto name = readText(item, path, "a substance's name", reading_.problems);
       if (!name) continue;
@@ -126,13 +122,7 @@ Parameter startCells() {
   p.needs = "physics";
   p.schema = {{"type", "array"}, {"items", cellSchema()}, {"minItems", 1}};
   p.read = [allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    if (node.kind == Node::Kind::broken) return;
-    if (node.kind != Node::Kind::sequence || node.items.empty()) {
-      const bool empty = node.kind == Node::Kind::sequence || node.kind == Node::Kind::null;
-      reading.problems.add(node.place, "cells", empty ? "is empty" : "is " + describe(node),
-                           "needs " + allowed);
-      return;
-    }
+    if (!expectEntries(node, "cells", allowed, reading.problems)) return;
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const Node& item = node.items[i];
       const std::string path = "cells[" + std::to_string(i) + "]";

@@ -9,13 +9,7 @@ namespace {
 template <class Read>
 void readPerSubstance(const Node& node, const std::string& path, const std::string& allowed, Reading& reading,
                       Read read) {
-  if (node.kind == Node::Kind::broken) return;
-  if (node.kind != Node::Kind::map) {
-    reading.problems.add(node.place, path,
-                         node.kind == Node::Kind::null ? "is empty" : "is " + describe(node),
-                         "needs " + allowed);
-    return;
-  }
+  if (node.kind != Node::Kind::map) return refuse(node, path, allowed, reading.problems);
   for (const auto& member : node.members) {
     if (member.key.empty()) continue;
     reading.substances.push_back({member.key, member.place, path});

@@ -19,60 +19,44 @@ bool isName(const std::string& text) {
 
 std::optional<std::string> readText(const Node& node, const std::string& path, const std::string& allowed,
                                     Problems& problems) {
-  if (node.kind == Node::Kind::broken) return {};
-  if (node.kind != Node::Kind::scalar) {
-    problems.add(node.place, path, node.kind == Node::Kind::null ? "is empty" : "is " + describe(node),
-                 "needs " + allowed);
-    return {};
-  }
-  return node.text;
+  if (node.kind == Node::Kind::scalar) return node.text;
+  refuse(node, path, allowed, problems);
+  return {};
 }
 
 Parameter text(std::string path, std::string meaning, Field<std::string> field) {
-  Parameter p;
-  p.path = std::move(path);
-  p.allowed = "a text";
-  p.meaning = std::move(meaning);
-  p.schema = {{"type", "string"}};
-  p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    if (auto value = readText(node, path, allowed, reading.problems)) field(s) = std::move(*value);
-  };
-  p.write = [field](const Scenario& s) { return Json(field(const_cast<Scenario&>(s))); };
-  return p;
+  return ofField({.path = std::move(path),
+                  .allowed = "a text",
+                  .meaning = std::move(meaning),
+                  .schema = {{"type", "string"}}},
+                 field, readText);
 }
 
 Parameter name(std::string path, std::string meaning, Field<std::string> field) {
-  auto p = text(std::move(path), std::move(meaning), field);
-  p.allowed = "a name made of letters, digits, '-' and '_', at most 100 of them";
-  p.schema["pattern"] = "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$";
-  p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    const auto value = readText(node, path, allowed, reading.problems);
-    if (!value) return;
-    if (!isName(*value))
-      reading.problems.add(node.place, path, describe(node) + " is not a name", "needs " + allowed);
-    else field(s) = *value;
-  };
-  return p;
+  return ofField({.path = std::move(path),
+                  .allowed = "a name made of letters, digits, '-' and '_', at most 100 of them",
+                  .meaning = std::move(meaning),
+                  .schema = {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$"}}},
+                 field, [](const Node& node, auto& path, auto& allowed, Problems& problems) {
+                   auto value = readText(node, path, allowed, problems);
+                   if (!value || isName(*value)) return value;
+                   problems.add(node.place, path, describe(node) + " is not a name", "needs " + allowed);
+                   return std::optional<std::string>();
+                 });
 }
 
 Parameter optionalFile(std::string path, std::string meaning, Field<std::optional<std::string>> field) {
-  Parameter p;
-  p.path = std::move(path);
-  p.allowed = "a file, relative to the scenario's folder";
-  p.meaning = std::move(meaning);
-  p.absent = "none";
-  p.schema = {{"type", "string"}, {"minLength", 1}};
-  p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    auto value = readText(node, path, allowed, reading.problems);
-    if (!value) return;
-    if (value->empty()) reading.problems.add(node.place, path, "is empty", "needs " + allowed);
-    else field(s) = std::move(*value);
-  };
-  p.write = [field](const Scenario& s) {
-    const auto& value = field(const_cast<Scenario&>(s));
-    return value ? Json(*value) : Json();
-  };
-  return p;
+  return ofField({.path = std::move(path),
+                  .allowed = "a file, relative to the scenario's folder",
+                  .meaning = std::move(meaning),
+                  .schema = {{"type", "string"}, {"minLength", 1}},
+                  .absent = "none"},
+                 field, [](const Node& node, auto& path, auto& allowed, Problems& problems) {
+                   auto value = readText(node, path, allowed, problems);
+                   if (!value || !value->empty()) return value;
+                   problems.add(node.place, path, "is empty", "needs " + allowed);
+                   return std::optional<std::string>();
+                 });
 }
 
 Parameter oneOf(std::string path, std::vector<std::string> names, std::string meaning,

@@ -19,11 +19,9 @@ std::string naturalAllowed(const NaturalRange& range) {
 /// Says what is wrong with a node that is no plain scalar where one is needed; true if it was one.
 bool expectPlain(const Node& node, const std::string& path, const std::string& allowed, Problems& problems) {
   if (node.isPlain()) return true;
-  if (node.kind == Node::Kind::broken) return false;
-  if (node.kind == Node::Kind::null) problems.add(node.place, path, "is empty", "needs " + allowed);
-  else if (node.kind == Node::Kind::scalar)
+  if (node.kind == Node::Kind::scalar)
     problems.add(node.place, path, describe(node) + " is in quotes", "needs " + allowed + ", without quotes");
-  else problems.add(node.place, path, "is " + describe(node), "needs " + allowed);
+  else refuse(node, path, allowed, problems);
   return false;
 }
 
@@ -40,6 +38,19 @@ std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& r
 }
 
 }  // namespace
+
+void refuse(const Node& node, const std::string& path, const std::string& allowed, Problems& problems) {
+  if (node.kind == Node::Kind::broken) return;
+  problems.add(node.place, path, node.kind == Node::Kind::null ? "is empty" : "is " + describe(node),
+               "needs " + allowed);
+}
+
+bool expectEntries(const Node& node, const std::string& path, const std::string& allowed,
+                   Problems& problems) {
+  if (node.kind != Node::Kind::sequence) refuse(node, path, allowed, problems);
+  else if (node.items.empty()) problems.add(node.place, path, "is empty", "needs " + allowed);
+  return !node.items.empty();
+}
 
 std::string numberAllowed(const Range& range, const std::string& unit) {
   const auto interval = range.text();
@@ -68,37 +79,34 @@ std::optional<double> readReal(const Node& node, const Range& range, const std::
   return {};
 }
 
-std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,
-                                 const std::string& allowed, Problems& problems) {
-  if (node.kind == Node::Kind::broken) return {};
-  if (node.kind != Node::Kind::sequence || node.items.size() != 3) {
-    const auto what = node.kind == Node::Kind::sequence
-                          ? "has " + std::to_string(node.items.size()) + " entries"
-                      : node.kind == Node::Kind::null ? "is empty"
-                                                      : "is " + describe(node);
-    problems.add(node.place, path, what, "needs " + allowed);
+std::optional<std::vector<double>> readReals(const Node& node, std::size_t count, const Range& range,
+                                             const std::string& path, const std::string& allowed,
+                                             Problems& problems) {
+  if (node.kind != Node::Kind::sequence) return refuse(node, path, allowed, problems), std::nullopt;
+  if (node.items.size() != count) {
+    problems.add(node.place, path, "has " + std::to_string(node.items.size()) + " entries",
+                 "needs " + allowed);
     return {};
   }
-  const auto x = readReal(node.items[0], range, path, allowed, problems);
-  const auto y = readReal(node.items[1], range, path, allowed, problems);
-  const auto z = readReal(node.items[2], range, path, allowed, problems);
-  if (x && y && z) return Vector{*x, *y, *z};
-  return {};
+  std::vector<double> values;
+  for (const Node& item : node.items)
+    if (const auto value = readReal(item, range, path, allowed, problems)) values.push_back(*value);
+  return values.size() == count ? std::optional(values) : std::nullopt;
+}
+
+std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,
+                                 const std::string& allowed, Problems& problems) {
+  const auto v = readReals(node, 3, range, path, allowed, problems);
+  return v ? std::optional(Vector{v->at(0), v->at(1), v->at(2)}) : std::nullopt;
 }
 
 Parameter real(std::string path, std::string unit, Range range, std::string meaning, Field<double> field) {
-  Parameter p;
-  p.path = std::move(path);
-  p.allowed = numberAllowed(range, unit);
-  p.unit = std::move(unit);
-  p.meaning = std::move(meaning);
-  p.schema = numberSchema(range);
-  p.read = [field, range, path = p.path, allowed = p.allowed](Scenario& s, const Node& node,
-                                                              Reading& reading) {
-    if (const auto value = readReal(node, range, path, allowed, reading.problems)) field(s) = *value;
-  };
-  p.write = [field](const Scenario& s) { return Json(field(const_cast<Scenario&>(s))); };
-  return p;
+  return ofField({.path = std::move(path),
+                  .unit = unit,
+                  .allowed = numberAllowed(range, unit),
+                  .meaning = std::move(meaning),
+                  .schema = numberSchema(range)},
+                 field, [range](const Node& node, auto&... at) { return readReal(node, range, at...); });
 }
 
 Parameter optionalReal(std::string path, std::string unit, Range range, std::string word, std::string absent,
@@ -121,33 +129,28 @@ Parameter optionalReal(std::string path, std::string unit, Range range, std::str
   return p;
 }
 
+namespace {
+
+template <class T>
+Parameter naturalOf(std::string path, NaturalRange range, std::string absent, std::string meaning,
+                    Field<T> field) {
+  return ofField({.path = std::move(path),
+                  .allowed = naturalAllowed(range),
+                  .meaning = std::move(meaning),
+                  .schema = {{"type", "integer"}, {"minimum", range.low}, {"maximum", range.high}},
+                  .absent = std::move(absent)},
+                 field, [range](const Node& node, auto&... at) { return readNatural(node, range, at...); });
+}
+
+}  // namespace
+
 Parameter natural(std::string path, NaturalRange range, std::string meaning, Field<std::uint64_t> field) {
-  Parameter p;
-  p.path = std::move(path);
-  p.allowed = naturalAllowed(range);
-  p.meaning = std::move(meaning);
-  p.schema = {{"type", "integer"}, {"minimum", range.low}, {"maximum", range.high}};
-  p.read = [field, range, path = p.path, allowed = p.allowed](Scenario& s, const Node& node,
-                                                              Reading& reading) {
-    if (const auto value = readNatural(node, range, path, allowed, reading.problems)) field(s) = *value;
-  };
-  p.write = [field](const Scenario& s) { return Json(field(const_cast<Scenario&>(s))); };
-  return p;
+  return naturalOf(std::move(path), range, "", std::move(meaning), field);
 }
 
 Parameter optionalNatural(std::string path, NaturalRange range, std::string absent, std::string meaning,
                           Field<std::optional<std::uint64_t>> field) {
-  auto p = natural(std::move(path), range, std::move(meaning), nullptr);
-  p.absent = std::move(absent);
-  p.read = [field, range, path = p.path, allowed = p.allowed](Scenario& s, const Node& node,
-                                                              Reading& reading) {
-    if (const auto value = readNatural(node, range, path, allowed, reading.problems)) field(s) = *value;
-  };
-  p.write = [field](const Scenario& s) {
-    const auto& value = field(const_cast<Scenario&>(s));
-    return value ? Json(*value) : Json();
-  };
-  return p;
+  return naturalOf(std::move(path), range, std::move(absent), std::move(meaning), field);
 }
 
 }  // namespace morula::scenario

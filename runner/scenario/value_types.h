@@ -12,6 +12,22 @@ using Field = T& (*)(Scenario&);
 /// The largest whole number that SQLite and most other programs hold.
 inline constexpr std::uint64_t largestNatural = 0x7FFFFFFFFFFFFFFF;
 
+/// A parameter of one field. `take(node, path, allowed, problems)` gives its value, or says what is wrong with
+/// the node and gives none.
+template <class T, class Take>
+Parameter ofField(Parameter p, Field<T> field, Take take) {
+  p.read = [field, take, path = p.path, allowed = p.allowed](Scenario& s, const Node& node,
+                                                             Reading& reading) {
+    if (auto value = take(node, path, allowed, reading.problems)) field(s) = std::move(*value);
+  };
+  p.write = [field](const Scenario& s) {
+    const T& value = field(const_cast<Scenario&>(s));
+    if constexpr (requires { value.has_value(); }) return orNull(value);
+    else return Json(value);
+  };
+  return p;
+}
+
 struct NaturalRange {
   std::uint64_t low = 0, high = largestNatural;
 };
@@ -67,10 +83,20 @@ Parameter saneEnd();
 Parameter becauseText();
 
 // For the kinds themselves.
+
+/// Says that the node is empty or of another kind than is allowed; nothing where it could not be read at all,
+/// which has been said.
+void refuse(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
+/// True for a list with an entry at least; says what is wrong with anything else.
+bool expectEntries(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
 std::string numberAllowed(const Range& range, const std::string& unit);
 Json numberSchema(const Range& range);
 std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
                                const std::string& allowed, Problems& problems);
+/// As many numbers as `count`.
+std::optional<std::vector<double>> readReals(const Node& node, std::size_t count, const Range& range,
+                                             const std::string& path, const std::string& allowed,
+                                             Problems& problems);
 std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,
                                  const std::string& allowed, Problems& problems);
 
