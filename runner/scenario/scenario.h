@@ -31,7 +31,7 @@ struct Bounds {
 };
 
 /// The same scene in Bullet, and how far apart the two may be at the end. Without any tolerance those hold
-/// that fit the scene (cli/bullet_check.h).
+/// that fit the scene (engines/bullet_check.h).
 struct BulletCheck {
   Baseline baseline = Baseline::b1;  // or b3; b2's springs rest at another length
   double margin = 0.01;  // [radii of the egg] of each surface in Bullet: what touches is two of them apart
@@ -60,7 +60,7 @@ struct CheckParameters {
   std::vector<std::string> fails;      // the run must stop, and all of these stand in the reason; or none
   bool sane = true;     // false: the scene is about an end that is not (core/simulation/sanity.h)
   std::string because;  // why it is not; "" if it is
-  std::optional<BulletCheck> bullet;   // held against Bullet
+  std::optional<BulletCheck> bullet;  // held against Bullet
 };
 
 /// A file that a scenario names.
@@ -87,9 +87,9 @@ struct Scenario {
   /// Where each value was written, for messages about them: "file:line:column" or "--set path", by path.
   std::map<std::string, std::string> places;
 
-  std::string file;   // as given by the user
+  std::string file;           // as given by the user
   bool allowOutside = false;  // files that it names may lie anywhere
-  std::string bytes;  // the file, byte by byte
+  std::string bytes;          // the file, byte by byte
   std::string
       resolved;  // canonical JSON of every parameter, defaults included; itself a scenario that can be read
   Hash meaning;  // of all that decides results: neither format, comments and key order nor colours count
