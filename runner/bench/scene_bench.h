@@ -15,14 +15,14 @@ struct MeasuredRow {
 
 class SceneBench {
  public:
-  /// `whole`: with everything beside it. Else only what this variant of a scene changes.
+  /// `whole`: with all that it is compared with. Otherwise only what this variant of a scene changes.
   SceneBench(const BenchOptions& options, const PackedScene& packed, std::string name, bool whole);
 
   void round();
   std::vector<MeasuredRow> rows() const;
 
  private:
-  /// One row in the making: its samples, in seconds per vertex and step.
+  /// One row while it is measured: its samples, [s] per vertex and step.
   struct Series {
     BenchRow row;
     std::vector<double> samples;

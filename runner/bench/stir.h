@@ -1,5 +1,5 @@
 #pragma once
-// Keeps a packed world moving, so that it is timed as a living organism and not as a still life.
+// Keeps a packed world moving, so that it is timed as a living organism, whose searches for neighbours fall due.
 #include "simulation/world.h"
 
 namespace morula {

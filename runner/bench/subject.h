@@ -53,7 +53,7 @@ class Subject {
   void useIsa(Isa isa, int threads);
   State keep() const;
   void restore(const State& state);
-  /// Times groups of steps, with `each` after every step; `after` every group hears how many there were.
+  /// Times groups of steps, with `each` after every step; `after` is called after every group, with how many there were.
   template <class Each, class After>
   StepTimes timeSteps(ClockKind clock, int count, const Each& each, const After& after);
 

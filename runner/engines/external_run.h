@@ -30,9 +30,9 @@ inline constexpr int usualCpuSeconds = 120;
 
 struct ExternalQuestion {
   Engine engine = Engine::b1;
-  double margin = 0.01;              // [radii of the egg] Bullet's
+  double margin = 0.01;                                // [radii of the egg] Bullet's
   Integrator integrator = Integrator::velocityVerlet;  // B1's, as in BulletScene
-  int cpuSeconds = usualCpuSeconds;  // of the process; then it is ended
+  int cpuSeconds = usualCpuSeconds;                    // of the process; then it is ended
 };
 
 struct ExternalRun {
@@ -54,7 +54,7 @@ struct ExternalRun {
 
 using OnStep = std::function<void(std::uint64_t)>;
 
-/// In this process: what was asked in JSON (messages.h). `onStep` hears the number of each step that is done.
+/// In this process: what was asked in JSON (messages.h). `onStep` is called with the number of each step that is done.
 ExternalRun runHere(const Json& question, const OnStep& onStep);
 
 }  // namespace morula

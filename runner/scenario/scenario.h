@@ -39,8 +39,8 @@ struct BulletCheck {
   std::optional<double> radius;     // [1] of each cell: the mean distance of its vertices from their centre
   std::optional<double> volume;     // [1] of each cell
   std::optional<double> distance;   // [1] of the centres of cells that touch, less Bullet's gap
-  std::optional<double>
-      aspect;  // [1] of each cell: its length over its thickness, of the ellipsoid with its moments
+  // [1] of each cell: its length over its thickness, of the ellipsoid with its moments
+  std::optional<double> aspect;
 
   bool hasTolerances() const { return positions || radius || volume || distance || aspect; }
 };
@@ -90,8 +90,8 @@ struct Scenario {
   std::string file;           // as given by the user
   bool allowOutside = false;  // files that it names may lie anywhere
   std::string bytes;          // the file, byte by byte
-  std::string
-      resolved;  // canonical JSON of every parameter, defaults included; itself a scenario that can be read
+  // Canonical JSON of every parameter, defaults included; itself a scenario that can be read
+  std::string resolved;
   Hash meaning;  // of all that decides results: neither format, comments and key order nor colours count
 };
 
