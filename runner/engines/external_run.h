@@ -25,7 +25,7 @@ Engine engineOf(Baseline baseline);
 /// Of an engine that is Bullet.
 Baseline baselineOf(Engine engine);
 
-/// More than any of the hard cases takes, by far: whoever has not answered then is stuck or hopeless.
+/// [s] Far more than any of the hard cases takes: an engine that has not answered by then is taken to have none.
 inline constexpr int usualCpuSeconds = 120;
 
 struct ExternalQuestion {

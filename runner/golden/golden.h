@@ -72,7 +72,7 @@ CheckReport compareGolden(const Golden& golden, const GoldenData& observed);
 /// The same with a golden's text as it lies in a file. One that cannot be used (edited, cut off, with merge
 /// markers) is one failed check "golden" of class INPUT_CHANGED.
 CheckReport compareGoldenText(const std::string& text, const std::string& file, const GoldenData& observed);
-/// A golden that is nobody's, or unusable for the reason given.
+/// The report of a golden that belongs to no scenario, or cannot be used for the reason given: one failed check.
 CheckReport unusableGolden(const std::string& scenario, const std::string& why);
 
 }  // namespace morula

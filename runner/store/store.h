@@ -54,7 +54,7 @@ class Store {
 
   /// Enters the run and returns its id. If the file has a finished run of that id, its row and results stay
   /// until `finish` has compared the two; unfinished or failed attempts are replaced now. A checkpoint of
-  /// theirs stays until there is a later one: the same run comes by the same states.
+  /// theirs stays until there is a later one: the same run goes through the same states.
   std::string begin(const RunRecord& record);
 
   /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples
