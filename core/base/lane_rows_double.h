@@ -6,6 +6,8 @@ namespace morula::MORULA_ISA {
 
 constexpr int rowColumns = 8, rowStride = 8;
 
+/// loadRows reads the rows of `width` indices as eight columns of lanes. packFloats and unpackFloats: two floats in
+/// the place of one double, as a row holds its normal.
 #if MORULA_WIDTH == 1
 
 MORULA_INLINE void loadRows(const double* rows, const std::int32_t* index, Lanes column[rowColumns]) {

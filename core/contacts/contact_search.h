@@ -1,6 +1,6 @@
 #pragma once
 // How pairs of vertices within reach are found. All ways find the same pairs, so none changes a bit of the
-// result; they are here to be compared (README.md beside this file).
+// result; they are here to be compared (tests/bench/search_bench.cpp prints what each costs).
 #include <string_view>
 
 #include "base/choice.h"

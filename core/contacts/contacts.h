@@ -43,7 +43,7 @@ void resetContacts(Contacts& contacts, const Bodies& bodies);
 
 /// To be called when cells have grown: influence radii follow the rest lengths, and the list is void.
 void setInfluenceRadii(Contacts& contacts, const Bodies& bodies);
-/// The same with given radii, [cell].
+/// The same with given radii, [cell] [length].
 void setInfluenceRadii(Contacts& contacts, const Bodies& bodies, std::span<const double> radii);
 
 /// Takes one block's snapshot, from the scratch that `advance` has just filled.

@@ -28,11 +28,11 @@ struct BlockSlices {
 };
 
 struct ContactConstants {
-  double stiffness, damping, friction;
-  double slipSpeed;       // [length/time] below which friction fades out linearly
-  double strongestGrip;   // [force·time/length] the most that friction is, per slip speed
-  double timeStep;        // the thesis' law depends on it [Nilsson 2008, eq. 4.8]
-  std::int32_t vertices;  // number of rows, and the number of the far row behind them
+  double stiffness, damping, friction;  // ContactParameters
+  double slipSpeed;                     // [length/time] below which friction fades out linearly
+  double strongestGrip;                 // [force·time/length] the most that friction is, per slip speed
+  double timeStep;                      // [time] the thesis' law depends on it [Nilsson 2008, eq. 4.8]
+  std::int32_t vertices;                // number of rows, and the number of the far row behind them
 };
 
 struct ContactKernels {

@@ -7,16 +7,16 @@
 namespace morula {
 
 /// Points in rows of a PointTable, and which of them are near: closer than the pair's reach, and not of the
-/// asking cell. The reach of a pair is (halfReach_i + halfReach_j) + skin.
+/// asking cell. The reach of a pair is (halfReach_i + halfReach_j) + skin. Lengths are the scene's.
 struct NearQuery {
   struct Row {
     std::int32_t first, last;
   };
   const double *x, *y, *z, *slot, *halfReach;  // readable for eight beyond the last row
-  const std::int32_t* vertex;
+  const std::int32_t* vertex;                  // [point] its vertex number
   const Row* row;
   int rows;
-  double px, py, pz, ownSlot, ownHalfReach, skin;
+  double px, py, pz, ownSlot, ownHalfReach, skin;  // the asking vertex
 };
 
 struct SearchKernels {

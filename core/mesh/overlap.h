@@ -21,7 +21,8 @@ struct Overlap {
 
 /// Cuts closed meshes by `columns` × `columns` vertical lines over the box that holds them all; exact along
 /// the lines, midpoint rule across them: the error falls a little faster than 1/columns. A place is in a mesh
-/// that winds around it (inverted parts are nowhere). A mesh that no line meets has volume and share 0. Cost: triangles × lines through each, plus sorting the crossings of each line.
+/// that winds around it (inverted parts are nowhere). A mesh that no line meets has volume and share 0.
+/// Cost: triangles × lines through each, plus sorting the crossings of each line.
 Overlap measureOverlap(std::span<const MeshView> meshes, int columns = 256);
 
 /// [length³] What two closed meshes have in common: the same with lines only where both boxes are. 0 at no

@@ -28,13 +28,13 @@ struct RingStep {
 struct TemplateView {
   int vertexCount, edgeCount;
   const std::int32_t* edges;      // [edge][2], first < second
-  const double* restLengths;      // [edge] of the template, at scale 1
+  const double* restLengths;      // [edge] [length] of the template, at scale 1
   const std::int32_t* ringStart;  // [vertex + 1] into ring
   const RingStep* ring;
   // Shape matching only, at scale 1
-  const double* restShape;    // [vertex][3] from the mean of the vertices
-  const double* restInverse;  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz
-  double restVolume;
+  const double* restShape;    // [vertex][3] [length] from the mean of the vertices
+  const double* restInverse;  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz [1/length²]
+  double restVolume;          // [length³]
 };
 
 /// Where a block's numbers lie. Lengths: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].
@@ -64,13 +64,13 @@ enum class ShellShape { none, sphere, ellipsoid, aroundSpheres };
 
 /// The constants of a scene, as the kernels need them.
 struct KernelParameters {
-  double stiffness, damping;  // springs
-  double outsidePressure;
-  double drag;
-  double semiAxes[3];                                // shell
+  double stiffness, damping;                         // springs: MembraneParameters
+  double outsidePressure;                            // [force/length²]
+  double drag;                                       // [1/time]
+  double semiAxes[3];                                // [length] shell
   int substeps;                                      // XPBD only: of a time step
-  double shapeStiffness, shapeLinear, shapeDamping;  // shape matching only
-  double radius;                                     // spheres only: at scale 1
+  double shapeStiffness, shapeLinear, shapeDamping;  // shape matching only: ShapeMatchingParameters
+  double radius;                                     // [length] spheres only: at scale 1
 };
 
 }  // namespace morula

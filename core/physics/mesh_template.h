@@ -17,14 +17,14 @@ struct RestShape {
 };
 
 struct MeshTemplate {
-  Mesh mesh;  // the egg as loaded, in its size: what rest lengths refer to
-  std::vector<std::int32_t> edges;
-  std::vector<double>
-      restLengths;  // [length] of the mesh as loaded [Nilsson 2008, §4.2.1]; one 0 behind the last
-  std::vector<std::int32_t> ringStart;
-  std::vector<RingStep> ring;
-  double meanRestLength = 0;  // [length]
-  RestShape rest;             // empty where no body is made by shape matching
+  Mesh mesh;                        // the egg as loaded, in its size: what rest lengths refer to
+  std::vector<std::int32_t> edges;  // [edge][2], first < second
+  // [edge] [length] of the mesh as loaded [Nilsson 2008, §4.2.1]; one 0 behind the last
+  std::vector<double> restLengths;
+  std::vector<std::int32_t> ringStart;  // [vertex + 1] into ring
+  std::vector<RingStep> ring;           // TemplateView
+  double meanRestLength = 0;            // [length]
+  RestShape rest;                       // empty where no body is made by shape matching
 
   int vertexCount() const { return static_cast<int>(mesh.vertices.size()); }
   int edgeCount() const { return static_cast<int>(edges.size() / 2); }

@@ -39,7 +39,7 @@ MORULA_INLINE void rotateJacobi(Diagonalisation& d) {
   }
 }
 
-/// `m` in any scale that its squares can be told in.
+/// `m` in any scale in which the squares of its numbers neither overflow nor vanish.
 MORULA_INLINE Matrix nearestRotation(const Matrix& m) {
   const Lanes a = m.z.y - m.y.z, b = m.x.z - m.z.x, c = m.y.x - m.x.y;
   const Lanes d = m.x.y + m.y.x, e = m.x.z + m.z.x, f = m.y.z + m.z.y, none = 0.0, one = 1.0;

@@ -2,9 +2,9 @@
 // Shape matching [Müller, Heidelberger, Teschner, Gross 2005; Nilsson 2008, §3.2.2]: each vertex is drawn to
 // its place in the shape at rest, laid over the cell as well as it can be.
 //
-//   q_i             vertex i of the shape at rest, from its centre; c the cell's centre, p_i = x_i − c
+//   q_i                         vertex i of the shape at rest, from its centre; c the cell's centre, p_i = x_i − c
 //   A = (Σ p qᵀ)(Σ q qᵀ)⁻¹      the linear map that takes the q closest to the p
-//   R                          the rotation nearest to Σ p qᵀ
+//   R                           the rotation nearest to Σ p qᵀ
 //   T = β A/∛det A + (1 − β) R  what the shape may become: with β its linear deformations too, at its volume
 //   a_i = −k (p_i − T q_i) − κ (v_i − v_c − ω × p_i)
 //

@@ -9,10 +9,11 @@ struct StabilityLimits {
   double pressure = 0;  // [time] breathing: the whole membrane against the enclosed fluid
 };
 
-/// Spring mode, 6 k_s/m_p with damping: k_s Δt² + 2s k_d Δt − 4 m_p/6 = 0, s = 2 for velocity Verlet and 1
-/// for the thesis' and symplectic Euler. Pressure mode: Δt = 2/ω with ω² = (k_p/V²) A²/m, A the area of the
-/// sphere that holds V. V from the last evaluation. Runge–Kutta: where its amplification reaches 1, for an
-/// undamped mode Δt = √8/ω.
+/// Spring mode, 6 k_s/m_p with damping, and pressure mode:
+///   k_s Δt² + 2s k_d Δt − 4 m_p/6 = 0       s = 2 for velocity Verlet, 1 for the thesis' and symplectic Euler
+///   Δt = 2/ω,  ω² = (k_p/V²) A²/m           V from the last evaluation, A the area of the sphere that holds it,
+///                                           m the cell's mass
+/// Runge–Kutta: where its amplification reaches 1, for an undamped mode Δt = √8/ω.
 ///
 /// Explicit Euler amplifies what nothing damps, at any step: its limit is γ/ω² (less where a mode is overdamped).
 /// Springs damp only along the edges, so a membrane under tension oscillates undamped across them unless there is
@@ -26,16 +27,16 @@ struct StabilityLimits {
 /// There is no pressure. Spheres have no inner modes: both are infinite.
 StabilityLimits measureLimits(const Bodies& bodies, int slot);
 
-/// Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the
-/// usual density of vertices, where the weights of a vertex sum up to 5, and both sides move. K Δt² + 2s C Δt
-/// − 4 m/10 = 0. `drag` [1/time] is explicit Euler's only damping along surfaces; without it the limit is 0.
-/// XPBD takes contact forces once per time step: s = 1, whatever its sub-steps.
-/// [time]
+/// [time] Of a penalty contact K, C between vertices of mass m: ω² = 10 K/m, for a freshly cut face has twice the
+/// usual density of vertices, where the weights of a vertex sum up to 5, and both sides move:
+///   K Δt² + 2s C Δt − 4 m/10 = 0
+/// `drag` [1/time] is explicit Euler's only damping along surfaces; without it the limit is 0. XPBD takes contact
+/// forces once per time step: s = 1, whatever its sub-steps.
 double contactLimit(Integrator integrator, double stiffness, double damping, double vertexMass,
                     double drag = 0);
 
-/// Of drag alone: the same without a spring, 2/(s·drag) but for Runge–Kutta. Infinite without drag, and with
-/// XPBD. [time]
+/// [time] Of drag alone: the same without a spring, 2/(s·drag) but for Runge–Kutta. Infinite without drag, and with
+/// XPBD.
 double dragLimit(Integrator integrator, double drag);
 
 }  // namespace morula

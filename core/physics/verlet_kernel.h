@@ -6,8 +6,10 @@
 // with damping forces taken at the prediction w = v½ + ½Δt a = v + Δt a, which is good to Δt² and keeps the
 // order.
 //
-// The thesis' Verlet, x' = 2x − x_prev + a Δt² [Nilsson 2008, eq. 4.6], written with its velocity v = (x −
-// x_prev)/Δt [eq. 4.7]: v' = v + Δt a, x' = x + Δt v'. Damping sees that lagged velocity: first order.
+// The thesis' Verlet, x' = 2x − x_prev + a Δt² [Nilsson 2008, eq. 4.6], written with its velocity
+// v = (x − x_prev)/Δt [eq. 4.7]:
+//   v' = v + Δt a,   x' = x + Δt v'
+// Damping sees that lagged velocity: first order.
 #include "physics/drift_kernel.h"
 
 namespace morula::MORULA_ISA {

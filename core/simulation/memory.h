@@ -12,7 +12,7 @@ namespace morula {
 struct MemoryUse {
   std::size_t cells = 0;      // paths, states, lineage: what a lineage-only world has
   std::size_t mesh = 0;       // the template that all cells share
-  std::size_t bodies = 0;     // places, velocities, accelerations, each cell's own numbers
+  std::size_t bodies = 0;     // positions, velocities, accelerations, each cell's own numbers
   std::size_t scratch = 0;    // of the physics, for each thread
   std::size_t snapshots = 0;  // contact: what each vertex shows
   std::size_t listRows = 0;   // contact: where each vertex's list stands

@@ -18,8 +18,8 @@ constexpr double mostInverted = 0.25;       // [1] share of a cell's surface who
 constexpr double mostOverlap = 0.2;         // [1] share of a cell's volume that one other cell has too
 constexpr double mostOutermost = 1 + 1e-6;  // [shell radii] vertices are projected onto it, up to rounding
 constexpr double mostFill = 1 + 1e-6;  // [1] of the shell, by all cells: beyond it they share what is there
-constexpr double mostGap =
-    1000;  // [radii of the largest cell] with cells on both sides: no picture shows both
+// [radii of the largest cell] of empty space with cells on both sides: no picture shows both
+constexpr double mostGap = 1000;
 
 }  // namespace sanity
 

@@ -25,8 +25,8 @@ namespace morula {
 
 struct OffscreenContext::Handle {
   OSMesaContext context = nullptr;
-  std::array<unsigned char, 4 * 16 * 16>
-      pixels{};  // OSMesa insists on a default framebuffer; nothing is drawn there
+  // OSMesa insists on a default framebuffer; nothing is drawn there
+  std::array<unsigned char, 4 * 16 * 16> pixels{};
 };
 
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
-// The seam between the drawing and the library that provides OpenGL without a display. OSMesa has left Mesa
-// with 25.1: whoever needs another provider (a surfaceless EGL context, say) changes gl_context.cpp and the
-// link line, nothing else.
+// All that depends on the library that provides OpenGL without a display. OSMesa has left Mesa with 25.1: whoever
+// needs another provider (a surfaceless EGL context, say) changes gl_context.cpp and the link line, nothing else.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -63,7 +63,7 @@ struct OrganismRenderer::Targets {
         resultBuffer({&result}, nullptr) {}
 };
 
-/// One picture on its way.
+/// One picture while it is drawn.
 struct OrganismRenderer::Frame {
   const OrganismPicture& picture;
   Style style;

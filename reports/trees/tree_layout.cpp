@@ -32,8 +32,8 @@ TreeLayout layoutTree(const std::vector<LineageNode>& nodes) {
   if (places.empty()) return layout;
   layout.begin = places.front().node->born;
   layout.end = places.front().node->ended;
-  std::vector<int>
-      line;  // the cells from a root down to the last one seen: a path's mother is always among them
+  // The cells from a root down to the last one seen: a path's mother is always among them
+  std::vector<int> line;
   for (int i = 0; i < int(places.size()); ++i) {
     const std::string& path = places[i].node->path;
     if (i > 0 && path == places[i - 1].node->path)

@@ -18,7 +18,7 @@ struct AccuracyOptions {
   std::vector<Integrator> integrators;  // to be compared
   std::vector<std::uint64_t> levels;    // further meshes; the scene's own always takes part
   bool otherPrecision = true, otherLaw = true, cheaperModels = true;
-  bool bullet = false;  // beside Bullet, where it can be asked
+  bool bullet = false;  // compare with Bullet, where it can compute the scene
   std::string program;  // that is asked: this one's own file
   int halvings = 4;     // of the longest time step
   int samples = 16;     // times of comparison, at most
@@ -51,7 +51,8 @@ struct AccuracyRow : Outcome {
   bool resolved = false;           // whether the reference is ten times as good at least
 };
 
-/// What all rows are held against: the scenario's own mesh in time steps that no longer matter.
+/// What all rows are held against: the scenario's own mesh in time steps that no longer matter. `witness`: the same
+/// by another integrator, which confirms it.
 struct AccuracyReference {
   Setting setting, witness;
   LeftError left, witnessLeft;  // by Richardson's estimate; the reference's at least what rounding makes

@@ -20,7 +20,7 @@ struct BulletSetting {
 /// "bullet b1, margin 0.01, 2 iterations"
 std::string seriesName(const BulletSetting& setting, bool touching);
 
-/// What a baseline can be tried with, beside the time step, which is left 0: where cells touch four margins,
+/// What a baseline can be tried with besides the time step, which is left 0: where cells touch four margins,
 /// and one to four iterations where there is something to iterate.
 std::vector<BulletSetting> bulletChoices(Baseline baseline, bool touching);
 

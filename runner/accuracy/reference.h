@@ -21,11 +21,11 @@ struct Laboratory {
 };
 
 /// The scene on its own mesh, `halvings` of the usual time step down, by the better of two integrators; the
-/// other is the witness. `about` is filled. Throws InputError if neither runs to the end.
+/// other one confirms it (AccuracyReference::witness). `about` is filled. Throws InputError if neither runs to the end.
 Trial findTimeReference(const Laboratory& lab, int halvings, const Horizon& horizon, const std::string& file,
                         AccuracyReference& about);
 
-/// The scene on meshes beside its own, each solved with time steps that add little to the mesh's error.
+/// The scene on other meshes than its own, each solved with time steps that add little to the mesh's error.
 struct MeshStudy {
   MeshError error;
   std::map<std::uint64_t, Trial> solved;  // by level, but for the scene's own

@@ -37,7 +37,7 @@ struct Horizon {
   double leastTimeStep = 0, mostTimeStep = 0;  // [time] that the scene's own settings took
 };
 
-/// Runs the scene beside a twin with x of one vertex moved by one unit in the last place, until that has
+/// Runs the scene together with a twin with x of one vertex moved by one unit in the last place, until that has
 /// grown by `amplification`, as errors of the time steps would too, or until `latest`. Throws NumericalError.
 Horizon findHorizon(const Scene& scene, const Execution& execution, std::optional<double> latest,
                     double amplification);

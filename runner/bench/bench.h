@@ -1,5 +1,5 @@
 #pragma once
-// morula bench: what each stage costs, beside what the machine could do, what Bullet takes and what the
+// morula bench: what each stage costs, compared with what the machine could do, what Bullet takes and what the
 // thesis took, all in one run.
 #include <filesystem>
 #include <functional>
@@ -29,7 +29,7 @@ struct BenchOptions {
   std::vector<int> threads{1};
   std::vector<Stage> stages;
   int rounds = 5;        // measurements of each thing, one after the other in turn
-  double shortness = 1;  // of the number of steps in a round
+  double shortness = 1;  // factor of the number of steps in a round; less: shorter rounds
   bool bullet = true;
   int mostBulletCells = 256;
   std::filesystem::path folder;  // where packed scenes are kept; "": nowhere
@@ -61,7 +61,7 @@ struct BenchRow {
   std::vector<BulletSettingRow> bulletSettings = {};
 };
 
-/// What the project has promised itself, as ratios within one run.
+/// A bound that the project sets itself, of a ratio within one run.
 struct BenchRatio {
   std::string what;
   double value = 0, bound = 0;
@@ -95,7 +95,7 @@ std::string describe(const BenchReport& report);
 /// so that 8 cells cost as much as ours.
 Drawing drawBench(const BenchReport& report);
 
-/// What the project has promised itself, read off a finished table: those whose rows are there.
+/// The project's own bounds, read off a finished table: those whose rows are there.
 std::vector<BenchRatio> findRatios(const std::vector<BenchRow>& rows);
 
 /// The row of the packed scene that fits, or null.

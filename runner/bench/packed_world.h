@@ -26,7 +26,7 @@ World makeWorldOf(const Scene& scene, const std::vector<CellPath>& paths, const 
 
 /// The packed cells at rest in their shell: small spheres that our own engine lets swell and settle, or what
 /// an earlier call has left in `folder` ("": neither looked for nor left). Friction and contact do not count
-/// for it. The same bits in either case. `tell` hears what takes time.
+/// for it. The same bits in either case. `tell` is called with what takes time.
 std::vector<Body> settledBodies(const PackedScene& packed, const std::filesystem::path& folder,
                                 const std::function<void(const std::string&)>& tell);
 

@@ -68,7 +68,7 @@ class Subject {
   /// [s] per vertex of a call for every block, on a state that stays.
   template <class Call>
   double timeBlocks(Isa isa, const Call& call);
-  /// Times groups of steps, with `each` after every step; `after` every group hears how many there were.
+  /// Times groups of steps, with `each` after every step; `after` is called after every group, with how many there were.
   template <class Each, class After>
   StepTimes timeSteps(ClockKind clock, int count, const Each& each, const After& after);
 

@@ -10,13 +10,13 @@ namespace morula {
 
 struct AcceptedRun {
   bool done = false;
-  bool nondeterministic =
-      false;              // the run made again by another way came to another end: nothing is accepted
+  // The run made again by another way came to another end: nothing is accepted
+  bool nondeterministic = false;
   int signal = 0;         // that interrupted it
   std::string text = {};  // for people: what was accepted and what it changed
 };
 
-/// Runs the scenario, again with another instruction set and number of threads, and beside it its twin;
+/// Runs the scenario, again with another instruction set and number of threads, and together with that its twin (loop/twin_run.h);
 /// writes the golden only if both agree to the last bit. Throws InputError if a run fails or the golden
 /// cannot be accepted.
 AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acceptance& acceptance,

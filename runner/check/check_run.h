@@ -12,8 +12,8 @@ namespace morula {
 /// What the run's golden would say.
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture = true);
 
-/// The golden that lies there. Of one that does not record what decided it, and that the scenario does not
-/// fit any more, the committed scenario tells it, if that one fits. Throws InputError.
+/// The golden in the file. One without lines `parameter`, whose scenario has changed since, gets them from the
+/// scenario as it was last committed, if that has the golden's hash. Throws InputError.
 Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file);
 
 /// The golden's file for the scenario; the path may not exist.

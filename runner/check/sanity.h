@@ -21,8 +21,8 @@ class SanityCheck {
   std::vector<CheckResult> results(const World& end, const CheckParameters& check, bool held) const;
 
  private:
-  std::optional<double>
-      energy_;              // [force·length] at the start, where nothing that is not in it can add to it
+  // [force·length] at the start, where nothing that is not in it can add to it
+  std::optional<double> energy_;
   double energyScale_ = 0;  // [force·length] what the cells' contents hold at rest
   std::vector<CellPath> cells_;
 };

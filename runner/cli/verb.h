@@ -1,5 +1,5 @@
 #pragma once
-// A verb's place on the command line: what it wants to be told. The verbs' one door to CLI11, whose header
+// A verb's place on the command line: what it wants to be told. The only way from verbs to CLI11, whose header
 // takes a compiler longer than most of them do.
 #include <string>
 #include <vector>

@@ -17,10 +17,11 @@ namespace morula {
 
 namespace {
 
-constexpr std::uint64_t mostStepsMeasured =
-    512;  // from the last good state on, for the work of forces; or else
-constexpr std::uint64_t fewStepsMeasured = 16;  // the last ones alone
-constexpr std::uint64_t statesKept = 32;        // of a run, to find the last good one among
+// Steps in which the work of forces is measured: all from the last good state on, or if these are more than
+// mostStepsMeasured the last few.
+constexpr std::uint64_t mostStepsMeasured = 512;
+constexpr std::uint64_t fewStepsMeasured = 16;
+constexpr std::uint64_t statesKept = 32;  // of a run, to find the last good one among
 
 /// [1] Within these shares of its volume at rest a cell is as it should be.
 constexpr double goodLeast = 0.5, goodMost = 2;

@@ -1,5 +1,5 @@
 #pragma once
-// One cell as Bullet's soft body, and the traps on the way there.
+// One cell as Bullet's soft body, and what must be set so that Bullet computes our forces.
 #include <memory>
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Bullet's two worlds behind one face: the explicit one of B1 and B2, and the implicit one of B3.
+// Bullet's two worlds behind one interface: the explicit one of B1 and B2, and the implicit one of B3.
 #include <memory>
 #include <vector>
 

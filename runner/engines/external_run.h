@@ -25,14 +25,14 @@ Engine engineOf(Baseline baseline);
 /// Of an engine that is Bullet.
 Baseline baselineOf(Engine engine);
 
-/// More than any of the hard cases takes, by far: whoever has not answered then is stuck or hopeless.
+/// [s] Far more than any of the hard cases takes: an engine that has not answered by then is taken to have none.
 inline constexpr int usualCpuSeconds = 120;
 
 struct ExternalQuestion {
   Engine engine = Engine::b1;
-  double margin = 0.01;              // [radii of the egg] Bullet's
+  double margin = 0.01;                                // [radii of the egg] Bullet's
   Integrator integrator = Integrator::velocityVerlet;  // B1's, as in BulletScene
-  int cpuSeconds = usualCpuSeconds;  // of the process; then it is ended
+  int cpuSeconds = usualCpuSeconds;                    // of the process; then it is ended
 };
 
 struct ExternalRun {
@@ -54,7 +54,7 @@ struct ExternalRun {
 
 using OnStep = std::function<void(std::uint64_t)>;
 
-/// In this process: what was asked in JSON (messages.h). `onStep` hears the number of each step that is done.
+/// In this process: what was asked in JSON (messages.h). `onStep` is called with the number of each step that is done.
 ExternalRun runHere(const Json& question, const OnStep& onStep);
 
 }  // namespace morula

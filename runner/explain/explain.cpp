@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t toTheEnd = std::numeric_limits<std::uint64_t>::max() / 2;
 
-/// Between which steps two trails part.
+/// Between which steps the hashes of two runs begin to differ.
 struct Window {
   bool same = false;
   std::optional<std::uint64_t> lastEqual;

@@ -16,7 +16,7 @@ struct Explanation {
   std::optional<std::uint64_t> lastEqual;     // the last step known to be the same
   std::optional<std::string> cell;            // the first that differs
   std::vector<std::string> cells;             // all whose hashes differ at `step`
-  std::optional<StateDifference> difference;  // absent where a witness has only hashes
+  std::optional<StateDifference> difference;  // absent where only the hashes of a run are known
   std::string text;                           // for people, several lines
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A run of another Morula, perhaps an older build, as a witness.
+// A run of another Morula, perhaps an older build, which is asked for its hashes and states.
 #include <filesystem>
 #include <functional>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// A run in a database as a witness: its hashes, without states.
+// A run in a database: the hashes of its states, without the states themselves.
 #include <string>
 #include <vector>
 

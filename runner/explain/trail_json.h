@@ -1,5 +1,5 @@
 #pragma once
-// A trail as JSON: how one program tells another where its run went.
+// The hashes of a run's states as JSON, as one program tells them another.
 #include <string>
 
 #include "explain/witness.h"

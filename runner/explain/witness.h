@@ -11,7 +11,7 @@
 
 namespace morula {
 
-/// The states of a run at regular steps, in hashes.
+/// The hashes of a run's states at regular steps.
 struct Trail {
   std::vector<ChainLink> links;  // their chain begins with the first of them
   std::uint64_t lastStep = 0;    // where the run ended, or where asking stopped

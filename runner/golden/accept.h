@@ -15,8 +15,7 @@ struct Acceptance {
 
 /// Writes the golden, atomically, with the acceptance's name and reason; makes the folder if need be. Throws
 /// InputError without a reason, with a rule that matches nothing, and when the environment variable CI is set
-/// and not empty: goldens are accepted by people. Throws FileError if the file cannot be
-/// written.
+/// and not empty: goldens are accepted by people. Throws FileError if the file cannot be written.
 void acceptGolden(const std::filesystem::path& file, Golden golden, const Acceptance& acceptance);
 /// Throws InputError where goldens must not be written; asked before the runs that an acceptance takes.
 void refuseWithinCi(const std::filesystem::path& file);

@@ -15,13 +15,13 @@ struct CheckResult {
   std::string tolerance = "exact";  // or "rel 1e-9 scale 1"
   bool passed = true;
   // Where, as far as it applies:
-  std::string failureClass =
-      {};  // "" when passed; INPUT_CHANGED, SETUP, COMPUTATION, LINEAGE, NONDETERMINISM, …
+  // "" when passed; INPUT_CHANGED, SETUP, COMPUTATION, LINEAGE, NONDETERMINISM, … (golden/README.md)
+  std::string failureClass = {};
   std::optional<std::uint64_t> firstStep = {};  // the first step at which it differs
   std::optional<std::string> cell = {};         // its path; "" is the egg
   std::string field = {};                       // "pressure"
-  std::optional<double> share =
-      {};                    // of the tolerance used: 0 equal, 1 at its edge, perhaps ∞; absent if exact
+  // [1] of the tolerance used: 0 equal, 1 at its edge, perhaps ∞; absent if exact
+  std::optional<double> share = {};
   std::string message = {};  // for people: all that differs, several lines; "" when passed
   friend bool operator==(const CheckResult&, const CheckResult&) = default;
 };

@@ -18,8 +18,7 @@ struct Difference {
   std::string text;              // for people, one line
 };
 
-/// Compares an item that must be equal; both are of one kind
-/// and key, or one of them is null. Nothing if equal.
+/// Compares an item that must be equal; both are of one kind and key, or one of them is null. Nothing if equal.
 std::optional<Difference> findDifference(const std::string& file, const GoldenItem* golden,
                                          const GoldenItem* observed);
 

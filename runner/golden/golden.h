@@ -67,8 +67,8 @@ Golden readGoldenFile(const std::filesystem::path& file);
 /// Holds what was observed against the golden. One result per check: scenario, completeness, tolerances,
 /// counts, lineage, time_steps, bits, step_hashes, and values by tolerance rule.
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed);
-/// A golden that is nobody's, or unusable for the reason given (edited, cut off, with merge markers): one
-/// failed check "golden" of class INPUT_CHANGED.
+/// The report of a golden that belongs to no scenario, or is unusable for the reason given (edited, cut off, with merge
+/// markers): one failed check "golden" of class INPUT_CHANGED.
 CheckReport unusableGolden(const std::string& scenario, const std::string& why);
 
 }  // namespace morula

@@ -47,8 +47,8 @@ struct ToleranceRule {
 /// Reads one rule. Throws InputError that begins with `place`.
 ToleranceRule readRule(std::string_view line, const std::string& place);
 
-/// How many representable numbers lie between the two (0:
-/// equal, also −0 and 0); the largest number if one is NaN.
+/// How many steps from one representable number to the next lead from a to b: 0 if they are equal, as −0 and 0
+/// are; the largest number if one is NaN.
 std::uint64_t ulpsBetween(double a, double b);
 
 /// True if the pattern, in which * stands for any text, fits the whole name.

@@ -14,8 +14,8 @@ struct Part {
   std::string name;
   bool engaged = false;
   std::string what;  // how it is done: "pair law", "velocity Verlet"; "" if there is but one way
-  std::string
-      why;  // "file:line:column: key", an option, or "default"; of an absent part what would ask for it
+  // "file:line:column: key", an option, or "default"; of an absent part what would ask for it
+  std::string why;
 };
 
 /// What a run does besides the scene itself.

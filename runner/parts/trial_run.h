@@ -17,10 +17,10 @@ struct Era {
 
 struct Life {
   std::vector<Era> eras;         // without gaps; the last may have no length
-  std::uint64_t cellsAsked = 0;  // over all cell cycles: what they cost goes with it
+  std::uint64_t cellsAsked = 0;  // over all cell cycles: their cost is in proportion
   std::uint64_t moments = 0;     // at which cell cycles ran
   std::uint64_t divisions = 0;
-  bool whole = true;   // false: there are more cells than was worth following, and this is the beginning
+  bool whole = true;   // false: only the beginning, for there are more cells than were to be followed
   double seconds = 0;  // [s] of CPU time that the cell cycles took
 
   std::uint64_t mostCells() const;

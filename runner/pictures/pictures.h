@@ -1,5 +1,5 @@
 #pragma once
-// From worlds to pictures: which colour a cell has, what stands beside it, which files are written.
+// From worlds to pictures: which colour a cell has, what the legend says, which files are written.
 #include <filesystem>
 #include <functional>
 #include <map>

@@ -1,5 +1,5 @@
 #pragma once
-// Why Bullet cannot be asked what a scene does.
+// What of a scene cannot be computed by Bullet, or not be compared with it.
 #include <string>
 #include <vector>
 

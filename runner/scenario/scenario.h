@@ -31,7 +31,7 @@ struct Bounds {
 };
 
 /// The same scene in Bullet, and how far apart the two may be at the end. Without any tolerance those hold
-/// that fit the scene (cli/bullet_check.h).
+/// that fit the scene (engines/bullet_check.h).
 struct BulletCheck {
   Baseline baseline = Baseline::b1;  // or b3; b2's springs rest at another length
   double margin = 0.01;  // [radii of the egg] of each surface in Bullet: what touches is two of them apart
@@ -39,8 +39,8 @@ struct BulletCheck {
   std::optional<double> radius;     // [1] of each cell: the mean distance of its vertices from their centre
   std::optional<double> volume;     // [1] of each cell
   std::optional<double> distance;   // [1] of the centres of cells that touch, less Bullet's gap
-  std::optional<double>
-      aspect;  // [1] of each cell: its length over its thickness, of the ellipsoid with its moments
+  // [1] of each cell: its length over its thickness, of the ellipsoid with its moments
+  std::optional<double> aspect;
 
   bool hasTolerances() const { return positions || radius || volume || distance || aspect; }
 };
@@ -60,7 +60,7 @@ struct CheckParameters {
   std::vector<std::string> fails;      // the run must stop, and all of these stand in the reason; or none
   bool sane = true;     // false: the scene is about an end that is not (core/simulation/sanity.h)
   std::string because;  // why it is not; "" if it is
-  std::optional<BulletCheck> bullet;   // held against Bullet
+  std::optional<BulletCheck> bullet;  // held against Bullet
 };
 
 /// A file that a scenario names.
@@ -87,11 +87,11 @@ struct Scenario {
   /// Where each value was written, for messages about them: "file:line:column" or "--set path", by path.
   std::map<std::string, std::string> places;
 
-  std::string file;   // as given by the user
+  std::string file;           // as given by the user
   bool allowOutside = false;  // files that it names may lie anywhere
-  std::string bytes;  // the file, byte by byte
-  std::string
-      resolved;  // canonical JSON of every parameter, defaults included; itself a scenario that can be read
+  std::string bytes;          // the file, byte by byte
+  // Canonical JSON of every parameter, defaults included; itself a scenario that can be read
+  std::string resolved;
   Hash meaning;  // of all that decides results: neither format, comments and key order nor colours count
 };
 

@@ -1,4 +1,4 @@
-// Parameters that are one of a kind: DNA, the shell's two spellings, the division plane.
+// Parameters that are one of a kind: DNA, the time step, the shell's two spellings, the division plane.
 #include <algorithm>
 
 #include "base/did_you_mean.h"

@@ -7,8 +7,9 @@
 namespace morula {
 
 struct BuildInfo {
-  std::string version;    // "0.1.0"
-  std::string sources;    // digest of all sources of core/ and runner/: needs no git, sees uncommitted edits
+  std::string version;  // "0.1.0"
+  // Digest of all sources and build files of core/, reports/ and runner/: needs no git, sees uncommitted edits
+  std::string sources;
   std::string gitCommit;  // "unknown" without git, as in a source archive
   std::string gitState;   // "clean", "modified" (tracked files differ from the commit) or "unknown"
   std::string compiler;   // "GNU 12.2.0"

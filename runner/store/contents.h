@@ -12,8 +12,8 @@ struct TableContents {
   std::string table;
   std::uint64_t rows = 0;
   std::uint64_t bytes = 0;
-  bool estimated =
-      false;        // bytes: by the length of the values, or by the share of the rows that were asked for
+  // Bytes: by the length of the values, or by the share of the rows that were asked for
+  bool estimated = false;
   std::string why;  // who reads it, and when it is stored
 };
 

@@ -1,6 +1,5 @@
 #pragma once
-// SQLite's C interface with owners: Database, Statement,
-// Transaction. Errors are StoreErrors that name the file.
+// SQLite's C interface with owners: Database, Statement, Transaction. Errors are StoreErrors that name the file.
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -81,8 +80,8 @@ class Statement {
   /// Goes to the next row; false after the last one, and then ready to start again.
   bool next();
 
-  // A file of a stranger may hold anything anywhere, whatever its tables promise: a value of another type or out of range is a
-  // StoreError that names the column.
+  // A file of a stranger may hold anything anywhere, whatever its tables promise: a value of another type or out
+  // of range is a StoreError that names the column.
   bool isNull(int column) const;
   std::int64_t integer(int column) const;
   std::uint64_t natural(int column) const;  // from 0
@@ -145,8 +144,8 @@ class Statement {
 
   Database* db_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
-  bool copyValues_ =
-      false;  // else the bound texts must live until the statement has run, as they do in `run`
+  // Otherwise the bound texts must live until the statement has run, as they do in `run`
+  bool copyValues_ = false;
 };
 
 /// BEGIN IMMEDIATE; rolled back at the end of the scope unless committed.

@@ -7,7 +7,7 @@ namespace morula {
 struct MachineInfo {
   std::string cpu;            // "AMD EPYC 7B13"
   std::string kernel;         // "Linux 6.1.0-18-amd64 x86_64"
-  std::string features;       // of the processor, those that arithmetic can hang on: "avx2 fma sse2 …"
+  std::string features;       // of the processor, those that arithmetic can depend on: "avx2 fma sse2 …"
   std::string fpEnvironment;  // of this thread: "nearest, denormals kept, MXCSR 0x1f80"
 };
 

@@ -41,9 +41,9 @@ class Recorder {
   /// Samples and hashes so far, with the texts of the states in them; nothing else yet.
   const RunResults& records() const { return results_; }
 
-  /// The run has ended: everything recorded, with a last sample, the lineage,
-  /// connections and changes of the time step. After a NumericalError pass `failed`:
-  /// the broken state is then not measured. The recorder is empty afterwards.
+  /// The run has ended: everything recorded, with a last sample, the lineage, connections and changes of the time
+  /// step. After a NumericalError pass `failed`: the broken state is then not measured. The recorder is empty
+  /// afterwards.
   RunResults take(const World& world, bool failed = false);
 
  private:
@@ -61,8 +61,8 @@ class Recorder {
   RunResults results_;
 };
 
-/// How a run ended, read off its world. `failure`: the
-/// NumericalError's text for a failed run, which has no state hash.
+/// How a run ended, read off its world. `failure`: the NumericalError's text for a failed run, which has no state
+/// hash.
 RunEnd endOf(const World& world, RunStatus status, const std::string& failure = {});
 
 }  // namespace morula

@@ -27,8 +27,7 @@ const std::string& stateText(const RunResults& results, StateId state) {
 }
 
 void insertCells(Database& db, const std::string& id, const RunResults& results) {
-  // In the order of the table's key, so that the table grows at
-  // its end: many times faster than by order of birth.
+  // In the order of the table's key, so that the table grows at its end: many times faster than by order of birth.
   std::vector<const LineageEntry*> entries;
   entries.reserve(results.lineage.size());
   for (const LineageEntry& e : results.lineage) entries.push_back(&e);

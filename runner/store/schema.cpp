@@ -266,8 +266,7 @@ const char* const version5 = "";
 
 constexpr std::array migrations{&version1, &version2, &version3, &version4, &version5};
 
-/// Throws unless the file is empty or Morula's and not newer
-/// than this program. Returns its version, 0 when empty.
+/// Throws unless the file is empty or Morula's and not newer than this program. Returns its version, 0 when empty.
 int checkedVersion(Database& db) {
   const std::string file = db.file().string();
   const auto id = db.integer("PRAGMA application_id");

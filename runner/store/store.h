@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "store/database.h"
 #include "store/contents.h"
+#include "store/database.h"
 #include "store/records.h"
 #include "store/table_difference.h"
 
@@ -54,13 +54,12 @@ class Store {
 
   /// Enters the run and returns its id. If the file has a finished run of that id, its row and results stay
   /// until `finish` has compared the two; unfinished or failed attempts are replaced now. A checkpoint of
-  /// theirs stays until there is a later one: the same run comes by the same states.
+  /// theirs stays until there is a later one: the same run goes through the same states.
   std::string begin(const RunRecord& record);
 
   /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples
   /// and hashes that the file has not yet: whoever kills the program at any moment leaves one whole
-  /// checkpoint and what was recorded up to it. Not for a run that the file has
-  /// finished, nor in place of a checkpoint of a later step. Returns whether there is one to resume from.
+  /// checkpoint and what was recorded up to it. Not for a run that the file has finished, nor in place of a checkpoint of a later step. Returns whether there is one to resume from.
   bool keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
                       const FrameSource& frames = {});
 

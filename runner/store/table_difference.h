@@ -27,7 +27,7 @@ struct TableDifference {
 /// Compares all tables that results are made of, in the order of the schema, by their keys; of `run` what the
 /// computation decides. Equal means: the same bits as far as SQLite keeps them (−0.0 is kept as 0.0, what is
 /// no number as NULL). Left out: `checkpoint`, which a finished run does not have, `bullet_sample`, and of
-/// `check_result` the kinds golden and bullet, which hang on what is not stored. Throws StoreError.
+/// `check_result` the kinds golden and bullet, which depend on what is not stored. Throws StoreError.
 std::vector<TableDifference> compareTables(Database& stored, const std::string& id, Database& again,
                                            const std::string& idAgain);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Who hears what: data on stdout, messages on stderr. The only file that writes to either. Every text passes through
+// What is printed where: data on stdout, messages on stderr. The only file that writes to either. Every text passes through
 // `printable`, because texts hold names, paths and messages that come from the files of others.
 #include <iosfwd>
 #include <string>

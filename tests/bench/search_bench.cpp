@@ -1,5 +1,5 @@
-// What finding contacts costs, each way, for packed cells: the table of core/contacts/README.md, which
-// explains the cliff of [Nilsson 2008, table 5.1].
+// What finding contacts costs, each way, for packed cells, as a table. To be held against the time per cell that
+// grows more than twelvefold from 128 to 256 cells in [Nilsson 2008, table 5.1].
 //
 //   bench_search [LARGEST] [ISA]     cells of the last row, 256 unless told; an organism of 1024 takes
 //   minutes
