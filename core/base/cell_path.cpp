@@ -7,7 +7,8 @@ namespace morula {
 CellPath CellPath::parse(std::string_view text) {
   CellPath path;
   for (char c : text) {
-    if (c != 'A' && c != 'B') throw InputError("cell path \"" + std::string(text) + "\": only the letters A and B name daughters");
+    if (c != 'A' && c != 'B')
+      throw InputError("cell path \"" + std::string(text) + "\": only the letters A and B name daughters");
     path = path.daughter(c == 'B');
   }
   return path;
@@ -26,7 +27,8 @@ CellPath CellPath::mother() const {
   CHECK(depth_ > 0, "the egg has no mother");
   CellPath m = *this;
   --m.depth_;
-  (m.depth_ < 64 ? m.high_ : m.low_) &= ~(std::uint64_t{1} << (m.depth_ < 64 ? 63 - m.depth_ : 127 - m.depth_));
+  (m.depth_ < 64 ? m.high_ : m.low_) &=
+      ~(std::uint64_t{1} << (m.depth_ < 64 ? 63 - m.depth_ : 127 - m.depth_));
   return m;
 }
 

@@ -12,8 +12,8 @@ std::array<std::uint32_t, 4> randomWords(const Draw& draw, std::uint32_t number)
   h.field("draw").add(draw.seed).add(draw.cell.high()).add(draw.cell.low()).add(draw.cell.depth());
   const Hash key = h.digest();
   r123::Philox4x32 philox;
-  const r123::Philox4x32::ctr_type counter = {{number, draw.cycle, static_cast<std::uint32_t>(draw.purpose),
-                                               static_cast<std::uint32_t>(key.high)}};
+  const r123::Philox4x32::ctr_type counter = {
+      {number, draw.cycle, static_cast<std::uint32_t>(draw.purpose), static_cast<std::uint32_t>(key.high)}};
   const r123::Philox4x32::key_type k = {
       {static_cast<std::uint32_t>(key.low), static_cast<std::uint32_t>(key.low >> 32)}};
   const auto out = philox(counter, k);

@@ -122,16 +122,16 @@ void checkRepressors(const GeneLine& gene, const std::set<std::string>& possible
       diagnostics.add(repressor.place, name + " represses this gene already; remove one");
     } else if (inputs.contains(repressor.text)) {
       diagnostics.add(repressor.place,
-                     name + " must be present and must not, so this gene is never active; remove one");
+                      name + " must be present and must not, so this gene is never active; remove one");
     } else if (repressor.text == substance::die) {
       diagnostics.add(repressor.place,
-                     "a cell that holds 'die' runs no further cycle, so '!die' is always true; remove it");
+                      "a cell that holds 'die' runs no further cycle, so '!die' is always true; remove it");
     } else if (!possible.contains(repressor.text)) {
       const std::vector<std::string> candidates(possible.begin(), possible.end());
       const std::string meant = closest(repressor.text, candidates);
       diagnostics.add(repressor.place, "nothing produces " + name + ", so it represses nothing; " +
-                                          (meant.empty() ? "remove it or write a gene that produces it"
-                                                         : "did you mean " + quoted(meant) + "?"));
+                                           (meant.empty() ? "remove it or write a gene that produces it"
+                                                          : "did you mean " + quoted(meant) + "?"));
     }
   }
 }

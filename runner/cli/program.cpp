@@ -115,7 +115,8 @@ std::string commandLine() { return typed; }
 int runProgram(int argc, char** argv) {
   setFloatingPoint();
   for (int i = 0; i < argc; ++i) typed += (i ? " " : "") + std::string(i ? argv[i] : "morula");
-  std::signal(SIGXFSZ, SIG_IGN);  // then a write beyond the limit of file sizes fails, as one to a full disk does
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // then a write beyond the limit of file sizes fails, as one to a full disk does
   try {
     reserveStandardStreams();
     const int code = parse(argc, argv)();

@@ -103,7 +103,8 @@ int act(const ReviewOptions& options) {
   if (options.accept && options.by.empty())
     throw UsageError("morula review --accept needs a name: --by NAME");
   std::vector<Scenario> scenarios;
-  for (const auto& file : scenarioFiles(options)) scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
+  for (const auto& file : scenarioFiles(options))
+    scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
   if (scenarios.empty()) tell("no result waits for a review", options.output.quiet);
 
   int code = fine, signal = 0;

@@ -44,7 +44,7 @@ std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTem
     body->m_nodes[static_cast<int>(v)].m_v = toBullet(cell.velocity[v]);
 
   configure(*body, scene);
-  body->m_bUpdateRtCst = false;  // see below
+  body->m_bUpdateRtCst = false;                                          // see below
   if (scene.baseline == Baseline::b1 && !scene.touching()) return body;  // nodes are all that moves
 
   // A link moves its ends by kLST (l² − L0²)/(2 (l² + L0²)) of its length per iteration; n iterations are as

@@ -31,8 +31,8 @@ Verdict askThesis(const Scenario& scenario, const ExternalQuestion& question) {
   const auto& contact = scenario.scene.mechanics->contact;
   if (!contact) return notAsked("as ours: nothing touches");
   if (contact->law == ContactLaw::thesis) return notAsked("is ours");
-  const Scenario changed =
-      loadScenario(scenario.file, {{"physics.contact.law", "thesis", "--beside thesis"}}, scenario.allowOutside);
+  const Scenario changed = loadScenario(scenario.file, {{"physics.contact.law", "thesis", "--beside thesis"}},
+                                        scenario.allowOutside);
   return judge(scenario.check, runExternally(changed, question, ownProgram()));
 }
 

@@ -60,8 +60,9 @@ void giveEachItsPath(std::vector<CrateFile>& files) {
   for (CrateFile& file : files) {
     const fs::path path = file.path;
     for (int i = 2; !taken.insert(file.path).second; ++i)
-      file.path = (path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string()))
-                      .generic_string();
+      file.path =
+          (path.parent_path() / (path.stem().string() + "-" + std::to_string(i) + path.extension().string()))
+              .generic_string();
   }
 }
 

@@ -91,7 +91,8 @@ void overwriteFile(const fs::path& file, std::string_view bytes) {
 
 void appendToFile(const fs::path& file, std::string_view bytes) {
   if (const auto mode = typeOf(file)) requireWritable(file, *mode);
-  Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
+  Descriptor out(
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
   if (!out.isOpen() || !writeAll(out.number(), bytes) || !out.close()) refuse(file, std::strerror(errno));
 }
 

@@ -90,9 +90,8 @@ std::string junitXml(const std::vector<CheckReport>& reports) {
     }
     suites += "  </testsuite>\n";
   }
-  return std::string(junitBeginning) + " tests=\"" +
-         std::to_string(all) + "\" failures=\"" + std::to_string(failed) + "\">\n" + suites +
-         "</testsuites>\n";
+  return std::string(junitBeginning) + " tests=\"" + std::to_string(all) + "\" failures=\"" +
+         std::to_string(failed) + "\">\n" + suites + "</testsuites>\n";
 }
 
 std::string annotations(const std::vector<CheckReport>& reports, std::size_t most) {

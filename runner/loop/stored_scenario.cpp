@@ -6,9 +6,7 @@
 
 namespace morula {
 
-bool isDatabase(const std::string& file) {
-  return contentOfFile(file) == Content::database;
-}
+bool isDatabase(const std::string& file) { return contentOfFile(file) == Content::database; }
 
 void requireWholeRecord(Store& store, const StoredRun& run) {
   const auto changed = store.changedRecord(run.id);
@@ -17,7 +15,8 @@ void requireWholeRecord(Store& store, const StoredRun& run) {
   throw FileError("'" + store.file().string() + "': the record of run " + run.id +
                   " was changed since it was stored: " + first.table + ", " + first.row + ": " +
                   (first.column.empty() ? "the row" : first.column) + " is " + first.stored + ", but " +
-                  first.recomputed + " follows from what is stored; restore the file from a copy, or run the scenario again");
+                  first.recomputed +
+                  " follows from what is stored; restore the file from a copy, or run the scenario again");
 }
 
 Scenario storedScenario(const std::string& database, const std::string& run) {

@@ -1,9 +1,9 @@
 #include "parts/parts.h"
-#include "physics/integrator.h"
 
 #include <fmt/format.h>
 
 #include "loop/simulate.h"
+#include "physics/integrator.h"
 
 namespace morula {
 

@@ -198,10 +198,11 @@ ObservationRates measureObservation(const World& world) {
   const double count = world.bodies ? std::max(vertices(world), 1.0) : 1;
   const auto nothing = [] {};
   rates.hash = quickest(nothing, [&] { stateHash(world); }) / count;
-  rates.sample = quickest(nothing, [&] {
-                   const Observation now(world);
-                   measureWorld(now), measureCells(now), measureContacts(now);
-                 }) /
+  rates.sample = quickest(nothing,
+                          [&] {
+                            const Observation now(world);
+                            measureWorld(now), measureCells(now), measureContacts(now);
+                          }) /
                  count;
   return rates;
 }

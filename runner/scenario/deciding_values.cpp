@@ -7,7 +7,6 @@ namespace morula {
 
 namespace {
 
-
 constexpr std::size_t longestValue = 160;  // [character] what people still take in on one line
 constexpr std::size_t longestList = 16;    // told item by item
 

@@ -69,7 +69,8 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);
   sqlite3* db = nullptr;
-  const int code = sqlite3_open_v2(mode == Mode::temporary ? "" : file_.string().c_str(), &db, flags, nullptr);
+  const int code =
+      sqlite3_open_v2(mode == Mode::temporary ? "" : file_.string().c_str(), &db, flags, nullptr);
   db_.reset(db);
   if (code != SQLITE_OK) fail(code, "open the database");
   sqlite3_extended_result_codes(db, 1);
@@ -85,7 +86,8 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
 void Database::fail(int code, const std::string& doing) const {
   std::string text = file_.string() + ": cannot " + doing + ": ";
   text += db_ ? sqlite3_errmsg(db_.get()) : sqlite3_errstr(code);
-  if (const std::string help = remedy(code, db_ ? sqlite3_system_errno(db_.get()) : 0, file_); !help.empty()) text += "; " + help;
+  if (const std::string help = remedy(code, db_ ? sqlite3_system_errno(db_.get()) : 0, file_); !help.empty())
+    text += "; " + help;
   throw StoreError(text);
 }
 
@@ -134,9 +136,9 @@ void Statement::refuse(int column, const std::string& right) const {
   const char* value = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
   constexpr std::size_t most = 60;
   const std::string there = value ? printableLine(std::string_view(value).substr(0, most)) : "NULL";
-  throw StoreError(db_->file().string() + ": " +
-                   sqlite3_column_name(statement_.get(), column) + ": '" + there + "' is not what Morula writes there; " +
-                   right + ". The file is damaged or not Morula's; give another one");
+  throw StoreError(db_->file().string() + ": " + sqlite3_column_name(statement_.get(), column) + ": '" +
+                   there + "' is not what Morula writes there; " + right +
+                   ". The file is damaged or not Morula's; give another one");
 }
 
 std::int64_t Statement::integer(int column) const {
@@ -177,7 +179,9 @@ void Statement::bound(int code) const {
   if (code != SQLITE_OK) db_->fail(code, "write to the database");
 }
 void Statement::bind(int place, double value) { bound(sqlite3_bind_double(statement_.get(), place, value)); }
-void Statement::bind(int place, std::int64_t value) { bound(sqlite3_bind_int64(statement_.get(), place, value)); }
+void Statement::bind(int place, std::int64_t value) {
+  bound(sqlite3_bind_int64(statement_.get(), place, value));
+}
 void Statement::bind(int place, std::uint64_t value) { bind(place, static_cast<std::int64_t>(value)); }
 void Statement::bindNull(int place) { bound(sqlite3_bind_null(statement_.get(), place)); }
 void Statement::bind(int place, std::string_view value) {

@@ -62,7 +62,9 @@ Hash hashFrom(const Statement& s, int column) {
 CellPath pathFrom(const Statement& s, int column) {
   try {
     return CellPath::parse(s.line(column));
-  } catch (const InputError& error) { s.refuse(column, std::string("needs a cell's path (") + error.what() + ")"); }
+  } catch (const InputError& error) {
+    s.refuse(column, std::string("needs a cell's path (") + error.what() + ")");
+  }
 }
 
 std::string idFrom(const Statement& s, int column) {
@@ -75,7 +77,8 @@ std::string idFrom(const Statement& s, int column) {
 int smallFrom(const Statement& s, int column, int low) {
   const auto value = s.integer(column);
   constexpr int high = 1'000'000;
-  if (value < low || value > high) s.refuse(column, "needs a whole number from " + std::to_string(low) + " to 1000000");
+  if (value < low || value > high)
+    s.refuse(column, "needs a whole number from " + std::to_string(low) + " to 1000000");
   return static_cast<int>(value);
 }
 
@@ -209,8 +212,8 @@ RunResults Store::results(const std::string& id) {
   Statement connection(db_,
                        "SELECT a, b, made, released, cause FROM connection WHERE run_id = ? ORDER BY number");
   for (connection.start(id); connection.next();)
-    results.connections.push_back({pathFrom(connection, 0), pathFrom(connection, 1),
-                                   connection.real(2), connection.isNull(3) ? -1 : connection.real(3),
+    results.connections.push_back({pathFrom(connection, 0), pathFrom(connection, 1), connection.real(2),
+                                   connection.isNull(3) ? -1 : connection.real(3),
                                    lasting(connection.line(4))});
 
   Statement timeStep(db_, "SELECT time, step, time_step FROM time_step WHERE run_id = ? ORDER BY step");
