@@ -36,8 +36,8 @@ struct CutResult {
 CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFactor);
 
 /// A sphere of that radius becomes two that share its volume and mass by the cut's ratio, side by side along
-/// its normal within the mother's outline, touching it from inside, so that nobody else is pushed in that
-/// moment. They overlap, and contact parts them.
+/// its normal. Both lie within the mother's sphere and touch it from inside, so the division itself pushes no
+/// other cell. They overlap at first; contact forces part them.
 Daughters divideSphere(const Body& mother, double radius, const Cut& cut);
 
 }  // namespace morula

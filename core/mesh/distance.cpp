@@ -59,7 +59,7 @@ std::vector<double> squaredDistances(const Mesh& from, const Mesh& to) {
   std::vector<double> squares;
   for (std::size_t v = 0; v < from.vertices.size(); ++v) {
     const Point& p = from.vertices[v];
-    // The vertex of the same number is a good guess where the meshes are the same, and harmless elsewhere.
+    // An upper bound to begin with: the vertex of the same number, which is near where both meshes are the same.
     const Vector guess = p - to.vertices[std::min(v, to.vertices.size() - 1)];
     double least = dot(guess, guess), reach = std::sqrt(least);
     const auto tryPatch = [&](const Patch& patch) {

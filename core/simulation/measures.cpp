@@ -139,7 +139,7 @@ bool has(const World& world, Needs needs) {
     case Needs::shell:
       return world.bodies && world.bodies->parameters.shell;
     case Needs::bodies:
-    case Needs::contact:  // without it nobody touches: 0, not unknown
+    case Needs::contact:  // without contact no cells touch: 0, not unknown
       return world.bodies.has_value();
   }
   CHECK(false, "a need that is not known");

@@ -1,7 +1,6 @@
 #pragma once
-// A world at one instant, as those who decide and those who measure see it. Made for a moment in which the
-// world stands still; what is asked for is measured once, and what nobody asks for is not measured. For one
-// thread at a time.
+// A world at one instant, as those who decide and those who measure see it. The world must not
+// change while it exists. A quantity is measured when it is first asked for, and kept. For one thread at a time.
 #include <memory>
 #include <optional>
 #include <span>

@@ -16,7 +16,7 @@ namespace morula {
 enum class Use {
   result,    // hashes and differences
   compared,  // differences; it follows from hashed fields
-  saved,     // nobody: it follows from the others, or tells how the state came about
+  saved,     // checkpoints alone: it follows from the others, or tells how the state came about
 };
 
 struct Field {

@@ -1,5 +1,5 @@
 #pragma once
-// All that depends on the library that provides OpenGL without a display. OSMesa has left Mesa with 25.1: whoever
+// All code that depends on OSMesa, which provides OpenGL without a display. OSMesa has left Mesa with 25.1: whoever
 // needs another provider (a surfaceless EGL context, say) changes gl_context.cpp and the link line, nothing else.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>

@@ -29,11 +29,12 @@ calls() {
   }
   grep -oE '^c?fn=\([0-9]+\) .*' "$work/$1.calls" | sed 's/^[^ ]* //' | sort -u >"$work/$1"
 }
-hashes() {
-  awk '/^cfn=/ { name = $1; sub(/^cfn=/, "", name); if ($0 ~ /morula::hashState\(/) wanted = name }
-       /^fn=/ { f = $1; sub(/^fn=/, "", f); if ($0 ~ /morula::hashState\(/) wanted = f }
+# How often a run calls a function.
+times() { # FUNCTION RUN
+  awk -v f="morula::$1(" '/^cfn=/ { name = $1; sub(/^cfn=/, "", name); if (index($0, f)) wanted = name }
+       /^fn=/ { own = $1; sub(/^fn=/, "", own); if (index($0, f)) wanted = own }
        /^calls=/ { split($1, n, "="); called[name] += n[2] }
-       END { print called[wanted] + 0 }' "$work/$1.calls"
+       END { print called[wanted] + 0 }' "$work/$2.calls"
 }
 
 calls full
@@ -46,6 +47,9 @@ for function in $functions; do
     wrong=1
   fi
 done
-echo "hashes of the state: $(hashes plain), and $(hashes full) where they are asked for"
-[ "$(hashes plain)" = 1 ] && [ "$(hashes full)" -gt 1 ] || wrong=1
+echo "hashes of the state: $(times hashState plain), and $(times hashState full) where they are asked for"
+[ "$(times hashState plain)" = 1 ] && [ "$(times hashState full)" -gt 1 ] || wrong=1
+# Every run has a sample of its start and one of its end.
+echo "samples: $(times measureCells plain), and $(times measureCells full) where they are asked for"
+[ "$(times measureCells plain)" = 2 ] && [ "$(times measureCells full)" -gt 2 ] || wrong=1
 exit $wrong
