@@ -1,7 +1,6 @@
 #pragma once
 // Catch2 2 and 3 differ in their headers only, as far as these tests go.
 #include "base/error.h"
-#undef CHECK  // in a test, CHECK is Catch's; ours throws and is for the program (error.h is not read again)
 #if MORULA_CATCH >= 3
 #include <catch2/catch_all.hpp>
 using Catch::Approx;

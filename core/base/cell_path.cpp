@@ -24,7 +24,7 @@ CellPath CellPath::daughter(bool b) const {
 }
 
 CellPath CellPath::mother() const {
-  CHECK(depth_ > 0, "the egg has no mother");
+  MORULA_CHECK(depth_ > 0, "the egg has no mother");
   CellPath m = *this;
   --m.depth_;
   (m.depth_ < 64 ? m.high_ : m.low_) &=

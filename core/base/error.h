@@ -31,13 +31,10 @@ struct BugError : std::logic_error {
 
 }  // namespace morula
 
-/// States what must hold if the program is right. Not for the user's input. Not in headers: the tests include them, and
-/// their framework has a CHECK of its own.
-#ifndef MORULA_CATCH
-#define CHECK(condition, what)                                                                                \
-  do {                                                                                                        \
-    if (!(condition))                                                                                         \
-      throw ::morula::BugError(std::string(__FILE__) + ":" + std::to_string(__LINE__) + ": " + #condition +   \
-                               " does not hold: " + (what));                                                  \
+/// States what must hold if the program is right. Not for the user's input.
+#define MORULA_CHECK(condition, what)                                                                       \
+  do {                                                                                                      \
+    if (!(condition))                                                                                       \
+      throw ::morula::BugError(std::string(__FILE__) + ":" + std::to_string(__LINE__) + ": " + #condition + \
+                               " does not hold: " + (what));                                                \
   } while (false)
-#endif

@@ -44,7 +44,7 @@ void FieldWriter::add(std::string_view name, std::span<const std::uint64_t> valu
 }
 
 void FieldWriter::add(std::string_view name, std::span<const double> values, Precision precision) {
-  for (double a : values) CHECK(!std::isnan(a), "what is kept is a number: " + std::string(name));
+  for (double a : values) MORULA_CHECK(!std::isnan(a), "what is kept is a number: " + std::string(name));
   begin(name, precision == Precision::binary64 ? real : single, values.size());
   if (precision == Precision::binary64) return append(bytes_, values.data(), values.size());
   const std::vector<float> floats(values.begin(), values.end());

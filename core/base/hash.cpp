@@ -26,7 +26,7 @@ Hasher& Hasher::add(std::uint64_t v) {
 }
 
 Hasher& Hasher::add(double v) {
-  CHECK(!std::isnan(v), "a hash over a number that is not one");
+  MORULA_CHECK(!std::isnan(v), "a hash over a number that is not one");
   return add(std::bit_cast<std::uint64_t>(v));
 }
 
@@ -39,7 +39,7 @@ Hasher& Hasher::add(std::string_view text) {
 Hasher& Hasher::add(std::span<const double> values) {
   bool numbers = true;
   for (double v : values) numbers &= !std::isnan(v);
-  CHECK(numbers, "a hash over a number that is not one");
+  MORULA_CHECK(numbers, "a hash over a number that is not one");
   XXH3_128bits_update(&state_->xxh, values.data(), values.size_bytes());
   return *this;
 }

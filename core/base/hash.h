@@ -31,7 +31,7 @@ class Hasher {
   Hasher& add(std::int64_t v) { return add(static_cast<std::uint64_t>(v)); }
   Hasher& add(int v) { return add(static_cast<std::int64_t>(v)); }
   Hasher& add(bool v) { return add(std::uint64_t{v}); }
-  /// The bits of the number, so −0.0 and 0.0 differ. NaN is CHECKed against: it is a failed run, not a hash.
+  /// The bits of the number, so −0.0 and 0.0 differ. NaN is a BugError: it is a failed run, not a hash.
   Hasher& add(double v);
   Hasher& add(std::string_view text);
   Hasher& add(const char* text) { return add(std::string_view(text)); }

@@ -16,7 +16,7 @@ const char* name(Fate fate) {
     case Fate::died:
       return "died";
   }
-  CHECK(false, "a fate without a name");
+  MORULA_CHECK(false, "a fate without a name");
 }
 
 std::vector<std::uint32_t> orderByPath(const Lineage& lineage) {

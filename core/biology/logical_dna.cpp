@@ -76,17 +76,17 @@ LogicalDna::LogicalDna(const Dna& dna, const CycleParameters& cycle)
   a_ = find(substance::a), b_ = find(substance::b);
   grow_ = find(substance::grow), shrink_ = find(substance::shrink);
   connect_ = find(substance::connect), release_ = find(substance::release);
-  CHECK(a_ != unknown && b_ != unknown, "DNA comes from parseDna, which knows A and B");
+  MORULA_CHECK(a_ != unknown && b_ != unknown, "DNA comes from parseDna, which knows A and B");
   readPace(dna, cycle);
   readGenes(dna);
   start_ = intern(dna.start);
 }
 
 void LogicalDna::readPace(const Dna& dna, const CycleParameters& cycle) {
-  CHECK(cycle.length > 0, "time between cell cycles");
+  MORULA_CHECK(cycle.length > 0, "time between cell cycles");
   pace_.assign(names_.size(), std::numeric_limits<double>::infinity());
   for (const auto& [name, length] : cycle.perSubstance) {
-    CHECK(length > 0, "time between cell cycles");
+    MORULA_CHECK(length > 0, "time between cell cycles");
     const auto id = findSubstance(dna, name);
     if (!id) {
       const std::string meant = closest(name, names_);
@@ -104,7 +104,7 @@ void LogicalDna::readGenes(const Dna& dna) {
   waiting_.resize(names_.size());
   for (const Gene& gene : dna.genes) {
     const auto rarest = std::ranges::min_element(gene.inputs, {}, [&](SubstanceId s) { return readers[s]; });
-    CHECK(rarest != gene.inputs.end(), "a gene has at least one input");
+    MORULA_CHECK(rarest != gene.inputs.end(), "a gene has at least one input");
     WaitingGene entry{gene.product, {}, gene.repressors};
     std::ranges::copy_if(gene.inputs, std::back_inserter(entry.otherInputs),
                          [&](SubstanceId s) { return s != *rarest; });

@@ -28,7 +28,7 @@ bool areConnected(const Connections& c, const CellPath& a, const CellPath& b) {
 }
 
 void connect(Connections& c, const CellPath& a, const CellPath& b, double time) {
-  CHECK(a != b, "a cell cannot be connected to itself");
+  MORULA_CHECK(a != b, "a cell cannot be connected to itself");
   if (areConnected(c, a, b)) return;
   const Pair pair = ordered(a, b);
   const auto at = place(c, pair) - c.active.begin();

@@ -87,7 +87,7 @@ std::span<const DivisionPlaneKind> divisionPlanes() { return kinds; }
 
 const DivisionPlaneKind& kindOf(DivisionPlane plane) {
   const auto at = std::ranges::find(kinds, plane, &DivisionPlaneKind::plane);
-  CHECK(at != std::end(kinds), "a division plane without a row");
+  MORULA_CHECK(at != std::end(kinds), "a division plane without a row");
   return *at;
 }
 

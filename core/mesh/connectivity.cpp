@@ -30,14 +30,14 @@ void appendRing(const std::vector<Corner>& corners, std::vector<int>& ringVertex
   const int first = std::min_element(corners.begin(), corners.end(), before)->from;
   int at = first;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    CHECK(k == 0 || at != first, "a vertex with more than one fan of faces");
+    MORULA_CHECK(k == 0 || at != first, "a vertex with more than one fan of faces");
     ringVertex.push_back(at);
     const auto next =
         std::find_if(corners.begin(), corners.end(), [at](const Corner& c) { return c.from == at; });
-    CHECK(next != corners.end(), "a vertex whose faces do not close around it");
+    MORULA_CHECK(next != corners.end(), "a vertex whose faces do not close around it");
     at = next->to;
   }
-  CHECK(at == first, "a vertex whose faces do not close around it");
+  MORULA_CHECK(at == first, "a vertex whose faces do not close around it");
 }
 
 }  // namespace
@@ -55,14 +55,14 @@ Connectivity makeConnectivity(const Mesh& mesh) {
 
   c.ringStart.push_back(0);
   for (int i = 0; i < c.vertexCount; ++i) {
-    CHECK(!corners[i].empty(), "a vertex without a face");
+    MORULA_CHECK(!corners[i].empty(), "a vertex without a face");
     appendRing(corners[i], c.ringVertex);
     c.ringStart.push_back(static_cast<int>(c.ringVertex.size()));
     for (int k = c.ringStart[i]; k < c.ringStart[i + 1]; ++k) {
       const int j = c.ringVertex[k];
       const std::array<int, 2> edge = {std::min(i, j), std::max(i, j)};
       const auto place = std::lower_bound(c.edges.begin(), c.edges.end(), edge);
-      CHECK(place != c.edges.end() && *place == edge, "an edge with one face");
+      MORULA_CHECK(place != c.edges.end() && *place == edge, "an edge with one face");
       c.ringEdge.push_back(static_cast<int>(place - c.edges.begin()));
     }
   }

@@ -25,7 +25,7 @@ struct Connectivity {
   std::vector<Face> faces;
 };
 
-/// The mesh must be one that checkClosedManifold lets pass: CHECKed as far as the rings need it.
+/// The mesh must be one that checkClosedManifold lets pass: a BugError otherwise as far as the rings need it.
 Connectivity makeConnectivity(const Mesh& mesh);
 
 }  // namespace morula

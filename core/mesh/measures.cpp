@@ -50,7 +50,7 @@ double measureArea(Points vertices, Faces faces) {
 }
 
 Point measureCentroid(Points vertices) {
-  CHECK(!vertices.empty(), "a mesh without vertices has no centroid");
+  MORULA_CHECK(!vertices.empty(), "a mesh without vertices has no centroid");
   Vector sum;
   for (const Point& v : vertices) sum += v;
   return sum / static_cast<double>(vertices.size());
@@ -63,7 +63,7 @@ double sphericity(double volume, double area) {
 }
 
 Box measureBox(Points vertices) {
-  CHECK(!vertices.empty(), "no box holds nothing");
+  MORULA_CHECK(!vertices.empty(), "no box holds nothing");
   Box box{vertices[0], vertices[0]};
   for (const Point& v : vertices) {
     box.low = {std::min(box.low.x, v.x), std::min(box.low.y, v.y), std::min(box.low.z, v.z)};

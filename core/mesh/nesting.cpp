@@ -37,7 +37,7 @@ std::vector<std::int32_t> findNested(Points coarse, Points fine) {
       return dot(a - x, a - x) < dot(b - x, b - x);
     };
     const auto nearest = std::min_element(fine.begin(), fine.end(), isNearer) - fine.begin();
-    CHECK(!taken[nearest], "the vertices of a coarser mesh are those of the finer one");
+    MORULA_CHECK(!taken[nearest], "the vertices of a coarser mesh are those of the finer one");
     taken[nearest] = true;
     nested.push_back(static_cast<std::int32_t>(nearest));
   }

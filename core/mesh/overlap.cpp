@@ -133,7 +133,7 @@ class Scan {
       below = c.z;
       turn(c.mesh, -c.sign);
     }
-    CHECK(around_.empty(), "a line that does not come out of a closed mesh");
+    MORULA_CHECK(around_.empty(), "a line that does not come out of a closed mesh");
   }
 
   void turn(int mesh, int by) {
@@ -162,7 +162,7 @@ double Overlap::meanShare() const {
 }
 
 Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
-  CHECK(columns > 0, "no columns, no lines");
+  MORULA_CHECK(columns > 0, "no columns, no lines");
   if (meshes.empty()) return {};
   Box box = measureBox(meshes[0].vertices);
   for (const MeshView& mesh : meshes) {
@@ -173,14 +173,14 @@ Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
                 std::max(box.high.z, other.high.z)};
   }
   const Vector size = box.high - box.low;
-  CHECK(std::isfinite(dot(size, size)), "meshes whose vertices are not finite");
+  MORULA_CHECK(std::isfinite(dot(size, size)), "meshes whose vertices are not finite");
   if (!(size.x > 0 && size.y > 0))
     return {std::vector<double>(meshes.size()), std::vector<double>(meshes.size()), 0};
   return Scan(meshes, box, columns).run();
 }
 
 double measureSharedVolume(const MeshView& a, const MeshView& b, int columns) {
-  CHECK(columns > 0, "no columns, no lines");
+  MORULA_CHECK(columns > 0, "no columns, no lines");
   const Box here = measureBox(a.vertices), there = measureBox(b.vertices);
   const Box both{{std::max(here.low.x, there.low.x), std::max(here.low.y, there.low.y),
                   std::max(here.low.z, there.low.z)},

@@ -43,7 +43,8 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
 }
 
 void place(Bodies& b, int slot, const Body& cell, double vertexMass) {
-  CHECK(static_cast<int>(cell.position.size()) == b.vertexCount(slot), "a cell has its mesh's vertices");
+  MORULA_CHECK(static_cast<int>(cell.position.size()) == b.vertexCount(slot),
+               "a cell has its mesh's vertices");
   b.vertexMass[slot] = vertexMass;
   b.restScale[slot] = cell.restScale;
   b.pressureConstant[slot] = cell.pressureConstant;
@@ -104,7 +105,7 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
 }
 
 int Bodies::vertexCount() const {
-  CHECK(coarser.empty(), "cells may have different meshes");
+  MORULA_CHECK(coarser.empty(), "cells may have different meshes");
   return mesh.vertexCount();
 }
 

@@ -77,7 +77,7 @@ struct Bodies {
   }
   const MeshTemplate& meshOf(int slot) const { return meshAt(blocks[slot / blockLanes].meshLevel); }
   int vertexCount(int slot) const { return meshOf(slot).vertexCount(); }
-  /// Of every cell, in a scene with one mesh; CHECKed.
+  /// Of every cell, in a scene with one mesh; a BugError otherwise.
   int vertexCount() const;
   int blockCount() const { return static_cast<int>(blocks.size()); }
   int liveLanes(int block) const { return blocks[block].liveLanes; }

@@ -16,7 +16,7 @@ namespace morula {
 constexpr std::uint64_t checkpointVersion = 2;
 
 /// A world between two steps. Not one whose step has failed: what it holds may be no numbers, which is
-/// CHECKed.
+/// a BugError otherwise.
 std::string saveState(const World& world);
 
 /// Puts the state back into a world that makeWorld has made of the same scene; the scene's stop conditions

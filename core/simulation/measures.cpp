@@ -142,7 +142,7 @@ bool has(const World& world, Needs needs) {
     case Needs::contact:  // without contact no cells touch: 0, not unknown
       return world.bodies.has_value();
   }
-  CHECK(false, "a need that is not known");
+  MORULA_CHECK(false, "a need that is not known");
 }
 
 template <class Of>
@@ -183,7 +183,7 @@ template <class Of>
 const Measure<Of>& measure(std::string_view name) {
   const auto all = measures<Of>();
   const auto at = std::ranges::find(all, name, &Measure<Of>::name);
-  CHECK(at != all.end(), "a measure that no row names");
+  MORULA_CHECK(at != all.end(), "a measure that no row names");
   return *at;
 }
 
@@ -191,14 +191,14 @@ template <class Of>
 std::size_t Measured<Of>::indexOf(std::string_view name) {
   const auto rows = sampledMeasures<Of>();
   const auto at = std::ranges::find(rows, name, &Measure<Of>::name);
-  CHECK(at != rows.end(), "a measure that samples do not hold");
+  MORULA_CHECK(at != rows.end(), "a measure that samples do not hold");
   return at - rows.begin();
 }
 
 template <class Of>
 double Measured<Of>::at(std::string_view name) const {
   const std::optional<double>& value = values[indexOf(name)];
-  CHECK(value.has_value(), "a value that was not measured");
+  MORULA_CHECK(value.has_value(), "a value that was not measured");
   return *value;
 }
 

@@ -54,7 +54,7 @@ std::span<const PairMeasure> measures<Touch>();
 /// Those that are taken with samples.
 template <class Of>
 std::span<const Measure<Of>> sampledMeasures();
-/// The row of this name; CHECKed.
+/// The row of this name; a BugError otherwise.
 template <class Of>
 const Measure<Of>& measure(std::string_view name);
 
@@ -67,7 +67,7 @@ class Measured {
 
   std::optional<double>& operator[](std::string_view name) { return values[indexOf(name)]; }
   const std::optional<double>& operator[](std::string_view name) const { return values[indexOf(name)]; }
-  /// A value that has been measured; CHECKed.
+  /// A value that has been measured; a BugError otherwise.
   double at(std::string_view name) const;
   /// [byte] That the values take.
   static std::size_t bytes() { return sampledMeasures<Of>().size() * sizeof(std::optional<double>); }

@@ -105,7 +105,8 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Te
   }
   if (depth) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->id(), 0);
   glDrawBuffers(GLsizei(targets.size()), targets.data());
-  CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "OpenGL refuses the textures");
+  MORULA_CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
+               "OpenGL refuses the textures");
 }
 
 Framebuffer::~Framebuffer() { glDeleteFramebuffers(1, &framebuffer_); }

@@ -158,7 +158,7 @@ std::vector<BulletTrial> tryBullet(const Scenario& scenario, const BulletSearch&
   const bool touching = scenario.scene.mechanics->contact && scenario.scene.cells.size() > 1;
   const auto steps = bulletTimeSteps(search.longest, search.longestStable, search.halvings, search.times);
   for (const Baseline baseline : {Baseline::b1, Baseline::b2, Baseline::b3}) {
-    if (!scenario::unfitForBullet(scenario, baseline).empty()) continue;
+    if (!scenario::bulletIncompatibilities(scenario, baseline).empty()) continue;
     std::vector<BulletTrial> trials;
     const auto go = [&](BulletSetting setting, double step, int rounds) {
       setting.timeStep = step;

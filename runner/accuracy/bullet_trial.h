@@ -49,7 +49,7 @@ struct BulletTrial {
   Trial trial;
 };
 
-/// Bullet at its best: all its baselines that the scene can be put to (unfitForBullet), with all their
+/// Bullet at its best: all its baselines that the scene can be put to (bulletIncompatibilities), with all their
 /// choices in time steps down to `longest`, once each. Then those choices of which some run is beaten by no
 /// other in both error and time go on to the shortest steps, in as many rounds as ours. Nothing if Bullet is
 /// absent. `errorOf`: nothing if the trial has failed.

@@ -48,9 +48,9 @@ class Experiment {
   AccuracyReport run() {
     report_.scenario = scenario_.scene.name;
     choose();
-    lab_.emplace(Laboratory{read_, options_, usual_, report_.times, radius_});
+    runs_.emplace(AccuracyRuns{read_, options_, usual_, report_.times, radius_});
     findReference();
-    study_ = studyMeshes(*lab_, scenario_, reference_, options_.levels);
+    study_ = studyMeshes(*runs_, scenario_, reference_, options_.levels);
     report_.mesh = study_.error;
     report_.own = ownRow();
     if (!options_.brief) addRows();
@@ -109,7 +109,7 @@ class Experiment {
     for (int halvings = options_.brief ? 1 : options_.halvings;; ++halvings) {
       try {
         reference_ =
-            findTimeReference(*lab_, halvings + finer, *report_.horizon, scenario_.file, report_.reference);
+            findTimeReference(*runs_, halvings + finer, *report_.horizon, scenario_.file, report_.reference);
       } catch (const InputError&) {
         if (halvings >= options_.halvings + most) throw;
         continue;
@@ -222,7 +222,7 @@ class Experiment {
 
   AccuracyRow rowOf(const Setting& setting, const std::string& series) const {
     options_.tell(fmt::format("{}, time step {}", series, numberText(setting.timeStep)));
-    return judged(lab_->trial(setting, options_.brief ? 1 : options_.rounds), series, "morula");
+    return judged(runs_->trial(setting, options_.brief ? 1 : options_.rounds), series, "morula");
   }
 
   AccuracyRow judged(const Trial& t, const std::string& series, const std::string& engine) const {
@@ -268,7 +268,7 @@ class Experiment {
     }
     Setting twin = s;
     twin.precision = Precision::binary64;
-    const Trial wide = lab_->trial(twin, 1);
+    const Trial wide = runs_->trial(twin, 1);
     if (!wide.failure.empty()) return parts;
     parts.time = compareRuns(wide, *converged, radius_).error();
     parts.precision = compareRuns(t, wide, radius_).error();
@@ -329,7 +329,7 @@ class Experiment {
   Scenario scenario_;
   double radius_ = 1, longest_ = 0;
   Setting usual_;
-  std::optional<Laboratory> lab_;
+  std::optional<AccuracyRuns> runs_;
   Trial reference_;
   MeshStudy study_;
   AccuracyReport report_;

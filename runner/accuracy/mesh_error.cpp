@@ -101,7 +101,7 @@ std::optional<double> MeshError::errorOf(std::uint64_t level) const {
 }
 
 MeshError estimateMeshError(const std::vector<SolvedMesh>& solved, std::uint64_t own, double eggRadius) {
-  CHECK(solved.size() >= 2, "an error of a mesh needs another mesh");
+  MORULA_CHECK(solved.size() >= 2, "an error of a mesh needs another mesh");
   MeshError error;
   error.own = own;
   error.until = INFINITY;

@@ -19,11 +19,11 @@ constexpr int mostHalvings = 5;
 /// Runs on other levels, and what they have cost.
 class Study {
  public:
-  Study(const Laboratory& lab, const Scenario& scenario, const Trial& own)
-      : lab_(lab), scenario_(scenario), own_(own), level_(*lab.usual.level) {
+  Study(const AccuracyRuns& runs, const Scenario& scenario, const Trial& own)
+      : runs_(runs), scenario_(scenario), own_(own), level_(*runs.usual.level) {
     // The steps of the scenario's own integrator are too long for others where it bears any.
-    const double usual = lab.usual.timeStep / 2;
-    step_ = lab.usual.integrator == Integrator::xpbd ? std::min(usual, 2 * own.setting.timeStep) : usual;
+    const double usual = runs.usual.timeStep / 2;
+    step_ = runs.usual.integrator == Integrator::xpbd ? std::min(usual, 2 * own.setting.timeStep) : usual;
   }
 
   MeshStudy run(const std::vector<std::uint64_t>& furtherLevels) {
@@ -40,7 +40,7 @@ class Study {
     for (std::uint64_t l = finest + 1; l-- > 0 && meshes.size() < 3 && at(l);)
       meshes.insert(meshes.begin(), {l, at(l)});
     if (meshes.size() < 2) result_.error.unknown = limit.empty() ? "there is no other mesh" : limit;
-    else result_.error = estimateMeshError(meshes, level_, lab_.eggRadius);
+    else result_.error = estimateMeshError(meshes, level_, runs_.eggRadius);
     result_.error.own = level_;
     result_.error.limit = limit;
     result_.error.timeError = timeError_;
@@ -56,7 +56,7 @@ class Study {
   }
 
   Setting settingAt(std::uint64_t level, double timeStep) const {
-    Setting s = convergent(lab_.usual, Integrator::velocityVerlet);
+    Setting s = convergent(runs_.usual, Integrator::velocityVerlet);
     s.level = level;
     s.timeStep = timeStep;
     if (const auto coarsen = scenario_.scene.mechanics->physics.coarsen)
@@ -68,22 +68,22 @@ class Study {
   double predictSeconds(std::uint64_t level, double timeStep) const {
     const auto vertices = [](std::uint64_t l) { return 10 * std::exp2(2.0 * double(l)) + 2; };
     const double perStep = own_.steps > 0 ? own_.cpuSeconds / double(own_.forceEvaluations) : 0;
-    return perStep * (vertices(level) / vertices(level_)) * (lab_.times.back() / timeStep);
+    return perStep * (vertices(level) / vertices(level_)) * (runs_.times.back() / timeStep);
   }
 
   /// In steps of at most that length; shorter where such do not run. Fails also if it is not affordable.
   Trial solve(std::uint64_t level, double& timeStep) {
     Trial t;
     for (int i = 0; i <= mostHalvings; ++i, timeStep /= 2) {
-      const double seconds = predictSeconds(level, timeStep), rest = lab_.options.budget - spent_;
+      const double seconds = predictSeconds(level, timeStep), rest = runs_.options.budget - spent_;
       if (!(seconds <= rest)) {
         t.failure = fmt::format(
             "icosphere {} takes about {} s of CPU time, and {} s of {} s are left (--budget)", level,
-            numberText(seconds, 2), numberText(std::max(0.0, rest), 2), numberText(lab_.options.budget, 4));
+            numberText(seconds, 2), numberText(std::max(0.0, rest), 2), numberText(runs_.options.budget, 4));
         return t;
       }
-      lab_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(timeStep)));
-      t = lab_.trial(settingAt(level, timeStep), 1, rest);
+      runs_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(timeStep)));
+      t = runs_.trial(settingAt(level, timeStep), 1, rest);
       spent_ += t.cpuSeconds;
       if (t.failure.empty()) return t;
     }
@@ -92,7 +92,7 @@ class Study {
   }
 
   double largestDistance(const Trial& a, const Trial& b) const {
-    return compareRuns(a, b, lab_.eggRadius).worst.largest();
+    return compareRuns(a, b, runs_.eggRadius).worst.largest();
   }
 
   /// One level up, in steps that are halved until halving them changes little beside what the mesh does.
@@ -137,14 +137,14 @@ class Study {
     s.coarsen = settingAt(level, s.timeStep).coarsen;
     if (level > level_)
       s.timeStep = std::ldexp(s.timeStep, static_cast<int>(level_) - static_cast<int>(level));
-    if (!(predictSeconds(level, s.timeStep) <= lab_.options.budget - spent_)) return;
-    lab_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(s.timeStep)));
-    Trial t = lab_.trial(s, 1);
+    if (!(predictSeconds(level, s.timeStep) <= runs_.options.budget - spent_)) return;
+    runs_.options.tell(fmt::format("icosphere {}, time step {}", level, numberText(s.timeStep)));
+    Trial t = runs_.trial(s, 1);
     spent_ += t.cpuSeconds;
     if (t.failure.empty()) result_.solved[level] = std::move(t);
   }
 
-  const Laboratory& lab_;
+  const AccuracyRuns& runs_;
   const Scenario& scenario_;
   const Trial& own_;
   const std::uint64_t level_;
@@ -155,18 +155,18 @@ class Study {
 
 }  // namespace
 
-MeshStudy studyMeshes(const Laboratory& lab, const Scenario& scenario, const Trial& own,
+MeshStudy studyMeshes(const AccuracyRuns& runs, const Scenario& scenario, const Trial& own,
                       const std::vector<std::uint64_t>& furtherLevels) {
   MeshStudy none;
   if (!kindOf(scenario.scene.mechanics->physics.cell.model).hasMesh) {
     none.error.none = true;
     return none;
   }
-  if (!lab.usual.level) {
+  if (!runs.usual.level) {
     none.error.unknown = "the mesh comes from a file, and there is no finer one of the same shape";
     return none;
   }
-  return Study(lab, scenario, own).run(furtherLevels);
+  return Study(runs, scenario, own).run(furtherLevels);
 }
 
 }  // namespace morula

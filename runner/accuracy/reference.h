@@ -10,7 +10,7 @@ namespace morula {
 Setting convergent(Setting setting, Integrator integrator);
 
 /// Runs a scene in many ways, at the times of comparison.
-struct Laboratory {
+struct AccuracyRuns {
   const ReadScenario& read;
   const AccuracyOptions& options;
   Setting usual;              // the scenario's, with the longest time step
@@ -22,8 +22,8 @@ struct Laboratory {
 
 /// The scene on its own mesh, `halvings` of the usual time step down, by the better of two integrators; the
 /// other one confirms it (AccuracyReference::witness). `about` is filled. Throws InputError if neither runs to the end.
-Trial findTimeReference(const Laboratory& lab, int halvings, const Horizon& horizon, const std::string& file,
-                        AccuracyReference& about);
+Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& horizon,
+                        const std::string& file, AccuracyReference& about);
 
 /// The scene on other meshes than its own, each solved with time steps that add little to the mesh's error.
 struct MeshStudy {
@@ -33,7 +33,7 @@ struct MeshStudy {
 
 /// `own` is the time reference. Finer meshes take part as far as `options.budget` allows; coarser ones show
 /// the order where it does not. `furtherLevels` are solved too.
-MeshStudy studyMeshes(const Laboratory& lab, const Scenario& scenario, const Trial& own,
+MeshStudy studyMeshes(const AccuracyRuns& runs, const Scenario& scenario, const Trial& own,
                       const std::vector<std::uint64_t>& furtherLevels);
 
 }  // namespace morula

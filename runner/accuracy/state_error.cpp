@@ -64,7 +64,7 @@ bool haveSameCells(const Shapes& a, const Shapes& b) {
 }
 
 StateError compareShapes(const Shapes& shapes, const Shapes& reference, double eggRadius) {
-  CHECK(haveSameCells(shapes, reference), "only the same cells can be compared");
+  MORULA_CHECK(haveSameCells(shapes, reference), "only the same cells can be compared");
   StateError worst;
   for (std::size_t i = 0; i < shapes.cells.size(); ++i) {
     const ComparedCell &a = shapes.cells[i], &b = reference.cells[i];

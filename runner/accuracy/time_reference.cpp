@@ -25,18 +25,18 @@ double distance(const Trial& a, const Trial& b, double eggRadius) {
   return d.partedAt ? INFINITY : d.error().value_or(INFINITY);
 }
 
-Converged converge(const Laboratory& lab, Integrator integrator, int halvings) {
-  Setting s = convergent(lab.usual, integrator);
-  s.timeStep = std::ldexp(lab.usual.timeStep, -halvings);
-  lab.options.tell(fmt::format("reference by {}, time step {}", nameOf(integrator), numberText(s.timeStep)));
+Converged converge(const AccuracyRuns& runs, Integrator integrator, int halvings) {
+  Setting s = convergent(runs.usual, integrator);
+  s.timeStep = std::ldexp(runs.usual.timeStep, -halvings);
+  runs.options.tell(fmt::format("reference by {}, time step {}", nameOf(integrator), numberText(s.timeStep)));
   Setting middle = s, coarse = s;
   middle.timeStep *= 2, coarse.timeStep *= 4;
-  Converged c{lab.trial(s, 1), {}};
+  Converged c{runs.trial(s, 1), {}};
   if (!c.trial.failure.empty()) return {c.trial, {INFINITY, 0}};
-  const Trial m = lab.trial(middle, 1);
-  const double fine = distance(m, c.trial, lab.eggRadius);
-  c.left =
-      estimateByRichardson(distance(lab.trial(coarse, 1), m, lab.eggRadius), fine, kindOf(integrator).order);
+  const Trial m = runs.trial(middle, 1);
+  const double fine = distance(m, c.trial, runs.eggRadius);
+  c.left = estimateByRichardson(distance(runs.trial(coarse, 1), m, runs.eggRadius), fine,
+                                kindOf(integrator).order);
   return c;
 }
 
@@ -49,22 +49,22 @@ Setting convergent(Setting s, Integrator integrator) {
   return s;
 }
 
-Trial Laboratory::trial(const Setting& setting, int rounds, double mostSeconds) const {
+Trial AccuracyRuns::trial(const Setting& setting, int rounds, double mostSeconds) const {
   return runTrial(read, setting, times, options.execution, rounds, mostSeconds);
 }
 
-Trial findTimeReference(const Laboratory& lab, int halvings, const Horizon& horizon, const std::string& file,
-                        AccuracyReference& r) {
-  Converged a = converge(lab, Integrator::rungeKutta4, halvings),
-            b = converge(lab, Integrator::velocityVerlet, halvings);
+Trial findTimeReference(const AccuracyRuns& runs, int halvings, const Horizon& horizon,
+                        const std::string& file, AccuracyReference& r) {
+  Converged a = converge(runs, Integrator::rungeKutta4, halvings),
+            b = converge(runs, Integrator::velocityVerlet, halvings);
   if (b.left.error < a.left.error) std::swap(a, b);
   if (!a.trial.failure.empty()) throw InputError(file + ": there is no reference: " + a.trial.failure);
   r.setting = a.trial.setting, r.witness = b.trial.setting;
   r.left = a.left, r.witnessLeft = b.left;
-  r.distance = distance(b.trial, a.trial, lab.eggRadius);
+  r.distance = distance(b.trial, a.trial, runs.eggRadius);
   // Rounding is an error too; beyond the horizon an estimate that looks good does so by chance.
-  r.left.error = std::max(r.left.error, horizon.rounding / lab.eggRadius);
-  if (horizon.parted && lab.options.until) r.left.error = std::max(r.left.error, r.distance);
+  r.left.error = std::max(r.left.error, horizon.rounding / runs.eggRadius);
+  if (horizon.parted && runs.options.until) r.left.error = std::max(r.left.error, r.distance);
   r.agrees = r.distance <= 2 * (r.left.error + r.witnessLeft.error);
   return std::move(a.trial);
 }

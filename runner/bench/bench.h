@@ -28,8 +28,8 @@ struct BenchOptions {
   std::vector<Isa> isas;
   std::vector<int> threads{1};
   std::vector<Stage> stages;
-  int rounds = 5;        // measurements of each thing, one after the other in turn
-  double shortness = 1;  // factor of the number of steps in a round; less: shorter rounds
+  int rounds = 5;          // measurements of each thing, one after the other in turn
+  double stepsFactor = 1;  // factor of the number of steps in a round; less: shorter rounds
   bool bullet = true;
   int mostBulletCells = 256;
   std::filesystem::path folder;  // where packed scenes are kept; "": nowhere

@@ -32,7 +32,7 @@ class SceneBench {
                  options.tell) {
     // By the size alone, so that what is counted on the way is the same everywhere.
     const double wanted =
-        options.shortness * std::max(24.0, 96 * std::min(1.0, 40'000 / subject_.vertices()));
+        options.stepsFactor * std::max(24.0, 96 * std::min(1.0, 40'000 / subject_.vertices()));
     steps_ = std::max(4, static_cast<int>(wanted));
   }
 

@@ -5,7 +5,7 @@
 #include "check/sanity.h"
 #include "files/folders.h"
 #include "golden/change.h"
-#include "golden/succession.h"
+#include "golden/golden_diff.h"
 #include "loop/twin_run.h"
 #include "system/console.h"
 #include "system/signals.h"
@@ -79,7 +79,7 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
       golden.rules = old.rules;
       if (old.data.scenarioHash == golden.data.scenarioHash) golden.error = old.error;
       golden.data = keepValuesWithinTolerance(std::move(golden.data), old);
-      accepted.text = changeInWords(old.data, golden.data) + describeSuccession(old, golden.data);
+      accepted.text = changeInWords(old.data, golden.data) + describeGoldenDiff(old, golden.data);
     } catch (const InputError& e) {  // damaged, or of an older version: there is nothing to keep of it
       accepted.text = std::string(e.what()) + "\nnothing is kept of the old golden\n";
     }

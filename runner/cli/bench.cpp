@@ -95,7 +95,7 @@ BenchOptions meant(const BenchWords& words) {
   if (options.threads.front() != 1) options.threads.insert(options.threads.begin(), 1);
   options.stages = stages(words.stages);
   options.rounds = words.quick ? 3 : 5;
-  options.shortness = words.quick ? 0.34 : 1;
+  options.stepsFactor = words.quick ? 0.34 : 1;
   options.bullet = !words.noBullet;
   options.folder = std::filesystem::path(words.out) / "bench";
   options.program = ownProgram();

@@ -104,7 +104,7 @@ void addParts(CLI::App& app, Action& action) {
   add(verb, options->execution);
   verb.takes("--rehearsal", options->rehearsal, "N",
              "Run the beginning for so many steps times vertices, by default 8e6: fewer are quicker and "
-             "foretell less");
+             "predict less");
   verb.takes("--no-pictures", options->noPictures, "As of a run with --no-pictures");
   add(verb, options->output);
   verb.does([options] { return act(*options); });

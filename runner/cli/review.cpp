@@ -12,7 +12,7 @@
 #include "explain/explain.h"
 #include "files/folders.h"
 #include "golden/accept.h"
-#include "golden/succession.h"
+#include "golden/golden_diff.h"
 #include "system/console.h"
 #include "system/git_text.h"
 
@@ -82,7 +82,7 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
   } else {
     const Golden golden = readAccepted(scenario, file);
     const CheckReport report = compareGolden(golden, observed);
-    const std::string changes = describeSuccession(golden, observed), looser = describeLoosened(golden, file);
+    const std::string changes = describeGoldenDiff(golden, observed), looser = describeLoosened(golden, file);
     if (!report.passed() || !looser.empty()) code = differs;
     text = describe(report) + changes + looser;
     json["changes"] = changes, json["loosened"] = looser;

@@ -7,7 +7,7 @@
 #include "cli/options.h"
 #include "cli/verb.h"
 #include "explain/explain.h"
-#include "explain/trail_json.h"
+#include "explain/hash_trace_json.h"
 #include "simulation/checkpoint.h"
 #include "system/console.h"
 
@@ -30,7 +30,7 @@ int act(const TrailOptions& options) {
   OwnRun run = scenarioRun(scenario, how);
   if (!options.state.empty()) {
     const auto step = naturalOption("--state", options.state, 0, toTheEnd);
-    const Trail there = run.trail(step, step, 1);
+    const HashTrace there = run.hashTrace(step, step, 1);
     if (!there.failure.empty()) throw InputError("no state at step " + options.state + ": " + there.failure);
     printBytes(saveState(*run.stateAt(step)));
     return fine;
@@ -38,7 +38,7 @@ int act(const TrailOptions& options) {
   const auto from = naturalOption("--from", options.from, 0, toTheEnd);
   const auto to = naturalOption("--to", options.to, 0, toTheEnd);
   if (to < from) throw UsageError("--to " + options.to + " comes before --from " + options.from);
-  print(writeTrail(run.trail(from, to, naturalOption("--every", options.every, 1, toTheEnd))));
+  print(writeHashTrace(run.hashTrace(from, to, naturalOption("--every", options.every, 1, toTheEnd))));
   return fine;
 }
 

@@ -91,8 +91,8 @@ void checkPrecision(const Mesh& egg, btSoftBodyWorldInfo& info) {
   btSoftBody body(&info, static_cast<int>(places.size()), places.data(), nullptr);
   for (const Face& f : egg.faces) body.appendFace(f[0], f[1], f[2]);
   const double ours = measureVolume(egg.vertices, egg.faces);
-  CHECK(std::abs(body.getVolume() - ours) <= 1e-12 * ours,
-        "Bullet's library measures another volume: is it of another precision than its headers?");
+  MORULA_CHECK(std::abs(body.getVolume() - ours) <= 1e-12 * ours,
+               "Bullet's library measures another volume: is it of another precision than its headers?");
 }
 
 std::vector<Body> readCells(const BulletScene& scene,

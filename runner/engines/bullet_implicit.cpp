@@ -75,7 +75,7 @@ struct ImplicitEngine final : BulletEngine {
 
   explicit ImplicitEngine(const BulletScene& asked)
       : scene(asked), springs(asked.physics.membrane.stiffness, asked.physics.membrane.damping, true) {
-    CHECK(!scene.contact && !scene.physics.shell, "B3 has neither contact nor shell");
+    MORULA_CHECK(!scene.contact && !scene.physics.shell, "B3 has neither contact nor shell");
     constraints.setDeformableSolver(&deformables);
     world.setGravity({0, 0, 0});
     world.setImplicit(true);

@@ -38,8 +38,8 @@ Verdict askThesis(const Scenario& scenario, const ExternalQuestion& question) {
 
 Verdict askBullet(const Scenario& scenario, const ExternalQuestion& question, Baseline baseline) {
   if (!bulletIsAvailable()) return notAsked("not asked: this build has no Bullet");
-  for (const auto& unfit : scenario::unfitForBullet(scenario, baseline))
-    if (unfit.lacks) return notAsked("cannot be asked: " + unfit.wrong);
+  for (const auto& one : scenario::bulletIncompatibilities(scenario, baseline))
+    if (one.lacks) return notAsked("cannot be asked: " + one.wrong);
   if (baseline == Baseline::b3 &&
       (scenario.scene.mechanics->contact || scenario.scene.mechanics->physics.shell))
     return notAsked("cannot be asked: b3 knows neither contact nor shell");

@@ -21,7 +21,7 @@ struct Window {
   const StateHashes *expected = nullptr, *actual = nullptr;  // there; null if a run has no state there
 };
 
-Window partingOf(const Trail& e, const Trail& a) {
+Window partingOf(const HashTrace& e, const HashTrace& a) {
   Window w;
   const std::size_t both = std::min(e.links.size(), a.links.size());
   for (std::size_t i = 0; i < both; ++i) {
@@ -53,8 +53,8 @@ std::vector<std::string> cellsThatDiffer(const StateHashes& e, const StateHashes
   return cells;
 }
 
-std::string describe(const Explanation& x, const std::string& e, const std::string& a, const Trail& te,
-                     const Trail& ta) {
+std::string describe(const Explanation& x, const std::string& e, const std::string& a, const HashTrace& te,
+                     const HashTrace& ta) {
   std::string text = x.failureClass + ": ";
   text += x.step == 0u ? "different before the first step"
                        : "the same up to step " + std::to_string(x.lastEqual.value_or(0)) +
@@ -63,18 +63,18 @@ std::string describe(const Explanation& x, const std::string& e, const std::stri
   if (x.difference) text += "\n  first     " + x.difference->text;
   if (!x.cells.empty())
     text += "\n  cells     " + inWords(x.cells) + (x.cells.size() == 1 ? " differs" : " differ") + " there";
-  for (const auto& [who, trail] : {std::pair{"expected", &te}, std::pair{"actual", &ta}})
-    if (!trail->failure.empty())
-      text += "\n  " + std::string(who) + " ended at step " + std::to_string(trail->lastStep) + ": " +
-              trail->failure;
+  for (const auto& [who, trace] : {std::pair{"expected", &te}, std::pair{"actual", &ta}})
+    if (!trace->failure.empty())
+      text += "\n  " + std::string(who) + " ended at step " + std::to_string(trace->lastStep) + ": " +
+              trace->failure;
   return text + '\n';
 }
 
 }  // namespace
 
-Explanation explain(Witness& expected, Witness& actual, std::uint64_t every) {
+Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every) {
   Explanation x;
-  Trail e = expected.trail(0, toTheEnd, every), a = actual.trail(0, toTheEnd, every);
+  HashTrace e = expected.hashTrace(0, toTheEnd, every), a = actual.hashTrace(0, toTheEnd, every);
   Window window = partingOf(e, a);
   if (window.same) {
     x.lastEqual = e.lastStep;
@@ -83,8 +83,9 @@ Explanation explain(Witness& expected, Witness& actual, std::uint64_t every) {
     return x;
   }
   if (const std::uint64_t from = window.lastEqual.value_or(0); window.first > from + 1) {
-    Trail finerE = expected.trail(from, window.first, 1), finerA = actual.trail(from, window.first, 1);
-    const auto stepByStep = [from](const Trail& t) {
+    HashTrace finerE = expected.hashTrace(from, window.first, 1),
+              finerA = actual.hashTrace(from, window.first, 1);
+    const auto stepByStep = [from](const HashTrace& t) {
       return t.links.size() > 1 && t.links[1].step == from + 1;
     };
     if (stepByStep(finerE) && stepByStep(finerA)) {
@@ -105,12 +106,12 @@ Explanation explain(Witness& expected, Witness& actual, std::uint64_t every) {
                    : x.difference && x.difference->lineage ? "LINEAGE"
                                                            : "COMPUTATION";
   x.text = describe(x, expected.name(), actual.name(), e, a);
-  for (const Witness* w : {&expected, &actual})
+  for (const RunSource* w : {&expected, &actual})
     if (!w->noState.empty()) x.text += "  no vertex and values: " + w->name() + ": " + w->noState + '\n';
   return x;
 }
 
-Explanation explainTwice(Witness& first, Witness& second, std::uint64_t every) {
+Explanation explainTwice(RunSource& first, RunSource& second, std::uint64_t every) {
   Explanation x = explain(first, second, every);
   if (x.failureClass.empty()) return x;
   x.failureClass = "NONDETERMINISM";

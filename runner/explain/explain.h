@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "explain/run_source.h"
 #include "explain/state_difference.h"
-#include "explain/witness.h"
 
 namespace morula {
 
@@ -23,11 +23,11 @@ struct Explanation {
 /// Follows both runs every `every` steps to where they first differ, then step by step through that window,
 /// then compares the states. A difference that heals between two states looked at leaves no trace: with
 /// `every` 1 none is missed.
-Explanation explain(Witness& expected, Witness& actual, std::uint64_t every = 64);
+Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every = 64);
 /// Two runs of the scenario by this program, computed so and in another way (otherExecution).
 Explanation explainTwice(const Scenario& scenario, const Execution& how, std::uint64_t every = 64);
 /// Two runs of one program: whatever differs is NONDETERMINISM, a bug or broken hardware, and to be told
 /// first.
-Explanation explainTwice(Witness& first, Witness& second, std::uint64_t every = 64);
+Explanation explainTwice(RunSource& first, RunSource& second, std::uint64_t every = 64);
 
 }  // namespace morula

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "explain/witness.h"
+#include "explain/run_source.h"
 #include "loop/simulate.h"
 #include "simulation/world.h"
 #include "system/signals.h"
@@ -30,16 +30,16 @@ bool OwnRun::goTo(std::uint64_t step) {
   return true;
 }
 
-bool OwnRun::addLink(Trail& trail) {
-  const auto before = trail.links.empty() ? std::nullopt : std::optional(trail.links.back().hash);
+bool OwnRun::addLink(HashTrace& trace) {
+  const auto before = trace.links.empty() ? std::nullopt : std::optional(trace.links.back().hash);
   try {
-    trail.links.push_back(nextLink(before, *world_));
+    trace.links.push_back(nextLink(before, *world_));
   } catch (const NumericalError& error) { failure_ = error.what(); }
   return failure_.empty();
 }
 
-Trail OwnRun::trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
-  Trail t;
+HashTrace OwnRun::hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
+  HashTrace t;
   for (std::uint64_t step = from; step <= to; step += every) {
     if (!goTo(step)) break;
     if (!failure_.empty()) break;

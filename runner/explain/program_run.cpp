@@ -1,7 +1,7 @@
 #include "explain/program_run.h"
 
 #include "base/error.h"
-#include "explain/trail_json.h"
+#include "explain/hash_trace_json.h"
 #include "simulation/checkpoint.h"
 #include "simulation/world.h"
 #include "system/child_process.h"
@@ -27,11 +27,11 @@ std::string ProgramRun::answer(const std::vector<std::string>& arguments) const 
   return std::move(end.said);
 }
 
-Trail ProgramRun::trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
+HashTrace ProgramRun::hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
   const std::string text =
       answer({"--from", std::to_string(from), "--to", std::to_string(to), "--every", std::to_string(every)});
   try {
-    return readTrail(text);
+    return readHashTrace(text);
   } catch (const InputError& e) { throw InputError(program_ + ": " + e.what()); }
 }
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "explain/witness.h"
+#include "explain/run_source.h"
 
 namespace morula {
 
-class ProgramRun : public Witness {
+class ProgramRun : public RunSource {
  public:
   /// `program` is started as `PROGRAM trail SCENARIO …`; `make` gives the scenario's world here, into which
   /// its states are restored. Both must know the same scenario file.
@@ -17,7 +17,7 @@ class ProgramRun : public Witness {
              std::vector<std::string> more = {});
   std::string name() const override { return program_; }
   /// Throws InputError if the program cannot be started or does not answer.
-  Trail trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
+  HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
   /// Null if its states are of a form that is not known here.
   std::unique_ptr<World> stateAt(std::uint64_t step) override;
 

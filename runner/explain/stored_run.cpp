@@ -6,12 +6,12 @@
 
 namespace morula {
 
-StoredTrail::StoredTrail(std::string name, std::vector<ChainLink> chain, std::uint64_t steps,
-                         std::string failure)
+StoredRunSource::StoredRunSource(std::string name, std::vector<ChainLink> chain, std::uint64_t steps,
+                                 std::string failure)
     : name_(std::move(name)), failure_(std::move(failure)), chain_(std::move(chain)), steps_(steps) {}
 
-Trail StoredTrail::trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
-  Trail t;
+HashTrace StoredRunSource::hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
+  HashTrace t;
   for (const ChainLink& link : chain_)
     if (link.step >= from && link.step <= to && (link.step - from) % every == 0) t.links.push_back(link);
   t.lastStep = std::min(to, steps_);
@@ -19,7 +19,7 @@ Trail StoredTrail::trail(std::uint64_t from, std::uint64_t to, std::uint64_t eve
   return t;
 }
 
-std::unique_ptr<World> StoredTrail::stateAt(std::uint64_t) {
+std::unique_ptr<World> StoredRunSource::stateAt(std::uint64_t) {
   noState = "a database keeps hashes, not states";
   return nullptr;
 }

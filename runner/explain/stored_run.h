@@ -3,17 +3,17 @@
 #include <string>
 #include <vector>
 
-#include "explain/witness.h"
+#include "explain/run_source.h"
 
 namespace morula {
 
-class StoredTrail : public Witness {
+class StoredRunSource : public RunSource {
  public:
   /// `chain` as the database has it, `steps` and `failure` as the run ended.
-  StoredTrail(std::string name, std::vector<ChainLink> chain, std::uint64_t steps, std::string failure);
+  StoredRunSource(std::string name, std::vector<ChainLink> chain, std::uint64_t steps, std::string failure);
   std::string name() const override { return name_; }
   /// Of the steps asked for, those that are stored.
-  Trail trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
+  HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
   std::unique_ptr<World> stateAt(std::uint64_t) override;
 
  private:

@@ -135,7 +135,8 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
     f.text += "INPUT_CHANGED: run " + stored.id + " in " + question.database + ": " + broken + "\n";
     return;
   }
-  StoredTrail expected("run " + stored.id + " in " + question.database, chain, stored.steps, stored.failure);
+  StoredRunSource expected("run " + stored.id + " in " + question.database, chain, stored.steps,
+                           stored.failure);
   OwnRun actual = scenarioRun(scenario, question.execution);
   f.where = explain(expected, actual, chain.size() > 1 ? chain[1].step - chain[0].step : 1);
   f.failureClass = f.where.failureClass;

@@ -35,7 +35,7 @@ double distance(const World& a, const World& b) {
 }  // namespace
 
 Twins::Twins(World world, World twin) : world_(std::move(world)), twin_(std::move(twin)) {
-  CHECK(world_.bodies && world_.clock.step == 0, "twins are born at step 0, with bodies");
+  MORULA_CHECK(world_.bodies && world_.clock.step == 0, "twins are born at step 0, with bodies");
   Bodies& b = *twin_.bodies;
   const double before = b.position[b.at(0, 0)], after = nextAbove(before, b.parameters.precision);
   b.position[b.at(0, 0)] = after;

@@ -7,12 +7,12 @@
 
 namespace morula::scenario {
 
-struct Unfit {
+struct Incompatibility {
   bool lacks = false;  // Bullet has no such thing; otherwise the two would just not be comparable
   std::string wrong, right;
 };
 
 /// All reasons, or none. The scenario has mechanics.
-std::vector<Unfit> unfitForBullet(const Scenario& scenario, Baseline baseline);
+std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, Baseline baseline);
 
 }  // namespace morula::scenario

@@ -223,8 +223,8 @@ void checkConnections(const Scenario& scenario, Reading& reading, const Node& ro
 
 void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
   if (!scenario.check.bullet) return;
-  for (const Unfit& unfit : unfitForBullet(scenario, scenario.check.bullet->baseline))
-    reading.problems.add(placeOf(root, "check.bullet"), "check.bullet", unfit.wrong, unfit.right);
+  for (const Incompatibility& one : bulletIncompatibilities(scenario, scenario.check.bullet->baseline))
+    reading.problems.add(placeOf(root, "check.bullet"), "check.bullet", one.wrong, one.right);
 }
 
 /// More would be neither stored nor looked at in any reasonable time.

@@ -125,7 +125,7 @@ bool Statement::next() {
 void Statement::reset() { sqlite3_reset(statement_.get()); }  // its code repeats the last step's
 
 void Statement::expectParameters(int count) const {
-  CHECK(sqlite3_bind_parameter_count(statement_.get()) == count, sqlite3_sql(statement_.get()));
+  MORULA_CHECK(sqlite3_bind_parameter_count(statement_.get()) == count, sqlite3_sql(statement_.get()));
 }
 
 bool Statement::isNull(int column) const {

@@ -22,7 +22,7 @@ void insertDocuments(Database& db, const std::string& id, const std::vector<Docu
 
 const std::string& stateText(const RunResults& results, StateId state) {
   const auto found = results.stateTexts.find(state);
-  CHECK(found != results.stateTexts.end(), "every state in the results has its text");
+  MORULA_CHECK(found != results.stateTexts.end(), "every state in the results has its text");
   return found->second;
 }
 

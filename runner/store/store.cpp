@@ -84,9 +84,9 @@ std::string Store::begin(const RunRecord& record) {
 
 void Store::finish(const std::string& id, const RunEnd& end, const RunResults& results) {
   const auto attempt = attempts_.find(id);
-  CHECK(attempt != attempts_.end(), "a run is begun before it is finished");
-  CHECK(end.status != RunStatus::running, "a finished run does not run");
-  CHECK(end.status != RunStatus::done || end.stateHash, "a run that is done has a state hash");
+  MORULA_CHECK(attempt != attempts_.end(), "a run is begun before it is finished");
+  MORULA_CHECK(end.status != RunStatus::running, "a finished run does not run");
+  MORULA_CHECK(end.status != RunStatus::done || end.stateHash, "a run that is done has a state hash");
   Transaction transaction(db_);
   if (const auto earlier = findEarlier(db_, id)) {
     if (earlier->status == name(RunStatus::done)) {

@@ -44,7 +44,7 @@ std::optional<std::uint64_t> Store::checkpointStep(const std::string& id) {
 bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
                            const FrameSource& frames) {
   const auto attempt = attempts_.find(id);
-  CHECK(attempt != attempts_.end(), "a run is begun before it is stopped");
+  MORULA_CHECK(attempt != attempts_.end(), "a run is begun before it is stopped");
   Transaction transaction(db_);
   Statement status(db_, "SELECT status FROM run WHERE run_id = ?");
   if (!status.start(id).next()) insertRun(db_, id, attempt->second.record, attempt->second.started, nullptr);

@@ -34,7 +34,7 @@ std::size_t numberLength(std::string_view text) {
 }
 
 /// What is wrong with a text that should be one decimal number; empty if nothing is.
-std::string complaint(std::string_view text) {
+std::string whatIsWrong(std::string_view text) {
   const auto length = numberLength(text);
   if (length == 0) {
     auto word = text.substr(!text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0);
@@ -58,7 +58,7 @@ std::string complaint(std::string_view text) {
 }  // namespace
 
 Parsed<double> parseReal(std::string_view text) {
-  if (auto wrong = complaint(text); !wrong.empty()) return {0, wrong};
+  if (auto wrong = whatIsWrong(text); !wrong.empty()) return {0, wrong};
   if (text[0] == '+') text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -68,7 +68,7 @@ Parsed<double> parseReal(std::string_view text) {
 }
 
 Parsed<std::uint64_t> parseNatural(std::string_view text) {
-  if (auto wrong = complaint(text); !wrong.empty()) return {0, wrong};
+  if (auto wrong = whatIsWrong(text); !wrong.empty()) return {0, wrong};
   if (text[0] == '-') return {0, "is negative"};
   if (text[0] == '+') text.remove_prefix(1);
   std::uint64_t value = 0;

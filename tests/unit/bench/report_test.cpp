@@ -99,7 +99,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
   options.levels = {1};
   options.isas = availableIsas();
   options.stages = {Stage::step, Stage::internal, Stage::contact, Stage::rebuild, Stage::integrate};
-  options.rounds = 1, options.shortness = 0.1, options.bullet = false;
+  options.rounds = 1, options.stepsFactor = 0.1, options.bullet = false;
   const BenchReport report = runBench(options);
   for (const Isa isa : availableIsas())
     for (const Stage stage : options.stages) {

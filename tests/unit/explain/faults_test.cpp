@@ -84,7 +84,7 @@ OwnRun run(const Scene& scene, const char* name, const RunFault* fault, Executio
 std::uint64_t firstStepThatDiffers(const Scene& scene, const RunFault& fault) {
   OwnRun clean = run(scene, "", nullptr), faulty = run(scene, "", &fault);
   for (std::uint64_t s = 0;; ++s) {
-    const Trail e = clean.trail(s, s, 1), a = faulty.trail(s, s, 1);
+    const HashTrace e = clean.hashTrace(s, s, 1), a = faulty.hashTrace(s, s, 1);
     if (!a.failure.empty() || e.links.empty() || a.links.empty()) return s;
     if (e.links.back().state.whole != a.links.back().state.whole) return s;
   }

@@ -3,9 +3,9 @@
 
 #include "catch.h"
 #include "explain/explain.h"
+#include "explain/hash_trace_json.h"
 #include "explain/program_run.h"
 #include "explain/stored_run.h"
-#include "explain/trail_json.h"
 #include "simulation/checkpoint.h"
 #include "store/recorder.h"
 #include "store/store.h"
@@ -94,7 +94,7 @@ TEST_CASE("A stored run tells the window and the cell; its states are gone") {
           if (w.clock.step == when) w.bodies->velocity[w.bodies->at(0, 3)] += 1e-9;
         });
   };
-  StoredTrail before("run", chain, chain.back().step, "");
+  StoredRunSource before("run", chain, chain.back().step, "");
   OwnRun same = runWith(0);
   CHECK(explain(before, same, 8).failureClass.empty());
   OwnRun other = runWith(67);
@@ -116,8 +116,8 @@ TEST_CASE("Another program tells its hashes and its state, and so step, vertex a
     if (w.clock.step == when) w.bodies->position[w.bodies->at(0, 3) + blockLanes] += 1e-9;
   });
   TemporaryFolder folder;
-  writeText(folder / "coarse", writeTrail(other.trail(0, 1u << 30, 64)));
-  writeText(folder / "fine", writeTrail(other.trail(0, 64, 1)));
+  writeText(folder / "coarse", writeHashTrace(other.hashTrace(0, 1u << 30, 64)));
+  writeText(folder / "fine", writeHashTrace(other.hashTrace(0, 64, 1)));
   writeText(folder / "state", saveState(*other.stateAt(when)));
   const std::string here = folder.path().string();
   writeText(folder / "program", "#!/bin/sh\ncase \"$*\" in\n*\" --state 43\") cat " + here +
@@ -151,18 +151,19 @@ TEST_CASE("A trail survives its way through text, and a damaged one is refused")
         return makeWorld(scene, {Isa::scalar, 1});
       },
       [](World& w) { step(w); });
-  Trail trail = run.trail(0, 1u << 30, 16);
-  trail.failure = "it broke: twice";
-  const std::string text = writeTrail(trail);
-  const Trail back = readTrail(text);
-  CHECK(back.links == trail.links);
-  CHECK(back.lastStep == trail.lastStep);
-  CHECK(back.failure == trail.failure);
-  CHECK_THROWS_WITH(readTrail(text.substr(0, text.size() / 2)), ContainsSubstring("cut short"));
-  CHECK_THROWS_WITH(readTrail("link 0 12\nend 0\n"), ContainsSubstring("the trail is cut short, or another"));
-  CHECK_THROWS_WITH(readTrail("{\"links\": []}"), ContainsSubstring("last_step"));
-  const std::string hash = trail.links[0].state.whole.text();
+  HashTrace trace = run.hashTrace(0, 1u << 30, 16);
+  trace.failure = "it broke: twice";
+  const std::string text = writeHashTrace(trace);
+  const HashTrace back = readHashTrace(text);
+  CHECK(back.links == trace.links);
+  CHECK(back.lastStep == trace.lastStep);
+  CHECK(back.failure == trace.failure);
+  CHECK_THROWS_WITH(readHashTrace(text.substr(0, text.size() / 2)), ContainsSubstring("cut short"));
+  CHECK_THROWS_WITH(readHashTrace("link 0 12\nend 0\n"),
+                    ContainsSubstring("the trail is cut short, or another"));
+  CHECK_THROWS_WITH(readHashTrace("{\"links\": []}"), ContainsSubstring("last_step"));
+  const std::string hash = trace.links[0].state.whole.text();
   std::string wrong = text;
   wrong.replace(wrong.find(hash), 1, "x");
-  CHECK_THROWS_WITH(readTrail(wrong), ContainsSubstring("is no hash"));
+  CHECK_THROWS_WITH(readHashTrace(wrong), ContainsSubstring("is no hash"));
 }

@@ -1,4 +1,4 @@
-#include "explain/trail_json.h"
+#include "explain/hash_trace_json.h"
 
 #include "base/error.h"
 #include "golden/number_text.h"
@@ -40,21 +40,21 @@ ChainLink linkFrom(const Json& j, const std::optional<Hash>& before) {
 
 }  // namespace
 
-std::string writeTrail(const Trail& trail) {
+std::string writeHashTrace(const HashTrace& trace) {
   Json links = Json::array();
-  for (const ChainLink& link : trail.links) links.push_back(toJson(link));
-  return jsonText({{"links", links}, {"last_step", trail.lastStep}, {"failure", trail.failure}}) + '\n';
+  for (const ChainLink& link : trace.links) links.push_back(toJson(link));
+  return jsonText({{"links", links}, {"last_step", trace.lastStep}, {"failure", trace.failure}}) + '\n';
 }
 
-Trail readTrail(const std::string& text) {
+HashTrace readHashTrace(const std::string& text) {
   try {
     const Json json = Json::parse(text);
-    Trail trail;
+    HashTrace trace;
     for (const Json& j : json.at("links"))
-      trail.links.push_back(
-          linkFrom(j, trail.links.empty() ? std::nullopt : std::optional(trail.links.back().hash)));
-    json.at("last_step").get_to(trail.lastStep), json.at("failure").get_to(trail.failure);
-    return trail;
+      trace.links.push_back(
+          linkFrom(j, trace.links.empty() ? std::nullopt : std::optional(trace.links.back().hash)));
+    json.at("last_step").get_to(trace.lastStep), json.at("failure").get_to(trace.failure);
+    return trace;
   } catch (const Json::exception& error) {
     throw InputError(std::string("the trail is cut short, or another version's: ") + error.what());
   }

@@ -21,6 +21,6 @@ std::vector<std::string> loosenedTolerances(const Golden& before, const Golden& 
 
 /// What of the golden's items the observed data lacks or has more, changed lineage lines, changed bits: each
 /// heading with a count and up to nine lines. "" if there is nothing.
-std::string describeSuccession(const Golden& golden, const GoldenData& observed);
+std::string describeGoldenDiff(const Golden& golden, const GoldenData& observed);
 
 }  // namespace morula

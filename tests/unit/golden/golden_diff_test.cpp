@@ -1,5 +1,5 @@
 // What one golden hands on to the next.
-#include "golden/succession.h"
+#include "golden/golden_diff.h"
 
 #include "catch.h"
 #include "example_facts.h"
@@ -68,13 +68,13 @@ TEST_CASE("what became looser is told with the rule that did it") {
 TEST_CASE("a reviewer sees what is gone, new and changed") {
   const Golden golden = exampleGolden();
   GoldenFacts facts = exampleFacts();
-  CHECK(describeSuccession(golden, dataOf(facts)).empty());
+  CHECK(describeGoldenDiff(golden, dataOf(facts)).empty());
   facts.samples.clear();
   facts.lineage[1].state = 0;
   facts.stateHash.low = 1;
   facts.cells[0]["volume"] = 3;
   facts.timeSteps.push_back({512, 2, 1});
-  const std::string text = describeSuccession(golden, dataOf(facts));
+  const std::string text = describeGoldenDiff(golden, dataOf(facts));
   CHECK_THAT(text, ContainsSubstring("6 removed\n  value 0.5/organism/cells"));
   CHECK_THAT(text, ContainsSubstring("1 new\n  time_step 512 2 1\n"));
   CHECK_THAT(text, ContainsSubstring("1 changed in the lineage\n  cell A"));

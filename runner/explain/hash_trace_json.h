@@ -2,12 +2,12 @@
 // The hashes of a run's states as JSON, as one program tells them another.
 #include <string>
 
-#include "explain/witness.h"
+#include "explain/run_source.h"
 
 namespace morula {
 
-std::string writeTrail(const Trail& trail);
+std::string writeHashTrace(const HashTrace& trace);
 /// Throws InputError for anything else.
-Trail readTrail(const std::string& text);
+HashTrace readHashTrace(const std::string& text);
 
 }  // namespace morula

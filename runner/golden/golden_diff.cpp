@@ -1,4 +1,4 @@
-#include "golden/succession.h"
+#include "golden/golden_diff.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ std::vector<std::string> loosenedTolerances(const Golden& before, const Golden& 
   return lines;
 }
 
-std::string describeSuccession(const Golden& golden, const GoldenData& observed) {
+std::string describeGoldenDiff(const Golden& golden, const GoldenData& observed) {
   const auto before = byName(golden.data), after = byName(observed);
   std::vector<std::string> removed, added, lineage, bits, values, others;
   for (const GoldenItem& item : golden.data.items) {

@@ -12,19 +12,19 @@
 namespace morula {
 
 /// The hashes of a run's states at regular steps.
-struct Trail {
+struct HashTrace {
   std::vector<ChainLink> links;  // their chain begins with the first of them
   std::uint64_t lastStep = 0;    // where the run ended, or where asking stopped
   std::string failure;           // why it could not go on there; "" if it could
 };
 
-class Witness {
+class RunSource {
  public:
-  virtual ~Witness() = default;
+  virtual ~RunSource() = default;
   /// "this program, avx2, 1 thread".
   virtual std::string name() const = 0;
   /// The states at steps from, from + every, … not after `to`, as far as the run goes.
-  virtual Trail trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) = 0;
+  virtual HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) = 0;
   /// The state after this step; where the run fails there, the failed state. Null if it cannot be had, and
   /// then `noState` says why.
   virtual std::unique_ptr<World> stateAt(std::uint64_t step) = 0;
@@ -34,20 +34,20 @@ class Witness {
 /// A run in this process. `make` gives its world at step 0, `advance` goes on by one step; both must do the
 /// same each time. `watch` is called before every step and may throw to end the asking. It goes on from where
 /// it stands if it can, and starts anew if it is asked about the past.
-class OwnRun : public Witness {
+class OwnRun : public RunSource {
  public:
   OwnRun(std::string name, std::function<World()> make, std::function<void(World&)> advance,
          std::function<void(const World&)> watch = {});
   ~OwnRun() override;
   std::string name() const override { return name_; }
-  Trail trail(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
+  HashTrace hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) override;
   std::unique_ptr<World> stateAt(std::uint64_t step) override;
 
  private:
   /// Goes to the step or to the end of the run. False where the run ends before.
   bool goTo(std::uint64_t step);
   /// False where the state is none.
-  bool addLink(Trail& trail);
+  bool addLink(HashTrace& trace);
 
   std::string name_;
   std::function<World()> make_;
