@@ -15,7 +15,7 @@ struct LineageNode {
   double ended = 0;  // [time]; for cells alive: the present
   Fate fate = Fate::alive;
   Colour colour = neutralGrey;
-  std::string label;  // its state; written at leaves while there are few enough of them
+  std::string label;  // its name or state; written at leaves while there are few enough of them
 };
 
 struct TreePicture {

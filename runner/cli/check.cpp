@@ -159,8 +159,9 @@ int act(const CheckOptions& options) {
     if (hasUnusableGolden(report)) code = input;
     else if (!report.passed() && code == fine) code = differs;
     for (const auto& result : report.results) results.push_back(toJson(report, result));
-    if (!options.output.json && beside.engines.empty()) print(describe(report));
-    else if (!report.passed()) tell(describe(report), options.output.quiet);
+    const std::string words = withNames(describe(report), scenario.names.function());
+    if (!options.output.json && beside.engines.empty()) print(words);
+    else if (!report.passed()) tell(words, options.output.quiet);
     reports.push_back(report);
     if (!beside.engines.empty()) own.push_back(judge(scenario.check, report));
   }

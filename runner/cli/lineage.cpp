@@ -27,7 +27,7 @@ struct LineageOptions {
 struct Tree {
   std::string scenario;
   double end = 0;      // [time] of the run
-  RunResults results;  // only the lineage and the states' texts
+  RunResults results;  // only the lineage, the states' texts and the names
 };
 
 Tree stored(const LineageOptions& options) {
@@ -49,15 +49,15 @@ Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   scenario.scene.mechanics.reset();
   Progress progress(scenario.scene.name, options.output.quiet);
-  auto run = simulate(makeScenarioWorld(scenario, {}), {}, progress);
+  auto run = simulate(makeScenarioWorld(scenario, {}), {.nameOf = scenario.names.function()}, progress);
   return {scenario.scene.name, run.end.time, std::move(run.results)};
 }
 
-std::string line(const LineageEntry& cell, const std::string& states) {
+std::string line(const LineageEntry& cell, const std::string& states, const std::string& called) {
   const auto path = cell.path.text();
   return std::string(2 * path.size(), ' ') +
-         fmt::format("{}  {} {}{}  {}\n", path.empty() ? "egg" : path, name(cell.fate),
-                     cell.fate == Fate::alive ? "since " : fmt::format("{:.6g}–", cell.born),
+         fmt::format("{}{}{}  {} {}{}  {}\n", path.empty() ? "egg" : path, called.empty() ? "" : "  ", called,
+                     name(cell.fate), cell.fate == Fate::alive ? "since " : fmt::format("{:.6g}–", cell.born),
                      fmt::format("{:.6g}", cell.fate == Fate::alive ? cell.born : cell.ended), states);
 }
 
@@ -71,11 +71,14 @@ int act(const LineageOptions& options) {
   Json list = Json::array();
   for (const auto& cell : cells) {
     const auto& state = tree.results.stateTexts[cell.state];
+    const auto named = tree.results.names.find(cell.path);
+    const std::string called = named == tree.results.names.end() ? "" : named->second;
     if (!options.output.json) {
-      print(line(cell, state));
+      print(line(cell, state, called));
       continue;
     }
     list.push_back({{"path", cell.path.text()},
+                    {"name", called.empty() ? Json() : Json(called)},
                     {"parent", cell.path.isEgg() ? Json() : Json(cell.path.mother().text())},
                     {"born", cell.born},
                     {"ended", cell.fate == Fate::alive ? tree.end : cell.ended},  // alive: the run's end

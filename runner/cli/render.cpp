@@ -63,7 +63,7 @@ int act(const RenderOptions& options) {
   if (time)
     world.model.stop.time =
         time;  // of the world, not of the scenario: it runs as it always does, only not so far
-  const auto run = simulate(std::move(world), {}, progress);
+  const auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress);
   if (run.signal) return signalled + run.signal;
   if (run.end.status == RunStatus::failed) {
     tellError(run.end.failure);

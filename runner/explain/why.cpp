@@ -206,10 +206,14 @@ Findings findWhy(const Scenario& scenario, const WhyQuestion& question) {
   const SignalWatch signals;
   Findings f;
   lookForNondeterminism(scenario, question, f);
-  if (!f.failureClass.empty()) return f;
+  if (!f.failureClass.empty()) {
+    f.text = withNames(f.text, scenario.names.function());
+    return f;
+  }
   if (!question.database.empty()) compareWithStored(scenario, question, f);
   else if (!question.program.empty()) compareWithProgram(scenario, question, f);
   else compareWithGolden(scenario, question, f);
+  f.text = withNames(f.text, scenario.names.function());
   return f;
 }
 

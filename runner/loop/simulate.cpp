@@ -69,7 +69,7 @@ bool wantsHashes(const Scenario& scenario, bool hasGolden) {
 }
 
 RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
-  RecordOptions record{scenario.record.every, {}};
+  RecordOptions record{scenario.record.every, {}, scenario.names.function()};
   if (hashes) record.hashEvery = scenario.scene.mechanics ? stepsPerHash : 1;
   return record;
 }
@@ -116,6 +116,7 @@ Simulation simulate(World world, Recorder recorder, Progress& progress, const Ru
     failure = fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy);
   }
   progress.clear();
+  failure = withNames(failure, recorder.options().nameOf);
   if (status == RunStatus::failed) run.end = endOf(run.world, status, failure);
   run.results = recorder.take(run.world, status == RunStatus::failed);
   return run;

@@ -35,7 +35,8 @@ Execution otherExecution(const Execution& how);
 /// at them.
 RecordOptions recordingOf(const Scenario& scenario, bool hashes);
 
-/// Runs it and writes down what `record` says. A NumericalError is not thrown but told in `end.failure`.
+/// Runs it and writes down what `record` says. A NumericalError is not thrown but told in `end.failure`, with the
+/// names of cells that have one.
 /// `watch`, if given, sees the world at the start and after every step.
 Simulation simulate(World world, const RecordOptions& record, Progress& progress,
                     std::function<void(const World&)> watch = {});

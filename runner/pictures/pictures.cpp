@@ -93,7 +93,8 @@ TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
     const bool lives = cell.fate == Fate::alive;
     alive += lives;
     picture.nodes.push_back({cell.path.text(), cell.born, lives ? end : cell.ended, cell.fate,
-                             palette.colourOf(substances), substances});
+                             palette.colourOf(substances),
+                             scenario.names.of(cell.path).value_or(substances)});
   }
   picture.title = scenario.scene.name;
   picture.caption = fmt::format("{} cells, {} of them alive at time {:.4g}", cells.size(), alive, end);

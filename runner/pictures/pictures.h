@@ -32,7 +32,7 @@ class Palette {
 
 /// The organism as it is now. The world has bodies.
 OrganismPicture pictureOf(const World& world, const Scenario& scenario);
-/// The lineage as far as it has come. `describe` gives a state's substances, `end` [time] is when the living
+/// The lineage as far as it has come; cells with a name are labelled with it, others with their substances. `describe` gives a state's substances, `end` [time] is when the living
 /// are seen.
 TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
                              const std::function<std::string(StateId)>& describe, double end,

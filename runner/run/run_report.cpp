@@ -99,7 +99,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
     text += fmt::format("           {} ({} pictures)\n", (settings.folder / "sequence").string(), frames);
   if (outcome.checks && !outcome.checks->passed()) text += describe(*outcome.checks);
   if (!outcome.isSane().value_or(true)) text += describe(outcome.sanityReport(scenario));
-  return text;
+  return withNames(text, scenario.names.function());
 }
 
 Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {

@@ -242,6 +242,7 @@ void checkInterval(const std::string& path, std::optional<double> every, double 
 
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkSubstances(scenario.scene.dna, reading);
+  checkCellNames(scenario, reading, root);
   checkReason(scenario.check, reading, root);
   if (const auto& mechanics = scenario.scene.mechanics) {
     if (scenario.scene.cells.empty()) checkShell(scenario, reading, root);

@@ -26,12 +26,22 @@ struct DnaSource {
   Place place;
 };
 
+/// Where a cell got its name.
+struct NameUse {
+  CellPath path;
+  Place place;         // in the scenario, of the name or of the file that it stands in
+  std::string key;     // "names.cells.AB", "names.file"
+  std::string inFile;  // "names.txt:3:1"; "": it stands in the scenario itself
+};
+
 /// What reading the values needs and leaves behind besides the Scenario.
 struct Reading {
   Problems& problems;
   std::vector<SubstanceUse> substances;
   DnaSource dna;
   std::vector<Place> startCells;  // where each of `cells` stands
+  std::vector<NameUse> names{};
+  std::optional<std::pair<std::string, Place>> namesFile{};
 };
 
 enum class Decides {
@@ -108,6 +118,13 @@ struct Places {
 /// Parses the DNA and builds the mesh, from the scenario itself or from files. What is wrong in them is
 /// reported with their own lines.
 void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places);
+
+/// Names that a file gives to cells, one "PATH NAME" a line, "egg" for the egg's path (cell_name_types.cpp). What is
+/// wrong is reported with the file's lines.
+void readCellNames(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
+                   Reading& reading);
+/// Cells with one and the same name, and rules that name nobody.
+void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root);
 
 /// Substances that the DNA does not know, an egg that does not fit its shell, pictures without bodies.
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root);

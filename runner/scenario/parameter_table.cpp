@@ -85,6 +85,14 @@ std::vector<Section> sections() {
       {.path = "senses",
        .meaning = "What cells may know of themselves and their neighbours. Takes no keys yet"},
       {.path = "record", .meaning = "What is written down while the scene runs"},
+      {.path = "names",
+       .meaning =
+           "What people call the cells, in tables, pictures and messages: a cell goes by the name that "
+           "is given for its path, or else by her mother's with a daughter's ending",
+       .absent = "cells go by their paths",
+       .members = atLeastOne,
+       .decides = Decides::presentation,
+       .exists = [](const Scenario& s) { return !s.names.empty(); }},
       {.path = "check",
        .meaning = "What must hold of the run besides its golden file",
        .decides = Decides::presentation},
@@ -236,6 +244,11 @@ std::vector<Parameter> parameters() {
                    AT(record.every)),
       presentation(optionalReal("record.pictures", "time", positive, "", "one picture, of the end",
                                 "Time between pictures of a sequence", AT(record.pictures))),
+
+      nameOfEgg(),
+      namesOfDaughters(),
+      namesOfCells(),
+      namesFile(),
 
       optionalBounds("check.volume",
                      "Always: of every cell, over that of its mesh at rest; positive is not inside out",

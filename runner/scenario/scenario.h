@@ -10,6 +10,7 @@
 
 #include "base/hash.h"
 #include "scenario/baseline.h"
+#include "scenario/cell_names.h"
 #include "simulation/scene.h"
 
 namespace morula {
@@ -65,7 +66,7 @@ struct CheckParameters {
 
 /// A file that a scenario names.
 struct NamedFile {
-  std::string role;  // "dna" or "mesh"
+  std::string role;  // "dna", "mesh" or "names"
   std::string path;  // where it was read from
   std::string content;
 };
@@ -77,6 +78,7 @@ struct Scenario {
   EggMesh mesh;
   /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
+  CellNames names;  // of cells, by their paths
   RecordParameters record;
   CheckParameters check;
 

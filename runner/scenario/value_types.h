@@ -80,6 +80,10 @@ Parameter divisionPlane();
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();
 Parameter saneEnd();
+Parameter nameOfEgg();
+Parameter namesOfDaughters();
+Parameter namesOfCells();
+Parameter namesFile();
 Parameter becauseText();
 
 // For the kinds themselves.

@@ -81,6 +81,9 @@ RunResults Recorder::take(const World& world, bool failed) {
   for (const LineageEntry& e : world.lineage.entries) describe(world, e.state);
   RunResults results = std::exchange(results_, {});
   results.lineage = world.lineage.entries;
+  if (options_.nameOf)
+    for (const LineageEntry& e : results.lineage)
+      if (auto name = options_.nameOf(e.path)) results.names.emplace(e.path, std::move(*name));
   if (world.connections) results.connections = world.connections->history;
   for (const TimeStepChange& t : world.timeSteps) results.timeSteps.push_back({t.time, t.step, t.timeStep});
   results.divisions = world.divisions;

@@ -1,5 +1,6 @@
 #pragma once
 // Takes what is to be stored from a World while it runs, and nothing that was not asked for.
+#include <functional>
 #include <optional>
 
 #include "store/records.h"
@@ -9,15 +10,18 @@ namespace morula {
 struct World;
 
 struct RecordOptions {
-  std::optional<double> every;  // [time] sample at 0, every, 2·every, … and at the end; absent: at the start
-                                // and at the end only
-  std::optional<std::uint64_t> hashEvery;  // [steps] a link of the chain of hashes at step 0, hashEvery, …
-                                           // and at the end; absent: none
+  std::optional<double>
+      every{};  // [time] sample at 0, every, 2·every, … and at the end; absent: at the start
+                // and at the end only
+  std::optional<std::uint64_t> hashEvery{};  // [steps] a link of the chain of hashes at step 0, hashEvery, …
+                                             // and at the end; absent: none
+  /// What people call a cell; empty: cells go by their paths. Nothing that is recorded depends on it but the names.
+  std::function<std::optional<std::string>(const CellPath&)> nameOf{};
 };
 
 class Recorder {
  public:
-  explicit Recorder(RecordOptions options = {}) : options_(options) {}
+  explicit Recorder(RecordOptions options = {}) : options_(std::move(options)) {}
 
   /// Call once after makeWorld and once after every step. Costs two comparisons unless something is due; a
   /// sample is taken at the first step at or after its time and carries the time of that step.

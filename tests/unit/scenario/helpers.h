@@ -47,6 +47,7 @@ division: {plane: {axis: [0, 1, -1]}}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5}
 senses: {}
 record: {every: 0.25, pictures: 0.5}
+names: {egg: P0, daughters: [l, r], cells: {A: AB}}
 check: {volume: [0.5, 2], extent: 9, energy: 100, momentum: 0.5, end-volume: [0.9, 1.1], end-roundness: 0.75,
   end-overlap: 0.125, fails: [springs, physics.time_step], sane: false, because: it stops}
 cells:

@@ -47,6 +47,9 @@ TEST_CASE("comments, layout, spelling of numbers and key order mean nothing") {
 TEST_CASE("names, colours and pictures mean nothing for the results") {
   const auto meaning = read(everyPart).meaning;
   CHECK(read(replaced(everyPart, "name: every-part", "name: other")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "egg: P0", "egg: Z")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "{A: AB}", "{A: ABC}")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "[l, r]", "[a, p]")).meaning == meaning);
   CHECK(read(replaced(everyPart, "summary: All keys at once", "summary: x")).meaning == meaning);
   CHECK(read(replaced(everyPart, "#102030", "#102031")).meaning == meaning);
   CHECK(read(replaced(everyPart, "pictures: 0.5", "pictures: 0.25")).meaning == meaning);
