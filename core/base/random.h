@@ -10,7 +10,15 @@
 
 namespace morula {
 
-enum class Purpose : std::uint32_t { divisionPlane = 1, perturbation = 2, test = 3 };
+enum class Purpose : std::uint32_t {  // part of what a seed means: new ones stand behind the others
+  divisionPlane = 1,
+  perturbation = 2,
+  test = 3,
+  tilt = 4,
+  cycleVariation = 5,
+  shareVariation = 6,
+  startVariation = 7,
+};
 
 struct Draw {
   std::uint64_t seed = 0;
