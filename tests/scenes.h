@@ -182,4 +182,19 @@ inline Scene coarsening() {
   return s;
 }
 
+/// Four cells in contact: daughters turn against each other, and a polarity turns to the other half of the tree.
+inline Scene turning() {
+  Scene s = withBodies(uniqueFour, 4);
+  s.name = "turning";
+  MechanicsScene& m = *s.mechanics;
+  m.physics.drag = 5;
+  m.physics.shell = ShellParameters{{1.2, 1, 0.96}};
+  m.contact = pairContactWithFriction;
+  m.division.otherwise = {.plane = DivisionPlane::polarity, .axis = {1, 2, 3}, .substance = "a2"};
+  m.division.chirality = Chirality{-30, 0.3};
+  s.stop.time = 3.25;
+  s.stop.cycles.reset();
+  return s;
+}
+
 }  // namespace morula::scenes

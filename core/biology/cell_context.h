@@ -1,10 +1,12 @@
 #pragma once
 // What a cell is and touches at one instant, as its biology, its division and the measures may know it. The
 // world stands still meanwhile, so the order in which cells are asked cannot matter.
+#include <optional>
 #include <span>
 #include <string>
 
 #include "base/cell_path.h"
+#include "base/vec3.h"
 #include "biology/state.h"
 
 namespace morula {
@@ -42,6 +44,17 @@ class CellContext {
   virtual const CellContext* sister() const { return nullptr; }
   /// How its mother was cut; null for a cell that no division made, and in a lineage-only scene.
   virtual const DivisionRecord* motherDivision() const { return nullptr; }
+
+  // What division planes ask for besides
+  /// The cells at the other ends of its connections, by path; none in a scene without connections.
+  virtual std::span<const CellContext* const> connected() const { return {}; }
+  /// [length] Semi-axes along x, y and z of the shell, which has its centre at the origin; absent: no shell.
+  virtual std::optional<Vector> shell() const { return {}; }
+  /// [length] The centre of the volume of all cells; in a lineage-only scene the origin.
+  virtual Point organismCentre() const { return {}; }
+  /// The polarity that the nearest of its ancestors with one left to her daughters [Cut::polarity]; null: none
+  /// had any.
+  virtual const Vector* inheritedPolarity() const { return nullptr; }
 };
 
 }  // namespace morula

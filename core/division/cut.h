@@ -4,6 +4,7 @@
 // The mesh is copied to both daughters, and in each the vertices beyond the plane are projected onto it, so
 // connectivity never changes and both volumes add up to the mother's. Velocities are copied, and mass is
 // shared by volume, so momentum is kept.
+#include <optional>
 #include <span>
 #include <string>
 
@@ -15,9 +16,10 @@ namespace morula {
 /// Where a cell is to be cut. A surface is cut along the plane; a sphere, which has none, into shares of its
 /// volume.
 struct Cut {
-  Point point;         // [length] on the plane
-  Vector normal;       // the plane's unit normal; points to daughter A
-  double ratio = 0.5;  // [1] of the volume that daughter A is to have, above 0 and below 1
+  Point point;                          // [length] on the plane
+  Vector normal;                        // the plane's unit normal; points to daughter A
+  double ratio = 0.5;                   // [1] of the volume that daughter A is to have, above 0 and below 1
+  std::optional<Vector> polarity = {};  // that both daughters inherit [CellContext::inheritedPolarity]
 };
 
 struct Daughters {

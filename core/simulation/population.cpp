@@ -109,6 +109,18 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
       inheritConnections(*world.connections, world.cells.path[i], cuts[division++], time, centreOf);
 }
 
+/// Sorts in what mothers left to their daughters.
+void keepPolarities(World& world, const std::vector<CellChange>& changes, const std::vector<Cut>& cuts) {
+  if (!world.polarities) return;
+  std::size_t division = 0;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (changes[i] != CellChange::divides) continue;
+    if (const auto& polarity = cuts[division++].polarity)
+      world.polarities->push_back({world.cells.path[i], *polarity});
+  }
+  std::ranges::sort(*world.polarities, {}, &PolarityRecord::path);
+}
+
 /// Daughters have no more vertices than their mother.
 void requireMemoryFor(const World& world, const std::vector<CellChange>& changes) {
   double cells = double(world.lineage.entries.size());
@@ -170,6 +182,7 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
     }
   }
   inheritAllConnections(world, changes, cuts, next);
+  keepPolarities(world, changes, cuts);
   world.cells = std::move(next.cells);
   if (!world.bodies) return;
   setBodies(*world.bodies, next.bodies);

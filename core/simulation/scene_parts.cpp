@@ -93,23 +93,32 @@ void addPart(Hasher& h, const ContactParameters& contact) {
 }
 
 void addPlane(Hasher& h, const PlaneChoice& choice) {
-  const auto& [plane, axis, substance] = choice;
+  const auto& [plane, axis, substance, turnsAway] = choice;
   h.add(number(plane)).add(axis.x).add(axis.y).add(axis.z);
   if (!substance.empty()) h.add(substance);
+  if (turnsAway) h.add("away");
+}
+
+void addChirality(Hasher& h, const std::optional<Chirality>& chirality) {
+  if (!chirality) return;
+  const auto& [angle, time] = *chirality;
+  h.field("chirality").add(angle).add(time);
 }
 
 void addPart(Hasher& h, const DivisionParameters& division) {
-  const auto& [otherwise, rules] = division;
+  const auto& [otherwise, rules, chirality] = division;
   addPlane(h.field("division"), otherwise);
+  addChirality(h, chirality);
   if (rules.empty()) return;
   h.field("rules").add(std::uint64_t{rules.size()});
-  for (const auto& [of, plane, share, tilt] : rules) {
+  for (const auto& [of, plane, share, tilt, own] : rules) {
     h.add(std::uint64_t{of.size()});
     for (const std::string& pattern : of) h.add(pattern);
     h.add(plane.has_value());
     if (plane) addPlane(h, *plane);
     add(h, share);
     add(h, tilt);
+    addChirality(h, own);
   }
 }
 

@@ -50,6 +50,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
     world.contacts =
         makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
+  if (keepsPolarity(m.division)) world.polarities.emplace();
   setStages(world, execution.isa);
   requireMemoryForStart(world);
   setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
@@ -71,6 +72,7 @@ void setStages(World& world, Isa isa) {
 }
 
 void beginWithBodies(World& world) {
+  findSwirls(world);
   if (world.contacts) resetContacts(*world.contacts, *world.bodies);
   if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
   evaluateForces(world);

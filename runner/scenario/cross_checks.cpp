@@ -253,6 +253,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
                     reading, root);
     checkSpheres(scenario, reading, root);
     checkConnections(scenario, reading, root);
+    checkPlanes(scenario, reading, root);
     checkBullet(scenario, reading, root);
   }
   checkInterval("record.every", scenario.record.every, 1e7, "samples", scenario, reading, root);

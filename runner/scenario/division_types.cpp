@@ -18,11 +18,28 @@ std::string inWords(const std::vector<std::string>& choices) {
 
 std::string spell(const DivisionPlaneKind& kind) {
   if (kind.takes == Takes::nothing) return kind.name;
-  return std::string("{") + kind.name + (kind.takes == Takes::axis ? ": [x, y, z]}" : ": a0}");
+  return std::string("{") + kind.name + (kind.takes == Takes::substance ? ": a0}" : ": [x, y, z]}");
 }
 
 Json axisSchema() {
   return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
+}
+
+/// An axis alone, or one that turns.
+Json polaritySchema() {
+  const auto turning = [](const char* key) {
+    return Json{{"type", "object"},
+                {"properties", {{"start", axisSchema()}, {key, {{"type", "string"}}}}},
+                {"required", {"start", key}},
+                {"additionalProperties", false}};
+  };
+  return {{"oneOf", Json::array({axisSchema(), turning("turns-towards"), turning("turns-away-from")})}};
+}
+
+Json takenSchema(Takes takes) {
+  return takes == Takes::axis        ? axisSchema()
+         : takes == Takes::substance ? Json{{"type", "string"}}
+                                     : polaritySchema();
 }
 
 Json planeSchema() {
@@ -30,11 +47,10 @@ Json planeSchema() {
   for (const DivisionPlaneKind& kind : divisionPlanes()) {
     if (kind.takes == Takes::nothing) words.push_back(kind.name);
     else
-      forms.push_back(
-          {{"type", "object"},
-           {"properties", {{kind.name, kind.takes == Takes::axis ? axisSchema() : Json{{"type", "string"}}}}},
-           {"required", {kind.name}},
-           {"additionalProperties", false}});
+      forms.push_back({{"type", "object"},
+                       {"properties", {{kind.name, takenSchema(kind.takes)}}},
+                       {"required", {kind.name}},
+                       {"additionalProperties", false}});
   }
   forms.insert(forms.begin(), {{"enum", words}});
   return {{"oneOf", forms}};
@@ -47,11 +63,37 @@ std::optional<Vector> readAxis(const Node& node, const std::string& path, Proble
   return {};
 }
 
+/// {start: [x, y, z], turns-towards: a0}, or turns-away-from.
+void readTurning(const Node& node, const std::string& path, Reading& reading, PlaneChoice& choice) {
+  const std::string allowed = "start, and either turns-towards or turns-away-from with a substance";
+  refuseUnknown(node, path, {"start", "turns-towards", "turns-away-from"}, reading.problems);
+  const Member *start = nullptr, *turns = nullptr;
+  for (const Member& member : node.members) {
+    if (member.key == "start") start = &member;
+    else if (turns && member.key.starts_with("turns-"))
+      reading.problems.add(member.place, path + "." + member.key, "is one too many", "needs " + allowed);
+    else if (member.key == "turns-towards" || member.key == "turns-away-from") turns = &member;
+  }
+  if (!start)
+    reading.problems.add(node.place, path + ".start", "is missing",
+                         "needs the egg's polarity, as start: [1, 0, 0]");
+  else if (const auto axis = readAxis(start->value, path + ".start", reading.problems)) choice.axis = *axis;
+  if (!turns)
+    return reading.problems.add(node.place, path, "turns nowhere",
+                                "needs turns-towards or turns-away-from, or write polarity: [x, y, z]");
+  choice.turnsAway = turns->key == "turns-away-from";
+  if (const auto name = readPattern(turns->value, path + "." + turns->key, reading)) choice.substance = *name;
+}
+
 /// What stands behind the name of a plane that takes something.
 std::optional<PlaneChoice> readTaken(const DivisionPlaneKind& kind, const Node& node, const std::string& path,
                                      Reading& reading) {
   PlaneChoice choice{.plane = kind.plane};
-  if (kind.takes == Takes::axis) {
+  if (kind.takes == Takes::polarity && node.kind == Node::Kind::map) {
+    readTurning(node, path, reading, choice);
+    return choice;
+  }
+  if (kind.takes != Takes::substance) {
     const auto axis = readAxis(node, path, reading.problems);
     if (!axis) return {};
     choice.axis = *axis;
@@ -91,7 +133,10 @@ Json writePlane(const PlaneChoice& choice) {
   const DivisionPlaneKind& kind = kindOf(choice.plane);
   if (kind.takes == Takes::nothing) return Json(kind.name);
   if (kind.takes == Takes::substance) return Json{{kind.name, choice.substance}};
-  return Json{{kind.name, {choice.axis.x, choice.axis.y, choice.axis.z}}};
+  const Json axis{choice.axis.x, choice.axis.y, choice.axis.z};
+  if (choice.substance.empty()) return Json{{kind.name, axis}};
+  const char* turns = choice.turnsAway ? "turns-away-from" : "turns-towards";
+  return Json{{kind.name, {{"start", axis}, {turns, choice.substance}}}};
 }
 
 }  // namespace

@@ -76,6 +76,14 @@ std::vector<Section> sections() {
        .meaning = "Where cells divide",
        .needs = "physics",
        .exists = [](const Scenario& s) { return s.scene.mechanics.has_value(); }},
+      {.path = "division.chirality",
+       .meaning =
+           "Both daughters turn about the division axis, against each other and with the medium around them; "
+           "needs physics.drag",
+       .absent = "daughters do not turn",
+       .make = [](Scenario& s) { s.scene.mechanics->division.chirality.emplace(); },
+       .exists =
+           [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->division.chirality; }},
       {.path = "connections",
        .meaning = "Cells that hold on to one another [Nilsson 2008, §4.4.3]",
        .absent = "no cell holds another",
@@ -220,6 +228,13 @@ std::vector<Parameter> parameters() {
            "Reach of a vertex, in mean rest lengths of its cell's edges", MECHANICS(contact->radius)),
 
       divisionPlane(),
+      real("division.chirality.angle", "degree", chiralAngle,
+           "Of daughter A in all, clockwise seen along the axis, which points to her; B turns by as much the "
+           "other "
+           "way; below 0: the mirror image",
+           MECHANICS(division.chirality->angle)),
+      real("division.chirality.time", "time", positive, "In which the turning falls to 1/e",
+           MECHANICS(division.chirality->time)),
 
       choice("connections.make", MECHANICS(connections->make)),
       choice("connections.on-division", MECHANICS(connections->onDivision)),

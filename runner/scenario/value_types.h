@@ -76,6 +76,14 @@ Parameter timeStep();
 Parameter shellSphere();
 Parameter shellEllipsoid();
 Parameter divisionPlane();
+/// [degree] More than a turn is refused as a slip.
+constexpr Range chiralAngle{-360, 360};
+/// {angle: 20, time: 0.5}, of a rule.
+std::optional<Chirality> readChirality(const Node& node, const std::string& path, Problems& problems);
+Json writeChirality(const Chirality& chirality);
+Json chiralitySchema();
+/// That a scene has what its division planes and chirality go by.
+void checkPlanes(const Scenario& scenario, Reading& reading, const Node& root);
 /// What division.plane may be, in words.
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();

@@ -76,16 +76,20 @@ inline auto fields(ContactParameters& a) {
   return std::tie(law, stiffness, damping, friction, slipSpeed, radius);
 }
 inline auto fields(PlaneChoice& a) {
-  auto& [plane, axis, substance] = a;
-  return std::tie(plane, axis, substance);
+  auto& [plane, axis, substance, turnsAway] = a;
+  return std::tie(plane, axis, substance, turnsAway);
+}
+inline auto fields(Chirality& a) {
+  auto& [angle, time] = a;
+  return std::tie(angle, time);
 }
 inline auto fields(DivisionRule& a) {
-  auto& [of, plane, share, tilt] = a;
-  return std::tie(of, plane, share, tilt);
+  auto& [of, plane, share, tilt, chirality] = a;
+  return std::tie(of, plane, share, tilt, chirality);
 }
 inline auto fields(DivisionParameters& a) {
-  auto& [otherwise, rules] = a;
-  return std::tie(otherwise, rules);
+  auto& [otherwise, rules, chirality] = a;
+  return std::tie(otherwise, rules, chirality);
 }
 inline auto fields(ConnectionParameters& a) {
   auto& [make, onDivision, strength, releaseDistance] = a;

@@ -96,22 +96,22 @@ TEST_CASE("what is not a finite number is within no tolerance") {
 }
 
 TEST_CASE("patterns") {
-  CHECK(fits("*", ""));
-  CHECK(fits("*", "final/egg/x"));
-  CHECK(fits("final/*/volume", "final/AB/volume"));
-  CHECK_FALSE(fits("final/*/volume", "final/AB/volumes"));
-  CHECK_FALSE(fits("final/*/volume", "final/volume"));
-  CHECK(fits("*a*b*", "xxaxxbxx"));
-  CHECK(fits("*ab", "aab"));
-  CHECK(fits("*aab", "aaab"));
-  CHECK_FALSE(fits("*ab", "aba"));
-  CHECK(fits("abc", "abc"));
-  CHECK_FALSE(fits("abc", "abcd"));
-  CHECK_FALSE(fits("abcd", "abc"));
-  CHECK_FALSE(fits("", "a"));
-  CHECK(fits("", ""));
-  CHECK(fits("**", "a"));
-  CHECK_FALSE(fits("a.c", "abc"));  // no regular expressions
+  CHECK(fitsName("*", ""));
+  CHECK(fitsName("*", "final/egg/x"));
+  CHECK(fitsName("final/*/volume", "final/AB/volume"));
+  CHECK_FALSE(fitsName("final/*/volume", "final/AB/volumes"));
+  CHECK_FALSE(fitsName("final/*/volume", "final/volume"));
+  CHECK(fitsName("*a*b*", "xxaxxbxx"));
+  CHECK(fitsName("*ab", "aab"));
+  CHECK(fitsName("*aab", "aaab"));
+  CHECK_FALSE(fitsName("*ab", "aba"));
+  CHECK(fitsName("abc", "abc"));
+  CHECK_FALSE(fitsName("abc", "abcd"));
+  CHECK_FALSE(fitsName("abcd", "abc"));
+  CHECK_FALSE(fitsName("", "a"));
+  CHECK(fitsName("", ""));
+  CHECK(fitsName("**", "a"));
+  CHECK_FALSE(fitsName("a.c", "abc"));  // no regular expressions
 }
 
 TEST_CASE("rules are read and written alike") {

@@ -98,10 +98,12 @@ TEST_CASE("The step that fails is the one that fails alone, and leaves the same 
   }
 }
 
-TEST_CASE("Cells that touch, hold on to each other or grow take one step at a time") {
+TEST_CASE("Cells that touch, hold on to each other, turn or grow take one step at a time") {
   Scene touching = scenes::packed(), growing = scenes::withBodies("START: a0\ng1(a0|a0)\ng2(grow|a0)\n", 3);
   growing.mechanics->physics.growth = GrowthParameters{0.1};
-  for (const Scene& scene : {touching, growing}) {
+  Scene turning = scenes::turning();
+  turning.mechanics->contact.reset();
+  for (const Scene& scene : {touching, growing, turning}) {
     World world = makeWorld(scene);
     while (world.clock.time < 1.5) takeSteps(world, 1);
     const std::uint64_t before = world.clock.step;
