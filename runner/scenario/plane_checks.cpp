@@ -6,6 +6,11 @@ namespace morula::scenario {
 
 namespace {
 
+const Node* inside(const Node* node, std::string_view key) {
+  const Member* member = node ? node->find(key) : nullptr;
+  return member ? &member->value : nullptr;
+}
+
 /// What is wrong, and what would be right.
 using Refuse = std::function<void(const std::string& wrong, const std::string& right)>;
 
@@ -27,19 +32,22 @@ void checkPlane(const PlaneChoice& choice, const MechanicsScene& m, const Refuse
   if (a == b && b == c) refuse("a sphere has no longest axis", right);
 }
 
-void checkChirality(const Chirality& chirality, bool mayBeNone, const MechanicsScene& m,
+/// Where the value could not be read, that has been said.
+bool hasNoDrag(const MechanicsScene& m, const Node& root) {
+  if (m.physics.drag > 0) return false;
+  const Node* given = inside(inside(&root, "physics"), "drag");
+  Problems said("");
+  return !given || readReal(*given, notNegative, "", "", said);
+}
+
+void checkChirality(const Chirality& chirality, bool mayBeNone, const MechanicsScene& m, const Node& root,
                     const Refuse& refuse) {
   if (chirality.angle == 0 && !mayBeNone)
     return refuse("an angle of 0 turns nothing", "remove it, or give an angle");
   if (!kindOf(m.physics.cell.model).hasMesh)
     refuse("a sphere looks the same when it has turned", "remove this");
-  if (!(m.physics.drag > 0))
+  if (hasNoDrag(m, root))
     refuse("the medium turns daughters by its drag, and physics.drag is 0", "needs physics.drag > 0");
-}
-
-const Node* inside(const Node* node, std::string_view key) {
-  const Member* member = node ? node->find(key) : nullptr;
-  return member ? &member->value : nullptr;
 }
 
 }  // namespace
@@ -58,7 +66,8 @@ void checkPlanes(const Scenario& scenario, Reading& reading, const Node& root) {
   };
   checkPlane(m.division.otherwise, m, refusing(division, {"plane"}, "division.plane"));
   if (m.division.chirality)
-    checkChirality(*m.division.chirality, false, m, refusing(division, {"chirality"}, "division.chirality"));
+    checkChirality(*m.division.chirality, false, m, root,
+                   refusing(division, {"chirality"}, "division.chirality"));
   const Node* rules = inside(division, "rules");
   for (std::size_t i = 0; i < m.division.rules.size(); ++i) {
     const DivisionRule& rule = m.division.rules[i];
@@ -66,7 +75,7 @@ void checkPlanes(const Scenario& scenario, Reading& reading, const Node& root) {
     const std::string path = "division.rules[" + std::to_string(i) + "]";
     if (rule.plane) checkPlane(*rule.plane, m, refusing(node, {"axis", "plane"}, path + ".plane"));
     if (rule.chirality)
-      checkChirality(*rule.chirality, m.division.chirality.has_value(), m,
+      checkChirality(*rule.chirality, m.division.chirality.has_value(), m, root,
                      refusing(node, {"chirality"}, path + ".chirality"));
   }
 }

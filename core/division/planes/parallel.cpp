@@ -22,7 +22,7 @@ const DivisionPlaneKind parallelPlane{
     .plane = DivisionPlane::parallel,
     .name = "parallel",
     .meaning =
-        "the direction of their largest extent along the organism's surface; a cell in the middle as longest",
+        "the direction of their largest extent along the organism's surface (in the middle as longest)",
     .needsShape = true,
     .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
       return std::make_unique<ParallelToSurface>();

@@ -20,8 +20,8 @@ const DivisionPlaneKind perpendicularPlane{
     .plane = DivisionPlane::perpendicular,
     .name = "perpendicular",
     .meaning =
-        "the direction that stands on the organism's surface, with daughter A outside; a cell in the middle "
-        "as longest",
+        "the direction that stands on the organism's surface, with daughter A outside (in the middle as "
+        "longest)",
     .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
       return std::make_unique<PerpendicularToSurface>();
     }};

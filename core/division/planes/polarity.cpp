@@ -34,8 +34,8 @@ const DivisionPlaneKind polarityPlane{
     .plane = DivisionPlane::polarity,
     .name = "polarity",
     .meaning =
-        "a polarity that points to daughter A, which the egg has as given and daughters inherit; one that "
-        "turns-towards (or turns-away-from) a substance first turns to the contact with cells that hold it",
+        "a polarity that points to daughter A, which the egg has as given and daughters inherit (one that "
+        "turns-towards or turns-away-from a substance first turns to the contact with cells that hold it)",
     .takes = Takes::polarity,
     .keepsPolarity = true,
     .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {

@@ -30,7 +30,7 @@ extern const DivisionPlaneKind tensionPlane;
 const DivisionPlaneKind tensionPlane{
     .plane = DivisionPlane::tension,
     .name = "tension",
-    .meaning = "the direction in which their connections pull most; without any as longest",
+    .meaning = "the direction in which their connections pull most (without any as longest)",
     .needsConnections = true,
     .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
       return std::make_unique<AlongTension>();

@@ -22,8 +22,8 @@ const DivisionPlaneKind towardsPlane{
     .plane = DivisionPlane::towards,
     .name = "towards",
     .meaning =
-        "the direction to their contact with cells that hold a substance, where daughter A lies; without "
-        "one as longest",
+        "the direction to their contact with cells that hold a substance, where daughter A lies (without one "
+        "as longest)",
     .takes = Takes::substance,
     .needsContact = true,
     .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {

@@ -85,7 +85,7 @@ TEST_CASE("section: the smallest stands across the longest side, wherever that p
     const Frame turn = frame(seed);
     const Vector shift{1, -2, 3};
     const Vector found = smallestSection(moved(ellipsoid(1.5, 1, 0.9, 4), turn, shift), shift);
-    CHECK(between(found, turn({1, 0, 0})) < 0.01);  // of the ellipsoid; it is one of triangles
+    CHECK(between(found, turn({1, 0, 0})) < 0.02);  // of the ellipsoid; it is one of triangles
     CHECK(norm(found) == Approx(1).epsilon(1e-14));
     CHECK(dot(found, {1, 0.55, 0.2}) > 0);
   }

@@ -43,7 +43,7 @@ physics:
   growth: {rate: 0.2}
   shell: {ellipsoid: [3, 2, 1]}
   contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, slip-speed: 0.02, radius: 1.1}
-division: {plane: {axis: [0, 1, -1]}, chirality: {angle: 30, time: 0.25}}
+division: {plane: {axis: [0, 1, -1]}}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5}
 senses: {}
 record: {every: 0.25, pictures: 0.5}
