@@ -90,6 +90,14 @@ std::vector<Section> sections() {
        .needs = "physics",
        .make = [](Scenario& s) { s.scene.mechanics->connections.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->connections; }},
+      {.path = "variation",
+       .meaning =
+           "What a seed changes: standard deviations of normal deviates within 3 of them, each keyed by a "
+           "cell's path, so that it is the same whatever else the scene does",
+       .absent = "no two runs differ by it",
+       .members = atLeastOne,
+       .later = true,
+       .exists = [](const Scenario& s) { return s.scene.variation != VariationParameters{}; }},
       {.path = "senses",
        .meaning = "What cells may know of themselves and their neighbours. Takes no keys yet"},
       {.path = "record", .meaning = "What is written down while the scene runs"},
@@ -235,6 +243,7 @@ std::vector<Parameter> parameters() {
            MECHANICS(division.chirality->angle)),
       real("division.chirality.time", "time", positive, "In which the turning falls to 1/e",
            MECHANICS(division.chirality->time)),
+      later(divisionRules()),
 
       choice("connections.make", MECHANICS(connections->make)),
       choice("connections.on-division", MECHANICS(connections->onDivision)),
@@ -246,6 +255,17 @@ std::vector<Parameter> parameters() {
       optionalReal("connections.release-distance", "", positive, "", "never by distance",
                    "Released beyond this distance of the centres, in sums of the two radii",
                    MECHANICS(connections->releaseDistance)),
+
+      real("variation.cycle", "", {0, 0.3},
+           "Of a cell's cycle lengths, over those of its state; one for all its life",
+           AT(scene.variation.cycle)),
+      real("variation.share", "", {0, 0.13}, "Of daughter A's share of the volume, about a rule's or a half",
+           AT(scene.variation.share)),
+      real("variation.start", "", {0, 10},
+           "Of the places of the first cells, along x, y and z in radii of the egg; none leaves the shell",
+           AT(scene.variation.start)),
+      real("variation.tilt", "degree", {0, 90}, "Of the axes of divisions whose rule gives no tilt",
+           AT(scene.variation.tilt)),
 
       optionalReal("record.every", "time", positive, "", "only start and end", "Time between samples",
                    AT(record.every)),

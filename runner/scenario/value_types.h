@@ -84,6 +84,7 @@ Json writeChirality(const Chirality& chirality);
 Json chiralitySchema();
 /// That a scene has what its division planes and chirality go by.
 void checkPlanes(const Scenario& scenario, Reading& reading, const Node& root);
+Parameter divisionRules();
 /// What division.plane may be, in words.
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();

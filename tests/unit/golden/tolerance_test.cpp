@@ -96,22 +96,22 @@ TEST_CASE("what is not a finite number is within no tolerance") {
 }
 
 TEST_CASE("patterns") {
-  CHECK(fitsName("*", ""));
-  CHECK(fitsName("*", "final/egg/x"));
-  CHECK(fitsName("final/*/volume", "final/AB/volume"));
-  CHECK_FALSE(fitsName("final/*/volume", "final/AB/volumes"));
-  CHECK_FALSE(fitsName("final/*/volume", "final/volume"));
-  CHECK(fitsName("*a*b*", "xxaxxbxx"));
-  CHECK(fitsName("*ab", "aab"));
-  CHECK(fitsName("*aab", "aaab"));
-  CHECK_FALSE(fitsName("*ab", "aba"));
-  CHECK(fitsName("abc", "abc"));
-  CHECK_FALSE(fitsName("abc", "abcd"));
-  CHECK_FALSE(fitsName("abcd", "abc"));
-  CHECK_FALSE(fitsName("", "a"));
-  CHECK(fitsName("", ""));
-  CHECK(fitsName("**", "a"));
-  CHECK_FALSE(fitsName("a.c", "abc"));  // no regular expressions
+  CHECK(fitsGlob("*", ""));
+  CHECK(fitsGlob("*", "final/egg/x"));
+  CHECK(fitsGlob("final/*/volume", "final/AB/volume"));
+  CHECK_FALSE(fitsGlob("final/*/volume", "final/AB/volumes"));
+  CHECK_FALSE(fitsGlob("final/*/volume", "final/volume"));
+  CHECK(fitsGlob("*a*b*", "xxaxxbxx"));
+  CHECK(fitsGlob("*ab", "aab"));
+  CHECK(fitsGlob("*aab", "aaab"));
+  CHECK_FALSE(fitsGlob("*ab", "aba"));
+  CHECK(fitsGlob("abc", "abc"));
+  CHECK_FALSE(fitsGlob("abc", "abcd"));
+  CHECK_FALSE(fitsGlob("abcd", "abc"));
+  CHECK_FALSE(fitsGlob("", "a"));
+  CHECK(fitsGlob("", ""));
+  CHECK(fitsGlob("**", "a"));
+  CHECK_FALSE(fitsGlob("a.c", "abc"));  // no regular expressions
 }
 
 TEST_CASE("rules are read and written alike") {
