@@ -98,7 +98,7 @@ inline Scene ellipsoid() {
   s.mechanics->physics.shell = ShellParameters{{1.2, 1, 0.96}};
   s.mechanics->physics.drag = 0.5;
   s.mechanics->contact = pairContactWithFriction;
-  s.mechanics->division.plane = DivisionPlane::random;
+  s.mechanics->division.otherwise.plane = DivisionPlane::random;
   s.mechanics->connections =
       ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, {}};
   s.stop.time = 3.5;
@@ -144,7 +144,7 @@ inline Scene spheres() {
   p.drag = 2;
   p.shell = ShellParameters{{1.2, 1, 0.96}};
   s.mechanics->contact = pairContactWithFriction;
-  s.mechanics->division.plane = DivisionPlane::random;
+  s.mechanics->division.otherwise.plane = DivisionPlane::random;
   s.mechanics->connections =
       ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, 1.6};
   s.stop.time = 4.5;
@@ -179,6 +179,21 @@ inline Scene coarsening() {
   m.contact = pairContactWithFriction;
   m.connections = ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, {}};
   s.stop.time = 3.25;
+  return s;
+}
+
+/// Four cells in contact: daughters turn against each other, and a polarity turns to the other half of the tree.
+inline Scene turning() {
+  Scene s = withBodies(uniqueFour, 4);
+  s.name = "turning";
+  MechanicsScene& m = *s.mechanics;
+  m.physics.drag = 5;
+  m.physics.shell = ShellParameters{{1.2, 1, 0.96}};
+  m.contact = pairContactWithFriction;
+  m.division.otherwise = {.plane = DivisionPlane::polarity, .axis = {1, 2, 3}, .substance = "a2"};
+  m.division.chirality = Chirality{-30, 0.3};
+  s.stop.time = 3.25;
+  s.stop.cycles.reset();
   return s;
 }
 

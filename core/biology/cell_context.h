@@ -1,10 +1,12 @@
 #pragma once
 // What a cell is and touches at one instant, as its biology, its division and the measures may know it. The
 // world stands still meanwhile, so the order in which cells are asked cannot matter.
+#include <optional>
 #include <span>
 #include <string>
 
 #include "base/cell_path.h"
+#include "base/vec3.h"
 #include "biology/state.h"
 
 namespace morula {
@@ -29,6 +31,7 @@ class CellContext {
   double time = 0;       // [time] now
   double lastCycle = 0;  // [time] when its last cell cycle was due, or its mother's at its birth
   double born = 0;       // [time] of the step in which it was born, so at times a little after `time`
+  double pace = 1;       // [1] its cycle lengths over those of its state
   double age() const { return time > born ? time - born : 0; }
 
   // Found when it is first asked for, and kept. Here: of a cell of which nothing more is known.
@@ -42,6 +45,17 @@ class CellContext {
   virtual const CellContext* sister() const { return nullptr; }
   /// How its mother was cut; null for a cell that no division made, and in a lineage-only scene.
   virtual const DivisionRecord* motherDivision() const { return nullptr; }
+
+  // What division planes ask for besides
+  /// The cells at the other ends of its connections, by path; none in a scene without connections.
+  virtual std::span<const CellContext* const> connected() const { return {}; }
+  /// [length] Semi-axes along x, y and z of the shell, which has its centre at the origin; absent: no shell.
+  virtual std::optional<Vector> shell() const { return {}; }
+  /// [length] The centre of the volume of all cells; in a lineage-only scene the origin.
+  virtual Point organismCentre() const { return {}; }
+  /// The polarity that the nearest of its ancestors with one left to her daughters [Cut::polarity]; null: none
+  /// had any.
+  virtual const Vector* inheritedPolarity() const { return nullptr; }
 };
 
 }  // namespace morula

@@ -2,7 +2,10 @@
 // What a scenario may say about where cells divide [Nilsson 2008, §4.4.2].
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "base/vec3.h"
 
@@ -15,26 +18,78 @@ enum class DivisionPlane {  // its number is part of what a scenario means: new 
   axis,
   random,  // the thesis' reference
   alternating,
+  smallestArea,
+  towards,
+  awayFrom,
+  across,
+  polarity,
+  shellAxis,
+  perpendicular,
+  parallel,
+  tension,
+};
+
+/// How one cell is cut: a plane, and what that plane takes.
+struct PlaneChoice {
+  DivisionPlane plane = DivisionPlane::longest;
+  Vector axis{1, 0, 0};     // of planes that take one; any length but 0
+  std::string substance{};  // of planes that take one: a name, or its beginning and '*'
+  bool turnsAway = false;   // polarity with a substance: away from contacts, not to them
+  friend bool operator==(const PlaneChoice&, const PlaneChoice&) = default;
+};
+
+/// The daughters of a division turn against each other about its axis [simulation/swirls.h].
+struct Chirality {
+  double angle = 20;  // [degree] in all, of A; B turns by as much the other way; below 0: the mirror image
+  double time = 0.5;  // [time] in which the turning falls to 1/e
+  friend bool operator==(const Chirality&, const Chirality&) = default;
+};
+
+/// How some cells divide. What it does not say is as of a cell that no rule names.
+struct DivisionRule {
+  std::vector<std::string> of{};       // patterns: a cell that holds a substance for each of them
+  std::optional<PlaneChoice> plane{};  // absent: DivisionParameters::otherwise
+  std::optional<double> share{};       // [1] of the volume that daughter A is to have; absent: the plane goes
+                                       // through the centre
+  std::optional<double> tilt{};        // [degree] sd of the axis about its direction, by the seed
+  std::optional<Chirality> chirality{};
 };
 
 struct DivisionParameters {
-  DivisionPlane plane = DivisionPlane::longest;
-  Vector axis{1, 0, 0};  // of planes that take one; any length but 0
+  PlaneChoice otherwise{};               // of cells that no rule names
+  std::vector<DivisionRule> rules{};     // the first that fits a cell counts
+  std::optional<Chirality> chirality{};  // of cells whose rule has none; absent: they do not turn
 };
 
-/// A way to choose where cells divide. To add one: its value above, and its row and its class in policy.cpp.
+enum class Takes { nothing, axis, substance, polarity };
+
+/// A way to choose where cells divide. To add one: its value above, a file in planes/ with its class and this row,
+/// a line in policy.cpp.
 struct DivisionPlaneKind {
   DivisionPlane plane;
-  const char* name;         // as scenarios spell it; {name: [x, y, z]} if it takes an axis
-  const char* meaning;      // "Cells divide across …"
-  bool takesAxis = false;   // DivisionParameters::axis
-  bool needsShape = false;  // looks for the direction in which a cell is longest: a sphere has none
-  bool usesSeed = false;    // draws random numbers
-  std::unique_ptr<DivisionPolicy> (*make)(const DivisionParameters&, std::uint64_t seed);
+  const char* name;     // as scenarios spell it; {name: [x, y, z]} or {name: a0} if it takes something
+  const char* meaning;  // "Cells divide across …"
+  Takes takes = Takes::nothing;  // PlaneChoice::axis, ::substance, or an axis that may turn to a substance
+  bool needsShape = false;       // looks for the direction in which a cell is longest: a sphere has none
+  bool usesSeed = false;         // draws random numbers
+  // What a scene must have, for it could never have an effect otherwise
+  bool needsContact = false;
+  bool needsLongShell = false;  // one that is no sphere
+  bool needsConnections = false;
+  bool keepsPolarity = false;  // its cuts say what daughters inherit [Cut::polarity]
+  std::unique_ptr<DivisionPolicy> (*make)(const PlaneChoice&, std::uint64_t seed);
 };
 
 /// All of them, in the order in which people should meet them.
 std::span<const DivisionPlaneKind> divisionPlanes();
 const DivisionPlaneKind& kindOf(DivisionPlane plane);
+
+/// True if a plane that some cells may be cut by keeps polarities.
+bool keepsPolarity(const DivisionParameters& parameters);
+
+/// That of the division of a cell with these substances; absent: its daughters do not turn.
+std::optional<Chirality> chiralityOf(const DivisionParameters& parameters, const std::string& substances);
+/// [time] The longest of all chiralities; 0: there are none.
+double longestChirality(const DivisionParameters& parameters);
 
 }  // namespace morula

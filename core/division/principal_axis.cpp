@@ -27,6 +27,8 @@ double extentRatio(std::span<const Point> points) {
   return values[1] > 0 ? std::sqrt(values[2] / values[1]) : INFINITY;
 }
 
+Vector towardsOwnSide(const Vector& line) { return dot(line, ownSide) < 0 ? -line : line; }
+
 Vector principalAxis(std::span<const Point> points) {
   const auto solver = solveCovariance(points, Eigen::ComputeEigenvectors);
   const Eigen::Vector3d& values = solver.eigenvalues();  // rising

@@ -10,8 +10,13 @@ namespace morula {
 /// principal axes. 1 for a sphere and a disc; infinite for points on a line.
 double extentRatio(std::span<const Point> points);
 
-/// The unit eigenvector of the largest eigenvalue of the points' covariance. Rounding must not decide: it
-/// points to the side of (1, 0.55, 0.2), a direction to which no symmetric shape lies at right angles. Where
+/// A direction to which no symmetric shape lies at right angles.
+constexpr Vector ownSide{1, 0.55, 0.2};
+
+/// Of a line's two directions the one to the side of `ownSide`: rounding must not decide.
+Vector towardsOwnSide(const Vector& line);
+
+/// The unit eigenvector of the largest eigenvalue of the points' covariance. It points to the side of `ownSide`. Where
 /// the largest eigenvalues agree to 1e-6 (a sphere, a disc), it is the vector of their eigenspace nearest to
 /// x, or to y where x is far from all of them.
 Vector principalAxis(std::span<const Point> points);

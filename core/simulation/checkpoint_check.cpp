@@ -42,6 +42,13 @@ void checkConnections(const std::vector<ConnectionRecord>& history, const std::v
   }
 }
 
+void checkPolarities(const std::vector<PolarityRecord>& polarities) {
+  for (std::size_t i = 0; i < polarities.size(); ++i)
+    demand((i == 0 || polarities[i - 1].path < polarities[i].path) &&
+               std::abs(norm(polarities[i].direction) - 1) < 1e-6,
+           "the polarity that '" + polarities[i].path.text() + "' left to its daughters");
+}
+
 }  // namespace
 
 void checkSavedState(const SavedState& s, const World& world) {
@@ -54,6 +61,7 @@ void checkSavedState(const SavedState& s, const World& world) {
              "a cell's mass or size");
   for (const Columns* radii : {&s.contacts.radius, &s.contacts.snapshotRadius})
     for (double a : *radii) demand(isPositive(a), "a cell's influence radius");
+  if (world.polarities) checkPolarities(*read.polarities);
   if (world.connections) checkConnections(read.connections->history, read.cells.path);
 }
 

@@ -241,6 +241,7 @@ SavedState readState(FieldReader& in, const World& world) {
   if (world.bodies) read.world.bodies = *world.bodies;
   if (world.contacts) read.world.contacts.emplace();
   if (world.connections) read.world.connections.emplace();
+  if (world.polarities) read.world.polarities.emplace();
   visitState(read.world, StateReader(in, *world.biology, read));
   in.end();
   return read;
@@ -252,12 +253,14 @@ void takeOver(World& world, SavedState&& s) {
   world.lineage = std::move(s.world.lineage);
   world.timeSteps = std::move(s.world.timeSteps);
   world.divisions = std::move(s.world.divisions);
+  world.polarities = std::move(s.world.polarities);
   if (world.bodies) world.bodies = std::move(s.world.bodies);
   if (world.contacts) restoreContacts(s.contacts, world);
   if (world.connections) {
     world.connections->history = std::move(s.world.connections->history);
     restoreActive(*world.connections);
   }
+  findSwirls(world);
 }
 
 }  // namespace morula

@@ -5,6 +5,7 @@
 
 #include "mesh/measures.h"
 #include "simulation/body_measures.h"
+#include "simulation/stages.h"
 
 namespace morula {
 
@@ -52,6 +53,19 @@ double Observation::meshVolume(int meshLevel) const {
   return meshVolumes_[meshLevel];
 }
 
+Point Observation::organismCentre() const {
+  if (!organismCentre_) {
+    Vector sum;
+    double volume = 0;
+    for (int slot : world.bodies->slots) {
+      sum += world.bodies->volume[slot] * measureCentre(*world.bodies, slot);
+      volume += world.bodies->volume[slot];
+    }
+    organismCentre_ = sum / volume;
+  }
+  return *organismCentre_;
+}
+
 const DivisionRecord* Observation::divisionOf(const CellPath& mother) const {
   const auto& all = world.divisions;
   const auto pathOf = [&](std::uint32_t i) { return all[i].path; };
@@ -93,6 +107,7 @@ ObservedCell::ObservedCell(const Observation& observation, int number)
   time = observation.time;
   lastCycle = cells.lastCycle[number];
   born = observation.world.lineage.entries[cells.entry[number]].born;
+  pace = paceOf(observation.world, path);
 }
 
 std::string ObservedCell::substances() const { return observation_.world.biology->describe(state); }
@@ -121,6 +136,39 @@ const CellContext* ObservedCell::sister() const {
 
 const DivisionRecord* ObservedCell::motherDivision() const {
   return path.isEgg() ? nullptr : observation_.divisionOf(path.mother());
+}
+
+std::span<const CellContext* const> ObservedCell::connected() const {
+  if (!connected_) {
+    connected_.emplace();
+    const World& world = observation_.world;
+    if (world.connections)
+      for (const CellPath& other : partners(*world.connections, path))
+        connected_->push_back(&observation_.cell(cellNumber(world.cells, other)));
+  }
+  return *connected_;
+}
+
+std::optional<Vector> ObservedCell::shell() const {
+  const auto& bodies = observation_.world.bodies;
+  if (!bodies || !bodies->parameters.shell) return {};
+  const auto& [a, b, c] = bodies->parameters.shell->semiAxes;
+  return Vector{a, b, c};
+}
+
+Point ObservedCell::organismCentre() const {
+  return observation_.world.bodies ? observation_.organismCentre() : Point{};
+}
+
+const Vector* ObservedCell::inheritedPolarity() const {
+  if (!observation_.world.polarities) return nullptr;
+  const std::vector<PolarityRecord>& all = *observation_.world.polarities;
+  for (CellPath cell = path; !cell.isEgg();) {
+    cell = cell.mother();
+    const auto at = std::ranges::lower_bound(all, cell, {}, &PolarityRecord::path);
+    if (at != all.end() && at->path == cell) return &at->direction;
+  }
+  return nullptr;
 }
 
 }  // namespace morula

@@ -42,6 +42,8 @@ class Observation {
 
   /// [length³] Of one of the scene's meshes at rest, at rest scale 1.
   double meshVolume(int meshLevel) const;
+  /// [length] Of the volume of all cells; there are bodies.
+  Point organismCentre() const;
   /// Null if no division made daughters of this cell.
   const DivisionRecord* divisionOf(const CellPath& mother) const;
 
@@ -61,6 +63,7 @@ class Observation {
   mutable std::vector<Contact> contactsByCell_;
   mutable std::vector<double> meshVolumes_;            // [meshLevel]
   mutable std::vector<std::uint32_t> divisionByPath_;  // places in world.divisions
+  mutable std::optional<Point> organismCentre_;
 };
 
 /// A body as an observation sees it.
@@ -90,6 +93,10 @@ class ObservedCell final : public CellContext {
   std::span<const Neighbour> neighbours() const override;
   const CellContext* sister() const override;
   const DivisionRecord* motherDivision() const override;
+  std::span<const CellContext* const> connected() const override;
+  std::optional<Vector> shell() const override;
+  Point organismCentre() const override;
+  const Vector* inheritedPolarity() const override;
 
   /// Its number among the living, and where its body is, if it has one.
   int number() const { return number_; }
@@ -100,6 +107,7 @@ class ObservedCell final : public CellContext {
   int number_;
   mutable std::optional<BodyUnit> body_;
   mutable std::optional<std::vector<Neighbour>> neighbours_;
+  mutable std::optional<std::vector<const CellContext*>> connected_;
 };
 
 }  // namespace morula

@@ -6,6 +6,7 @@
 #include "base/maths.h"
 #include "division/coarsen.h"
 #include "division/cut.h"
+#include "division/place_plane.h"
 #include "division/principal_axis.h"
 #include "simulation/memory.h"
 #include "simulation/stages.h"
@@ -23,13 +24,15 @@ struct Division {
 Division divide(const World& world, const ObservedCell& cell) {
   const Bodies& bodies = *world.bodies;
   const Body mother = takeBody(bodies, cell.slot());
-  const Cut cut = world.divisionPolicy->findCut(cell);
-  DivisionRecord record{cell.path, world.clock.time, world.clock.step, cut.normal, cut.ratio, {}};
+  Cut cut = world.divisionPolicy->findCut(cell);
+  DivisionRecord record{cell.path,  world.clock.time,        world.clock.step,
+                        cut.normal, cut.share.value_or(0.5), {}};
   if (bodies.areSpheres())
     return {cut, divideSphere(mother, bodies.parameters.cell.radius * mother.restScale, cut), record};
+  const Faces faces = bodies.meshOf(cell.slot()).mesh.faces;
   record.extentRatio = extentRatio(mother.position);
-  CutResult result =
-      cutBody(mother, bodies.meshOf(cell.slot()).mesh.faces, cut, bodies.parameters.membrane.areaFactor);
+  if (cut.share) cut.point = placePlane(mother.position, faces, cut.normal, *cut.share);
+  CutResult result = cutBody(mother, faces, cut, bodies.parameters.membrane.areaFactor);
   if (!result.failure.empty())
     throw NumericalError(
         cell.path.text(), world.clock.step, "it cannot divide: " + result.failure,
@@ -109,6 +112,18 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
       inheritConnections(*world.connections, world.cells.path[i], cuts[division++], time, centreOf);
 }
 
+/// Sorts in what mothers left to their daughters.
+void keepPolarities(World& world, const std::vector<CellChange>& changes, const std::vector<Cut>& cuts) {
+  if (!world.polarities) return;
+  std::size_t division = 0;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (changes[i] != CellChange::divides) continue;
+    if (const auto& polarity = cuts[division++].polarity)
+      world.polarities->push_back({world.cells.path[i], *polarity});
+  }
+  std::ranges::sort(*world.polarities, {}, &PolarityRecord::path);
+}
+
 /// Daughters have no more vertices than their mother.
 void requireMemoryFor(const World& world, const std::vector<CellChange>& changes) {
   double cells = double(world.lineage.entries.size());
@@ -170,6 +185,7 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
     }
   }
   inheritAllConnections(world, changes, cuts, next);
+  keepPolarities(world, changes, cuts);
   world.cells = std::move(next.cells);
   if (!world.bodies) return;
   setBodies(*world.bodies, next.bodies);

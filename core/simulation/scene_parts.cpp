@@ -92,9 +92,34 @@ void addPart(Hasher& h, const ContactParameters& contact) {
   h.field("contact").add(number(law)).add(stiffness).add(damping).add(friction).add(slipSpeed).add(radius);
 }
 
+void addPlane(Hasher& h, const PlaneChoice& choice) {
+  const auto& [plane, axis, substance, turnsAway] = choice;
+  h.add(number(plane)).add(axis.x).add(axis.y).add(axis.z);
+  if (!substance.empty()) h.add(substance);
+  if (turnsAway) h.add("away");
+}
+
+void addChirality(Hasher& h, const std::optional<Chirality>& chirality) {
+  if (!chirality) return;
+  const auto& [angle, time] = *chirality;
+  h.field("chirality").add(angle).add(time);
+}
+
 void addPart(Hasher& h, const DivisionParameters& division) {
-  const auto& [plane, axis] = division;
-  h.field("division").add(number(plane)).add(axis.x).add(axis.y).add(axis.z);
+  const auto& [otherwise, rules, chirality] = division;
+  addPlane(h.field("division"), otherwise);
+  addChirality(h, chirality);
+  if (rules.empty()) return;
+  h.field("rules").add(std::uint64_t{rules.size()});
+  for (const auto& [of, plane, share, tilt, own] : rules) {
+    h.add(std::uint64_t{of.size()});
+    for (const std::string& pattern : of) h.add(pattern);
+    h.add(plane.has_value());
+    if (plane) addPlane(h, *plane);
+    add(h, share);
+    add(h, tilt);
+    addChirality(h, own);
+  }
 }
 
 void addPart(Hasher& h, const ConnectionParameters& connections) {
@@ -105,10 +130,15 @@ void addPart(Hasher& h, const ConnectionParameters& connections) {
   add(h, releaseDistance);
 }
 
+void addPart(Hasher& h, const VariationParameters& variation) {
+  const auto& [cycle, share, start, tilt] = variation;
+  h.field("variation").add(cycle).add(share).add(start).add(tilt);
+}
+
 }  // namespace
 
 std::vector<ScenePart> hashSceneParts(const Scene& scene) {
-  const auto& [title, seed, dna, cycle, stop, mechanics, cells] = scene;
+  const auto& [title, seed, dna, cycle, stop, mechanics, cells, variation] = scene;
   std::vector<ScenePart> parts;
   const auto add = [&]<class Part>(const char* name, const Part* part) {
     Hasher h;
@@ -126,6 +156,9 @@ std::vector<ScenePart> hashSceneParts(const Scene& scene) {
   add("physics.contact", contact ? &*contact : nullptr);
   add("division", mechanics ? &division : nullptr);
   add("connections", connections ? &*connections : nullptr);
+  VariationParameters onTheWay = variation;
+  onTheWay.start = 0;  // as the start cells: how a state came about does not decide how it goes on
+  if (onTheWay != VariationParameters{}) add("variation", &onTheWay);
   return parts;
 }
 

@@ -92,6 +92,13 @@ void visitFields(T& division, auto&& visit) {
   visit(Field{"extent ratio", "", Use::saved}, extentRatio);
 }
 
+template <IsA<PolarityRecord> T>
+void visitFields(T& polarity, auto&& visit) {
+  auto& [path, direction] = polarity;
+  visit(Field{"path", "", Use::saved}, path);
+  visit(Field{"direction", "", Use::saved}, direction);
+}
+
 template <IsA<ConnectionRecord> T>
 void visitFields(T& connection, auto&& visit) {
   auto& [a, b, made, released, cause] = connection;
@@ -150,7 +157,7 @@ void visitBody(const Bodies& bodies, int slot, auto&& visit) {
 template <IsA<World> W>
 void visitState(W& world, auto&& visit) {
   auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts,
-         connections, lineage, timeSteps, divisions, before] = world;
+         connections, lineage, timeSteps, divisions, polarities, before, swirls] = world;
   visit("clock", clock);
   visit("cells", cells);
   visit("lineage", lineage.entries);
@@ -159,6 +166,7 @@ void visitState(W& world, auto&& visit) {
     visit("divisions", divisions);
     visit("bodies", *bodies);
   }
+  if (polarities) visit("polarities", *polarities);
   if (contacts) visit("contacts", *contacts);
   if (connections) visit("connections", connections->history);
 }

@@ -9,6 +9,7 @@
 #include "simulation/memory.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
+#include "simulation/start_variation.h"
 
 namespace morula {
 
@@ -44,15 +45,16 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   if (!scene.mechanics) return world;
 
   const MechanicsScene& m = *scene.mechanics;
-  world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed);
+  world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed, scene.variation);
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
     world.contacts =
         makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
+  if (keepsPolarity(m.division)) world.polarities.emplace();
   setStages(world, execution.isa);
   requireMemoryForStart(world);
-  setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
+  setBodies(*world.bodies, makeStartBodies(*world.bodies, placeStart(scene, world.cells.path)));
   try {
     beginWithBodies(world);
     checkNumbers(world);
@@ -71,6 +73,7 @@ void setStages(World& world, Isa isa) {
 }
 
 void beginWithBodies(World& world) {
+  findSwirls(world);
   if (world.contacts) resetContacts(*world.contacts, *world.bodies);
   if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
   evaluateForces(world);
@@ -88,11 +91,17 @@ std::optional<double> plannedEnd(const Scene& scene) {
 }
 
 bool usesSeed(const Scene& scene) {
+  const VariationParameters& v = scene.variation;
+  if (v.cycle > 0 || (scene.mechanics && v.start > 0)) return true;
   const auto divides = [&](const Gene& gene) {
     return scene.dna.substances[gene.product] == substance::divide;
   };
-  return scene.mechanics && kindOf(scene.mechanics->division.plane).usesSeed &&
-         std::ranges::any_of(scene.dna.genes, divides);
+  if (!scene.mechanics || std::ranges::none_of(scene.dna.genes, divides)) return false;
+  const auto& [otherwise, rules] = scene.mechanics->division;
+  return v.share > 0 || v.tilt > 0 || kindOf(otherwise.plane).usesSeed ||
+         std::ranges::any_of(rules, [](const DivisionRule& rule) {
+           return rule.tilt.value_or(0) > 0 || (rule.plane && kindOf(rule.plane->plane).usesSeed);
+         });
 }
 
 bool finished(const World& world) {

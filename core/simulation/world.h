@@ -16,6 +16,7 @@
 #include "physics/bodies.h"
 #include "physics/stages.h"
 #include "simulation/scene.h"
+#include "simulation/swirls.h"
 
 namespace morula {
 
@@ -78,9 +79,11 @@ struct World {
   std::optional<Connections> connections;  // absent: nothing connects
   Lineage lineage;
   std::vector<TimeStepChange> timeSteps;
-  std::vector<DivisionRecord> divisions;  // of cells with bodies, in order of time and path
+  std::vector<DivisionRecord> divisions;                  // of cells with bodies, in order of time and path
+  std::optional<std::vector<PolarityRecord>> polarities;  // by path; absent: no division plane keeps any
 
-  std::optional<BodyCopy> before;  // scratch of takeSteps
+  std::optional<BodyCopy> before;            // scratch of takeSteps
+  std::optional<std::vector<Swirl>> swirls;  // follow from the divisions; absent: no rule has chirality
 };
 
 /// Builds the world at time 0: one egg, or the scene's start cells. Throws InputError if the scene cannot

@@ -14,9 +14,10 @@ namespace morula::scenario {
 
 /// A substance named outside of the DNA: to be looked up once the DNA is read.
 struct SubstanceUse {
-  std::string name;  // may end in '*' where patterns are allowed
+  std::string name;
   Place place;
   std::string path;
+  bool isPattern = false;  // the beginning of names and '*'
 };
 
 /// Where the DNA's text comes from. Parsed after everything else is read.
@@ -42,6 +43,7 @@ struct Reading {
   std::vector<Place> startCells;  // where each of `cells` stands
   std::vector<NameUse> names{};
   std::optional<std::pair<std::string, Place>> namesFile{};
+  std::vector<Place> rules{};     // where each of `division.rules` stands
 };
 
 enum class Decides {
@@ -128,6 +130,12 @@ void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root
 
 /// Substances that the DNA does not know, an egg that does not fit its shell, pictures without bodies.
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// How cells divide: rules that no cell follows, shares and tilts that cannot be.
+void checkDivision(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// The place of a parameter's value, or of the innermost map that is given.
+Place placeOf(const Node& root, const std::string& path);
 
 /// Every parameter of every part that exists, in the table's order. Itself a scenario: reading it gives the
 /// same again.

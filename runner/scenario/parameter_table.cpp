@@ -76,12 +76,28 @@ std::vector<Section> sections() {
        .meaning = "Where cells divide",
        .needs = "physics",
        .exists = [](const Scenario& s) { return s.scene.mechanics.has_value(); }},
+      {.path = "division.chirality",
+       .meaning =
+           "Both daughters turn about the division axis, against each other and with the medium around them; "
+           "needs physics.drag",
+       .absent = "daughters do not turn",
+       .make = [](Scenario& s) { s.scene.mechanics->division.chirality.emplace(); },
+       .exists =
+           [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->division.chirality; }},
       {.path = "connections",
        .meaning = "Cells that hold on to one another [Nilsson 2008, §4.4.3]",
        .absent = "no cell holds another",
        .needs = "physics",
        .make = [](Scenario& s) { s.scene.mechanics->connections.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->connections; }},
+      {.path = "variation",
+       .meaning =
+           "What a seed changes: standard deviations of normal deviates within 3 of them, each keyed by a "
+           "cell's path, so that it is the same whatever else the scene does",
+       .absent = "no two runs differ by it",
+       .members = atLeastOne,
+       .later = true,
+       .exists = [](const Scenario& s) { return s.scene.variation != VariationParameters{}; }},
       {.path = "senses",
        .meaning = "What cells may know of themselves and their neighbours. Takes no keys yet"},
       {.path = "record", .meaning = "What is written down while the scene runs"},
@@ -228,6 +244,14 @@ std::vector<Parameter> parameters() {
            "Reach of a vertex, in mean rest lengths of its cell's edges", MECHANICS(contact->radius)),
 
       divisionPlane(),
+      real("division.chirality.angle", "degree", chiralAngle,
+           "Of daughter A in all, clockwise seen along the axis, which points to her; B turns by as much the "
+           "other "
+           "way; below 0: the mirror image",
+           MECHANICS(division.chirality->angle)),
+      real("division.chirality.time", "time", positive, "In which the turning falls to 1/e",
+           MECHANICS(division.chirality->time)),
+      later(divisionRules()),
 
       choice("connections.make", MECHANICS(connections->make)),
       choice("connections.on-division", MECHANICS(connections->onDivision)),
@@ -239,6 +263,17 @@ std::vector<Parameter> parameters() {
       optionalReal("connections.release-distance", "", positive, "", "never by distance",
                    "Released beyond this distance of the centres, in sums of the two radii",
                    MECHANICS(connections->releaseDistance)),
+
+      real("variation.cycle", "", {0, 0.3},
+           "Of a cell's cycle lengths, over those of its state; one for all its life",
+           AT(scene.variation.cycle)),
+      real("variation.share", "", {0, 0.13}, "Of daughter A's share of the volume, about a rule's or a half",
+           AT(scene.variation.share)),
+      real("variation.start", "", {0, 10},
+           "Of the places of the first cells, along x, y and z in radii of the egg; none leaves the shell",
+           AT(scene.variation.start)),
+      real("variation.tilt", "degree", {0, 90}, "Of the axes of divisions whose rule gives no tilt",
+           AT(scene.variation.tilt)),
 
       optionalReal("record.every", "time", positive, "", "only start and end", "Time between samples",
                    AT(record.every)),

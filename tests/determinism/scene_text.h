@@ -66,18 +66,30 @@ inline auto fields(ShellParameters& a) {
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
 }
 inline auto fields(PhysicsParameters& a) {
-  auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching, drag,
-         growth, shell] = a;
-  return std::tie(coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching,
-                  drag, growth, shell);
+  auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
+         shapeMatching, drag, growth, shell] = a;
+  return std::tie(coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
+                  shapeMatching, drag, growth, shell);
 }
 inline auto fields(ContactParameters& a) {
   auto& [law, stiffness, damping, friction, slipSpeed, radius] = a;
   return std::tie(law, stiffness, damping, friction, slipSpeed, radius);
 }
+inline auto fields(PlaneChoice& a) {
+  auto& [plane, axis, substance, turnsAway] = a;
+  return std::tie(plane, axis, substance, turnsAway);
+}
+inline auto fields(Chirality& a) {
+  auto& [angle, time] = a;
+  return std::tie(angle, time);
+}
+inline auto fields(DivisionRule& a) {
+  auto& [of, plane, share, tilt, chirality] = a;
+  return std::tie(of, plane, share, tilt, chirality);
+}
 inline auto fields(DivisionParameters& a) {
-  auto& [plane, axis] = a;
-  return std::tie(plane, axis);
+  auto& [otherwise, rules, chirality] = a;
+  return std::tie(otherwise, rules, chirality);
 }
 inline auto fields(ConnectionParameters& a) {
   auto& [make, onDivision, strength, releaseDistance] = a;
@@ -91,9 +103,13 @@ inline auto fields(StartCell& a) {
   auto& [at, velocity, scale, stretch, mass, substances] = a;
   return std::tie(at, velocity, scale, stretch, mass, substances);
 }
+inline auto fields(VariationParameters& a) {
+  auto& [cycle, share, start, tilt] = a;
+  return std::tie(cycle, share, start, tilt);
+}
 inline auto fields(Scene& a) {
-  auto& [name, seed, dna, cycle, stop, mechanics, cells] = a;
-  return std::tie(name, seed, dna, cycle, stop, mechanics, cells);
+  auto& [name, seed, dna, cycle, stop, mechanics, cells, variation] = a;
+  return std::tie(name, seed, dna, cycle, stop, mechanics, cells, variation);
 }
 
 struct Writer {

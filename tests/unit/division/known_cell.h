@@ -1,5 +1,6 @@
 #pragma once
-// A cell of which just its shape and its mother's division are known.
+// A cell of which just so much is known as a test says: its shape and its mother's division, what it touches and
+// holds, and where it lies.
 #include "biology/physical_unit.h"
 #include "division/policy.h"
 #include "division/record.h"
@@ -13,11 +14,24 @@ class KnownCell final : public CellContext, PhysicalUnit {
     path = CellPath::parse(name);
     shape_.surface = {{vertices.begin(), vertices.end()}, {faces.begin(), faces.end()}};
     shape_.centre = measureCentroid(vertices);
+    if (!faces.empty()) shape_.volume = measureVolume(vertices, faces);
   }
+  KnownCell(const char* name, const Mesh& mesh) : KnownCell(name, mesh.vertices, mesh.faces) {}
   const PhysicalUnit* physical() const override { return this; }
   const DivisionRecord* motherDivision() const override { return mother ? &*mother : nullptr; }
+  std::string substances() const override { return held; }
+  std::span<const Neighbour> neighbours() const override { return touched; }
+  std::span<const CellContext* const> connected() const override { return holdsOnTo; }
+  std::optional<Vector> shell() const override { return semiAxes; }
+  Point organismCentre() const override { return middle; }
+  const Vector* inheritedPolarity() const override { return polarity ? &*polarity : nullptr; }
 
   std::optional<DivisionRecord> mother;
+  std::string held;
+  std::vector<Neighbour> touched;
+  std::vector<const CellContext*> holdsOnTo;
+  std::optional<Vector> semiAxes, polarity;
+  Point middle;
 
  private:
   double getMass() const override { return 1; }

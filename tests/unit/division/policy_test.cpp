@@ -19,8 +19,15 @@ Body needle() {
   return b;
 }
 
+/// In a shell, for planes that need one.
+KnownCell inShell(const char* name) {
+  KnownCell cell(name, needle().position, makeIcosphere(1).faces);
+  cell.semiAxes = Vector{1, 3, 2};
+  return cell;
+}
+
 Vector normalOf(const DivisionParameters& p, std::uint64_t seed, const char* cell) {
-  return makeDivisionPolicy(p, seed)->findCut(KnownCell(cell, needle().position)).normal;
+  return makeDivisionPolicy(p, seed)->findCut(inShell(cell)).normal;
 }
 
 }  // namespace
@@ -79,8 +86,7 @@ TEST_CASE("Each way to choose a plane has a row, a name of its own and a policy"
     CHECK(names.insert(kind.name).second);
     const DivisionParameters p{kind.plane, {0, 2, 0}};
     CHECK(norm(normalOf(p, 1, "AB")) == Approx(1).epsilon(1e-13));
-    CHECK(makeDivisionPolicy(p, 1)->findCut(KnownCell("AB", needle().position)).point ==
-          measureCentroid(needle().position));
+    CHECK(makeDivisionPolicy(p, 1)->findCut(inShell("AB")).point == measureCentroid(needle().position));
     CHECK((normalOf(p, 1, "AB") == normalOf(p, 2, "AB")) != kind.usesSeed);
   }
 }

@@ -31,6 +31,7 @@ std::vector<Scene> allScenes() {
     shapes.mechanics->physics.shapeMatching = {400, 0.5, 4};
     scenes.push_back(shapes);
   }
+  scenes.push_back(scenes::turning());
   Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
   ring.name = "life of a torus in single precision";
   ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};

@@ -33,7 +33,7 @@ std::vector<Variant> variants() {
   list.push_back({"spheres", plain});
   list.back().scene.mechanics->physics.cell.model = CellModel::sphere;
   list.back().scene.mechanics->physics.timeStep = 0x1p-6;
-  list.back().scene.mechanics->division.plane = DivisionPlane::random;
+  list.back().scene.mechanics->division.otherwise.plane = DivisionPlane::random;
   list.push_back({"coarsening", plain});
   Scene& coarsening = list.back().scene;
   coarsening.mechanics->mesh = scenes::scaled(makeIcosphere(2), 0.95);
@@ -98,10 +98,12 @@ TEST_CASE("The step that fails is the one that fails alone, and leaves the same 
   }
 }
 
-TEST_CASE("Cells that touch, hold on to each other or grow take one step at a time") {
+TEST_CASE("Cells that touch, hold on to each other, turn or grow take one step at a time") {
   Scene touching = scenes::packed(), growing = scenes::withBodies("START: a0\ng1(a0|a0)\ng2(grow|a0)\n", 3);
   growing.mechanics->physics.growth = GrowthParameters{0.1};
-  for (const Scene& scene : {touching, growing}) {
+  Scene turning = scenes::turning();
+  turning.mechanics->contact.reset();
+  for (const Scene& scene : {touching, growing, turning}) {
     World world = makeWorld(scene);
     while (world.clock.time < 1.5) takeSteps(world, 1);
     const std::uint64_t before = world.clock.step;

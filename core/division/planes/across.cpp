@@ -1,0 +1,34 @@
+// The plane cuts the contact in two, so both daughters keep a part of it, as skin cells do that stay on what
+// they cover.
+#include "division/planes/directions.h"
+#include "division/policy.h"
+
+namespace morula {
+
+namespace {
+
+/// The axis lies in the contact's plane: of those directions the one of the cell's largest extent.
+struct AcrossContact final : DivisionPolicy {
+  explicit AcrossContact(const std::string& s) : substance(s) {}
+  Cut findCut(const CellContext& cell) const override {
+    const std::optional<Vector> contact = contactDirection(cell, substance);
+    return throughCentre(cell, contact ? longestExtentAcross(cell, *contact) : longestExtent(cell));
+  }
+  std::string substance;
+};
+
+}  // namespace
+
+extern const DivisionPlaneKind acrossPlane;
+const DivisionPlaneKind acrossPlane{
+    .plane = DivisionPlane::across,
+    .name = "across",
+    .meaning = "the direction of their largest extent along such a contact, so that the plane cuts it in two",
+    .takes = Takes::substance,
+    .needsShape = true,
+    .needsContact = true,
+    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
+      return std::make_unique<AcrossContact>(p.substance);
+    }};
+
+}  // namespace morula

@@ -1,0 +1,36 @@
+// The new wall meets the one before at right angles [Sachs 1877].
+#include "division/planes/directions.h"
+#include "division/policy.h"
+#include "division/record.h"
+
+namespace morula {
+
+namespace {
+
+/// Of the directions within the mother's plane, the one of the cell's largest extent. Cells that no division
+/// made are cut across the given axis.
+struct AlternatingPlane final : DivisionPolicy {
+  explicit AlternatingPlane(const Vector& a) : first(a / norm(a)) {}
+  Cut findCut(const CellContext& cell) const override {
+    const DivisionRecord* mother = cell.motherDivision();
+    return throughCentre(cell, mother ? longestExtentAcross(cell, mother->axis) : first);
+  }
+  Vector first;
+};
+
+}  // namespace
+
+extern const DivisionPlaneKind alternatingPlane;
+const DivisionPlaneKind alternatingPlane{
+    .plane = DivisionPlane::alternating,
+    .name = "alternating",
+    .meaning =
+        "an axis at right angles to their mother's, the one of their largest extent, and at first "
+        "the given one",
+    .takes = Takes::axis,
+    .needsShape = true,
+    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
+      return std::make_unique<AlternatingPlane>(p.axis);
+    }};
+
+}  // namespace morula

@@ -1,0 +1,31 @@
+// Daughter B at the contact, and A away from it.
+#include "division/planes/directions.h"
+#include "division/policy.h"
+
+namespace morula {
+
+namespace {
+
+struct AwayFromContact final : DivisionPolicy {
+  explicit AwayFromContact(const std::string& s) : substance(s) {}
+  Cut findCut(const CellContext& cell) const override {
+    const std::optional<Vector> contact = contactDirection(cell, substance);
+    return throughCentre(cell, contact ? -*contact : longestExtent(cell));
+  }
+  std::string substance;
+};
+
+}  // namespace
+
+extern const DivisionPlaneKind awayFromPlane;
+const DivisionPlaneKind awayFromPlane{
+    .plane = DivisionPlane::awayFrom,
+    .name = "away-from",
+    .meaning = "the same direction with daughter B at the contact",
+    .takes = Takes::substance,
+    .needsContact = true,
+    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
+      return std::make_unique<AwayFromContact>(p.substance);
+    }};
+
+}  // namespace morula

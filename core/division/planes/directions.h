@@ -1,0 +1,33 @@
+#pragma once
+// What several division planes go by: directions that a cell's shape, contacts and place give it.
+#include <optional>
+#include <string>
+
+#include "biology/cell_context.h"
+#include "biology/physical_unit.h"
+#include "division/cut.h"
+
+namespace morula {
+
+/// The plane with this unit normal through the centre of mass: in halves, as far as the cell is as large on one
+/// side of it as on the other.
+Cut throughCentre(const CellContext& cell, const Vector& normal);
+
+/// The direction of the cell's largest extent [principalAxis]. What a plane takes that finds nothing to go by.
+Vector longestExtent(const CellContext& cell);
+
+/// Of the directions at right angles to a unit vector, the one of the cell's largest extent.
+Vector longestExtentAcross(const CellContext& cell, const Vector& normal);
+
+/// The unit vector along Σ area · (unit vector to the neighbour's centre), over the neighbours that hold a
+/// substance, or one that fits its beginning and '*'. Absent if there is none, or if they lie evenly around the cell: the sum is then less
+/// than 1e-6 of the areas, and rounding must not decide.
+std::optional<Vector> contactDirection(const CellContext& cell, const std::string& substance);
+
+/// The unit vector from the inside of the organism to its outside, at the cell's centre: with a shell the
+/// normal of the ellipsoid of its shape through this point, (x/a², y/b², z/c²); without one away from the centre
+/// of all cells' volume. Absent for a cell within 1 % of its own radius (of the ball of equal volume) from the
+/// organism's centre.
+std::optional<Vector> outwardDirection(const CellContext& cell);
+
+}  // namespace morula

@@ -1,0 +1,25 @@
+// Cells tend to divide across their longest extent [Hertwig 1884; Nilsson 2008, §1.1].
+#include "division/planes/directions.h"
+#include "division/policy.h"
+
+namespace morula {
+
+namespace {
+
+struct LongestExtent final : DivisionPolicy {
+  Cut findCut(const CellContext& cell) const override { return throughCentre(cell, longestExtent(cell)); }
+};
+
+}  // namespace
+
+extern const DivisionPlaneKind longestPlane;
+const DivisionPlaneKind longestPlane{
+    .plane = DivisionPlane::longest,
+    .name = "longest",
+    .meaning = "the direction of their largest extent",
+    .needsShape = true,
+    .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
+      return std::make_unique<LongestExtent>();
+    }};
+
+}  // namespace morula

@@ -1,0 +1,45 @@
+// A direction that cells have, keep, and hand on: the egg's is given, daughters inherit their mother's. Where it
+// turns to contacts, a cell that is about to divide and touches some cell that holds the substance takes the
+// direction to that contact (or away from it), and its daughters inherit this one: as in the worm, whose P lineage
+// turns its polarity round at P2, where it meets EMS.
+#include "division/planes/directions.h"
+#include "division/policy.h"
+
+namespace morula {
+
+namespace {
+
+struct Polarity final : DivisionPolicy {
+  explicit Polarity(const PlaneChoice& p)
+      : start(p.axis / norm(p.axis)), substance(p.substance), turnsAway(p.turnsAway) {}
+  Cut findCut(const CellContext& cell) const override {
+    const Vector* inherited = cell.inheritedPolarity();
+    Vector polarity = inherited ? *inherited : start;
+    if (!substance.empty())
+      if (const std::optional<Vector> contact = contactDirection(cell, substance))
+        polarity = turnsAway ? -*contact : *contact;
+    Cut cut = throughCentre(cell, polarity);
+    cut.polarity = polarity;
+    return cut;
+  }
+  Vector start;
+  std::string substance;  // empty: it never turns
+  bool turnsAway;
+};
+
+}  // namespace
+
+extern const DivisionPlaneKind polarityPlane;
+const DivisionPlaneKind polarityPlane{
+    .plane = DivisionPlane::polarity,
+    .name = "polarity",
+    .meaning =
+        "a polarity that points to daughter A, which the egg has as given and daughters inherit (one that "
+        "turns-towards or turns-away-from a substance first turns to the contact with cells that hold it)",
+    .takes = Takes::polarity,
+    .keepsPolarity = true,
+    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
+      return std::make_unique<Polarity>(p);
+    }};
+
+}  // namespace morula

@@ -1,0 +1,32 @@
+// A random direction, evenly from all: the thesis' reference [Nilsson 2008, §4.4.2].
+#include "base/random.h"
+
+#include "division/planes/directions.h"
+#include "division/policy.h"
+
+namespace morula {
+
+namespace {
+
+/// One direction per cell, whatever the order in which cells divide.
+struct RandomDirection final : DivisionPolicy {
+  explicit RandomDirection(std::uint64_t s) : seed(s) {}
+  Cut findCut(const CellContext& cell) const override {
+    return throughCentre(cell, randomDirection({seed, cell.path, 0, Purpose::divisionPlane}));
+  }
+  std::uint64_t seed;
+};
+
+}  // namespace
+
+extern const DivisionPlaneKind randomPlane;
+const DivisionPlaneKind randomPlane{
+    .plane = DivisionPlane::random,
+    .name = "random",
+    .meaning = "a random direction",
+    .usesSeed = true,
+    .make = [](const PlaneChoice&, std::uint64_t seed) -> std::unique_ptr<DivisionPolicy> {
+      return std::make_unique<RandomDirection>(seed);
+    }};
+
+}  // namespace morula

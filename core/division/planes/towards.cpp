@@ -1,0 +1,33 @@
+// Daughter A at the contact: as the spindle of the worm's P2 turns to EMS, and that of EMS to P2.
+#include "division/planes/directions.h"
+#include "division/policy.h"
+
+namespace morula {
+
+namespace {
+
+struct TowardsContact final : DivisionPolicy {
+  explicit TowardsContact(const std::string& s) : substance(s) {}
+  Cut findCut(const CellContext& cell) const override {
+    const std::optional<Vector> contact = contactDirection(cell, substance);
+    return throughCentre(cell, contact ? *contact : longestExtent(cell));
+  }
+  std::string substance;
+};
+
+}  // namespace
+
+extern const DivisionPlaneKind towardsPlane;
+const DivisionPlaneKind towardsPlane{
+    .plane = DivisionPlane::towards,
+    .name = "towards",
+    .meaning =
+        "the direction to their contact with cells that hold a substance, where daughter A lies (without one "
+        "as longest)",
+    .takes = Takes::substance,
+    .needsContact = true,
+    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
+      return std::make_unique<TowardsContact>(p.substance);
+    }};
+
+}  // namespace morula

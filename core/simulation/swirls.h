@@ -1,0 +1,37 @@
+#pragma once
+// Chirality: the two halves of a cell that divides turn against each other about its axis [Naganathan et al. 2014;
+// Pimpale et al. 2020], and go on to do so as daughters.
+//
+// The medium around a newborn swirls: it turns about the division axis with
+//
+//   ω(t) = ± (angle/time) e^(−t/time),    ∫ ω dt = ± angle,    + for daughter A, − for B,
+//
+// and its drag takes her vertices along: the acceleration drag · (ω × r), r from the mean of her vertices. In a
+// medium that is thick against 1/time a free cell turns by the angle; one that others hold turns them, too, or turns
+// less. Seen along the axis from behind, a positive angle turns A clockwise and B counter-clockwise; with the axis
+// turned round A is B and the picture the same, so its sign is that of a hand and of no direction. The forces on a
+// cell add up to none.
+#include "base/vec3.h"
+
+namespace morula {
+
+struct World;
+
+/// A young cell about which the medium turns.
+struct Swirl {
+  int cell;         // its number among the living
+  Vector axis;      // unit vector
+  double rate;      // [1/time] ω at birth, in radians
+  double time;      // [time] in which it falls to 1/e
+  double born = 0;  // [time]
+};
+
+/// Which living cells swirl: daughters whose mother's division has chirality [chiralityOf], until eight time
+/// constants have passed, when 1/3000 of the angle is left. To be called whenever the living cells have changed.
+/// Returns at once, and there are none, where no rule has chirality.
+void findSwirls(World& world);
+
+/// Adds their forces, at the clock's time.
+void addSwirlForces(World& world);
+
+}  // namespace morula

@@ -1,0 +1,132 @@
+// Plane sections of closed meshes, against areas worked out by hand.
+#include "division/planes/section.h"
+
+#include <numbers>
+
+#include "base/random.h"
+#include "catch.h"
+#include "mesh/measures.h"
+#include "unit/physics/lab.h"
+
+using namespace morula;
+
+namespace {
+
+/// From 0 to the corner (a, b, c).
+Mesh box(double a, double b, double c) {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i) mesh.vertices.push_back({a * (i & 1), b * (i >> 1 & 1), c * (i >> 2 & 1)});
+  const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const auto& [i, j, k, l] : quads) mesh.faces.push_back({i, j, k}), mesh.faces.push_back({i, k, l});
+  return mesh;
+}
+
+Mesh ellipsoid(double a, double b, double c, int level = 3) {
+  Mesh mesh = makeIcosphere(level);
+  for (Point& x : mesh.vertices) x = {a * x.x, b * x.y, c * x.z};
+  return mesh;
+}
+
+/// A turn: its rows.
+struct Frame {
+  Vector x, y, z;
+  Vector operator()(const Vector& u) const { return {dot(x, u), dot(y, u), dot(z, u)}; }
+};
+
+Frame frame(std::uint32_t seed) {
+  const Vector x = randomDirection({seed, {}, 0, Purpose::test});
+  Vector y = cross(x, randomDirection({seed, {}, 1, Purpose::test}));
+  y = y / norm(y);
+  return {x, y, cross(x, y)};
+}
+
+Mesh moved(Mesh mesh, const Frame& turn, const Vector& shift) {
+  for (Point& x : mesh.vertices) x = turn(x) + shift;
+  return mesh;
+}
+
+/// [1] The sine of the angle between two lines.
+double between(const Vector& a, const Vector& b) { return norm(cross(a, b)); }
+
+}  // namespace
+
+TEST_CASE("section: of a box along its sides, across its diagonal and through its corners' hexagon") {
+  const Mesh brick = box(1, 2, 3);
+  CHECK(measureVolume(brick.vertices, brick.faces) == Approx(6));
+  const Point middle{0.5, 1, 1.5};
+  CHECK(sectionArea(brick, middle, {1, 0, 0}) == Approx(6).epsilon(1e-14));
+  CHECK(sectionArea(brick, middle, {0, 1, 0}) == Approx(3).epsilon(1e-14));
+  CHECK(sectionArea(brick, middle, {0, 0, -1}) == Approx(2).epsilon(1e-14));
+  CHECK(sectionArea(brick, {0.1, 1.9, 2.9}, {0, 0, 1}) == Approx(2).epsilon(1e-14));
+  // A plane that holds two opposite edges of length 3: √(1² + 2²) · 3.
+  CHECK(sectionArea(brick, middle, Vector{2, -1, 0} / std::sqrt(5.0)) ==
+        Approx(3 * std::sqrt(5.0)).epsilon(1e-12));
+  // The regular hexagon of a unit cube: sides √½, area 3√3/2 · ½.
+  CHECK(sectionArea(box(1, 1, 1), {0.5, 0.5, 0.5}, Vector{1, 1, 1} / std::sqrt(3.0)) ==
+        Approx(0.75 * std::sqrt(3.0)).epsilon(1e-14));
+  CHECK(sectionArea(brick, {5, 0, 0}, {1, 0, 0}) == 0);
+}
+
+TEST_CASE("section: of an ellipsoid it is an ellipse; a cave is no part of it") {
+  const Mesh mesh = ellipsoid(3, 2, 1, 4);
+  CHECK(sectionArea(mesh, {}, {1, 0, 0}) == Approx(2 * std::numbers::pi).epsilon(0.005));
+  CHECK(sectionArea(mesh, {}, {0, 0, 1}) == Approx(6 * std::numbers::pi).epsilon(0.005));
+  Mesh hollow = box(3, 3, 3), cave = box(1, 1, 1);
+  for (const Face& f : cave.faces) hollow.faces.push_back({f[0] + 8, f[2] + 8, f[1] + 8});
+  for (const Point& x : cave.vertices) hollow.vertices.push_back(x + Vector{1, 1, 1});
+  CHECK(sectionArea(hollow, {1.5, 1.5, 1.5}, {0, 1, 0}) == Approx(8).epsilon(1e-14));
+}
+
+TEST_CASE("section: the smallest stands across the longest side, wherever that points") {
+  const Mesh brick = box(1, 2, 3);
+  CHECK(between(smallestSection(brick, {0.5, 1, 1.5}), {0, 0, 1}) < 1e-4);
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    const Frame turn = frame(seed);
+    const Vector shift{1, -2, 3};
+    const Vector found = smallestSection(moved(ellipsoid(1.5, 1, 0.9, 4), turn, shift), shift);
+    CHECK(between(found, turn({1, 0, 0})) < 0.02);  // of the ellipsoid; it is one of triangles
+    CHECK(norm(found) == Approx(1).epsilon(1e-14));
+    CHECK(dot(found, {1, 0.55, 0.2}) > 0);
+  }
+}
+
+// By another search than the program's: many directions at random, and no refinement.
+TEST_CASE("section: no other direction has a smaller one") {
+  for (std::uint32_t seed = 0; seed < 5; ++seed) {
+    const Body lump = shakenBody(makeIcosphere(2), 0.25, 0, seed);
+    const Mesh mesh{lump.position, makeIcosphere(2).faces};
+    const Point centre = measureCentroid(mesh.vertices);
+    const double found = sectionArea(mesh, centre, smallestSection(mesh, centre));
+    double least = found;
+    for (std::uint32_t i = 0; i < 3000; ++i)
+      least = std::min(least, sectionArea(mesh, centre, randomDirection({i, {}, 2, Purpose::test})));
+    CHECK(found <= least * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("section: a lump that is turned or mirrored has its smallest section turned or mirrored") {
+  const Body lump = shakenBody(makeIcosphere(2), 0.15, 0, 3);
+  const Mesh mesh{lump.position, makeIcosphere(2).faces};
+  const Vector before = smallestSection(mesh, measureCentroid(mesh.vertices));
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    const Frame turn = frame(seed);
+    const Mesh turned = moved(mesh, turn, {3, 0, -1});
+    CHECK(between(smallestSection(turned, measureCentroid(turned.vertices)), turn(before)) < 1e-3);
+  }
+  Mesh mirrored = mesh;
+  for (Point& x : mirrored.vertices) x.y = -x.y;
+  for (Face& f : mirrored.faces) std::swap(f[1], f[2]);
+  CHECK(between(smallestSection(mirrored, measureCentroid(mirrored.vertices)),
+                {before.x, -before.y, before.z}) < 1e-3);
+}
+
+TEST_CASE("section: of equally small ones a rule decides, and not rounding") {
+  const Vector found = smallestSection(box(1, 1, 1), {0.5, 0.5, 0.5});
+  CHECK(between(found, {1, 0, 0}) < 1e-4);
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    Mesh cube = box(1, 1, 1);
+    for (std::uint32_t v = 0; v < 8; ++v) cube.vertices[v] += 1e-14 * noiseVector(v, seed);
+    CHECK(norm(smallestSection(cube, {0.5, 0.5, 0.5}) - found) < 1e-4);
+  }
+}
