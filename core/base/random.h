@@ -10,7 +10,12 @@
 
 namespace morula {
 
-enum class Purpose : std::uint32_t { divisionPlane = 1, perturbation = 2, test = 3 };
+enum class Purpose : std::uint32_t {  // part of what a seed means: new ones stand behind the others
+  divisionPlane = 1,
+  perturbation = 2,
+  test = 3,
+  motility = 20,
+};
 
 struct Draw {
   std::uint64_t seed = 0;

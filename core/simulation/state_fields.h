@@ -150,7 +150,7 @@ void visitBody(const Bodies& bodies, int slot, auto&& visit) {
 template <IsA<World> W>
 void visitState(W& world, auto&& visit) {
   auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts,
-         connections, lineage, timeSteps, divisions, before] = world;
+         connections, lineage, timeSteps, divisions, before, motility] = world;
   visit("clock", clock);
   visit("cells", cells);
   visit("lineage", lineage.entries);

@@ -50,6 +50,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
     world.contacts =
         makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
+  if (m.physics.motility) world.motility.emplace();
   setStages(world, execution.isa);
   requireMemoryForStart(world);
   setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
@@ -72,6 +73,8 @@ void setStages(World& world, Isa isa) {
 
 void beginWithBodies(World& world) {
   if (world.contacts) resetContacts(*world.contacts, *world.bodies);
+  sortByAdhesion(world);
+  if (world.motility) world.motility->isCurrent = false;
   if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
   evaluateForces(world);
   checkBodies(world);
@@ -91,6 +94,7 @@ bool usesSeed(const Scene& scene) {
   const auto divides = [&](const Gene& gene) {
     return scene.dna.substances[gene.product] == substance::divide;
   };
+  if (scene.mechanics && scene.mechanics->physics.motility) return true;
   return scene.mechanics && kindOf(scene.mechanics->division.plane).usesSeed &&
          std::ranges::any_of(scene.dna.genes, divides);
 }

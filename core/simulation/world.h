@@ -15,6 +15,7 @@
 #include "division/record.h"
 #include "physics/bodies.h"
 #include "physics/stages.h"
+#include "simulation/motility.h"
 #include "simulation/scene.h"
 
 namespace morula {
@@ -81,6 +82,7 @@ struct World {
   std::vector<DivisionRecord> divisions;  // of cells with bodies, in order of time and path
 
   std::optional<BodyCopy> before;  // scratch of takeSteps
+  std::optional<Motility> motility;  // of scenes with it; follows from the rest
 };
 
 /// Builds the world at time 0: one egg, or the scene's start cells. Throws InputError if the scene cannot
