@@ -95,7 +95,7 @@ bool usesSeed(const Scene& scene) {
     return scene.dna.substances[gene.product] == substance::divide;
   };
   if (scene.mechanics && scene.mechanics->physics.motility) return true;
-  return scene.mechanics && kindOf(scene.mechanics->division.plane).usesSeed &&
+  return scene.mechanics && kindOf(scene.mechanics->division.otherwise.plane).usesSeed &&
          std::ranges::any_of(scene.dna.genes, divides);
 }
 

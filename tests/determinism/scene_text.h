@@ -70,10 +70,10 @@ inline auto fields(ShellParameters& a) {
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
 }
 inline auto fields(PhysicsParameters& a) {
-  auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching, drag,
-         growth, shell, motility] = a;
-  return std::tie(coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching,
-                  drag, growth, shell, motility);
+  auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
+         shapeMatching, drag, growth, shell, motility] = a;
+  return std::tie(coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
+                  shapeMatching, drag, growth, shell, motility);
 }
 inline auto fields(AdhesionPair& a) {
   auto& [first, second, strength] = a;
@@ -87,9 +87,17 @@ inline auto fields(ContactParameters& a) {
   auto& [law, stiffness, damping, friction, slipSpeed, radius, adhesion] = a;
   return std::tie(law, stiffness, damping, friction, slipSpeed, radius, adhesion);
 }
+inline auto fields(PlaneChoice& a) {
+  auto& [plane, axis, substance] = a;
+  return std::tie(plane, axis, substance);
+}
+inline auto fields(DivisionRule& a) {
+  auto& [of, plane, share, tilt] = a;
+  return std::tie(of, plane, share, tilt);
+}
 inline auto fields(DivisionParameters& a) {
-  auto& [plane, axis] = a;
-  return std::tie(plane, axis);
+  auto& [otherwise, rules] = a;
+  return std::tie(otherwise, rules);
 }
 inline auto fields(ConnectedPair& a) {
   auto& [first, second] = a;
