@@ -33,6 +33,9 @@ struct AdhesionParameters {
   std::vector<AdhesionPair> pairs;  // the first that fits two cells counts
 };
 
+// [1] Of the contact stiffness: with more, cells crumple, or spheres slip into each other.
+constexpr double largestAdhesion = 1.0 / 6;
+
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;
   double stiffness = 30;    // K [force/length] of one vertex pair; pair law only

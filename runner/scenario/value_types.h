@@ -79,6 +79,8 @@ Parameter divisionPlane();
 /// What division.plane may be, in words.
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();
+Parameter adhesion();
+Parameter makeConnections();
 Parameter saneEnd();
 Parameter becauseText();
 
