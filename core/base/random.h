@@ -19,6 +19,7 @@ enum class Purpose : std::uint32_t {  // part of what a seed means: new ones sta
   shareVariation = 6,
   startVariation = 7,
   motility = 20,
+  adhesionVariation = 21,
 };
 
 struct Draw {

@@ -15,11 +15,11 @@ class BiologicalUnit {
 
   /// The egg's state.
   virtual StateId startState() const = 0;
-  /// Time from the last cycle (or birth) to the next one, for a cell in this state. [time]
+  /// Time from the last cycle (or birth) to the next one, for a cell in this state, at a pace of 1. [time]
   virtual double cycleLength(StateId state) const = 0;
   /// True if the cell's next cell cycle is due: the biological step is much longer than the physical one.
   virtual bool wantsToRunCellCycle(const CellContext& cell) const {
-    return cell.time >= cell.lastCycle + cycleLength(cell.state);
+    return cell.time >= cell.lastCycle + cell.pace * cycleLength(cell.state);
   }
   /// The state after one cell cycle.
   virtual StateId runCellCycle(const CellContext& cell) = 0;

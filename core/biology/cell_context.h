@@ -29,6 +29,7 @@ class CellContext {
   double time = 0;       // [time] now
   double lastCycle = 0;  // [time] when its last cell cycle was due, or its mother's at its birth
   double born = 0;       // [time] of the step in which it was born, so at times a little after `time`
+  double pace = 1;       // [1] its cycle lengths over those of its state
   double age() const { return time > born ? time - born : 0; }
 
   // Found when it is first asked for, and kept. Here: of a cell of which nothing more is known.

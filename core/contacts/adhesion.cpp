@@ -36,7 +36,9 @@ double pairFactor(const Contacts& c, const Bodies& b, int i, int j) {
 
 double workOf(const Contacts& c, int i, int j) {
   const AdhesionKinds& k = c.adhesion.kinds;
-  return k.work.empty() ? c.parameters.adhesion->strength : k.work[k.ofSlot[i] * k.count + k.ofSlot[j]];
+  const double work =
+      k.work.empty() ? c.parameters.adhesion->strength : k.work[k.ofSlot[i] * k.count + k.ofSlot[j]];
+  return k.factor.empty() ? work : work * (0.5 * (k.factor[i] + k.factor[j]));
 }
 
 void fillBlock(Contacts& c, const Bodies& b, int block, VertexNumber far) {
@@ -92,6 +94,8 @@ double adhesionStiffness(const Contacts& c, const Bodies& b) {
   if (!c.parameters.adhesion || b.count == 0) return 0;
   double work = c.parameters.adhesion->strength;
   for (const AdhesionPair& pair : c.parameters.adhesion->pairs) work = std::max(work, pair.strength);
+  const auto& factor = c.adhesion.kinds.factor;
+  if (!factor.empty()) work *= *std::max_element(factor.begin(), factor.end());
   // Of spheres S/δ is at most 4πW, and (1 − u²)² at its steepest 1.54.
   if (b.areSpheres()) return 1.54 * 4 * pi * work;
   // Of all pairs that with the most different radii has the largest factor.

@@ -24,6 +24,8 @@ struct AdhesionKinds {
   std::vector<int> ofSlot;   // [slot]
   int count = 1;             // of kinds
   std::vector<double> work;  // [kind · count + kind] W [force/length], symmetric
+  // [slot] Each cell's own; two cells stick with the mean of theirs. Empty: all are 1.
+  std::vector<double> factor = {};
 };
 
 /// Follows from the cells' kinds, their influence radii and the neighbour list.

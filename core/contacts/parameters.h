@@ -33,8 +33,9 @@ struct AdhesionParameters {
   std::vector<AdhesionPair> pairs;  // the first that fits two cells counts
 };
 
-// [1] Of the contact stiffness: with more, cells crumple, or spheres slip into each other.
-constexpr double largestAdhesion = 1.0 / 6;
+// [1] Of the contact stiffness. With more, meshes fold where they touch; spheres, which nothing else keeps apart, slip
+// into each other by and by where many stick together (at 0.13 a heap of 32 did).
+constexpr double largestAdhesion = 1.0 / 6, largestSphereAdhesion = 0.1;
 
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;

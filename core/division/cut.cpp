@@ -4,28 +4,21 @@
 
 #include "base/maths.h"
 #include "base/number_text.h"
-#include "division/unfold.h"
+#include "division/halves.h"
 
 namespace morula {
 
 CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFactor) {
+  constexpr double least = 0.1 - 1e-9;  // a daughter that is to get a tenth may miss it by rounding
   CutResult result;
   Body &a = result.daughters.a, &b = result.daughters.b;
   a = b = mother;
-  const Vector& normal = cut.normal;
-  std::vector<char> flatInA(mother.position.size()), flatInB(mother.position.size());
-  for (std::size_t v = 0; v < mother.position.size(); ++v) {
-    const double height = dot(mother.position[v] - cut.point, normal);
-    Body& beyond = height > 0 ? b : a;  // the daughter for which this vertex lies beyond the plane
-    beyond.position[v] = mother.position[v] - height * normal;
-    (height > 0 ? flatInB : flatInA)[v] = true;
-  }
-  unfold(a.position, faces, flatInA, -normal);
-  unfold(b.position, faces, flatInB, normal);
+  Halves halves = halve(mother.position, faces, cut.point, cut.normal);
+  a.position = std::move(halves.a), b.position = std::move(halves.b);
 
-  const double volumeA = measureVolume(a.position, faces), volumeB = measureVolume(b.position, faces);
+  const double volumeA = halves.volumeA, volumeB = halves.volumeB;
   const double volume = volumeA + volumeB;
-  if (!(volumeA >= 0.1 * volume && volumeB >= 0.1 * volume)) {
+  if (!(volumeA >= least * volume && volumeB >= least * volume)) {
     result.failure =
         "its plane would cut its volume into " + numberText(volumeA) + " and " + numberText(volumeB);
     return result;
@@ -44,11 +37,12 @@ CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFa
 
 Daughters divideSphere(const Body& mother, double radius, const Cut& cut) {
   Daughters d{mother, mother};
-  d.a.mass = mother.mass * cut.ratio;
+  const double share = cut.share.value_or(0.5);
+  d.a.mass = mother.mass * share;
   d.b.mass = mother.mass - d.a.mass;
-  d.a.pressureConstant = mother.pressureConstant * cut.ratio;
+  d.a.pressureConstant = mother.pressureConstant * share;
   d.b.pressureConstant = mother.pressureConstant - d.a.pressureConstant;
-  const double scaleA = cubeRoot(cut.ratio), scaleB = cubeRoot(1 - cut.ratio);
+  const double scaleA = cubeRoot(share), scaleB = cubeRoot(1 - share);
   d.a.restScale *= scaleA;
   d.b.restScale *= scaleB;
   d.a.position[0] += (radius * (1 - scaleA)) * cut.normal;

@@ -4,6 +4,7 @@
 // The mesh is copied to both daughters, and in each the vertices beyond the plane are projected onto it, so
 // connectivity never changes and both volumes add up to the mother's. Velocities are copied, and mass is
 // shared by volume, so momentum is kept.
+#include <optional>
 #include <span>
 #include <string>
 
@@ -15,9 +16,11 @@ namespace morula {
 /// Where a cell is to be cut. A surface is cut along the plane; a sphere, which has none, into shares of its
 /// volume.
 struct Cut {
-  Point point;         // [length] on the plane
-  Vector normal;       // the plane's unit normal; points to daughter A
-  double ratio = 0.5;  // [1] of the volume that daughter A is to have, above 0 and below 1
+  Point point;    // [length] on the plane
+  Vector normal;  // the plane's unit normal; points to daughter A
+  // [1] Of the volume that daughter A is to have, above 0 and below 1: for a surface, where placePlane is to move the
+  // point to. Absent: the plane goes through the point, a sphere in halves.
+  std::optional<double> share = {};
 };
 
 struct Daughters {
@@ -29,13 +32,13 @@ struct CutResult {
   std::string failure;  // empty: the cut succeeded
 };
 
-/// Cuts along the plane. k_p and mass go by volume. Of the membrane, `areaFactor` times the mother's rest
+/// Cuts along the plane, whatever the cut's share. k_p and mass go by volume. Of the membrane, `areaFactor` times the mother's rest
 /// area is shared out by volume^(2/3): a factor of 2^(1/3) gives the halves of a sphere just the membrane that
 /// their rounded shape needs. Fails if a daughter would get less than a tenth of the volume: such a body
 /// never was one piece on either side.
 CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFactor);
 
-/// A sphere of that radius becomes two that share its volume and mass by the cut's ratio, side by side along
+/// A sphere of that radius becomes two that share its volume and mass by the cut's share, side by side along
 /// its normal. Both lie within the mother's sphere and touch it from inside, so the division itself pushes no
 /// other cell. They overlap at first; contact forces part them.
 Daughters divideSphere(const Body& mother, double radius, const Cut& cut);

@@ -98,8 +98,4 @@ std::unique_ptr<DivisionPolicy> makePlanePolicy(const PlaneChoice& choice, std::
   return kind.make(choice, seed);
 }
 
-std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& p, std::uint64_t seed) {
-  return makePlanePolicy(p.otherwise, seed);
-}
-
 }  // namespace morula

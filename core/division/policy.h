@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "biology/cell_context.h"
+#include "biology/variation.h"
 #include "division/cut.h"
 #include "division/parameters.h"
 
@@ -20,7 +21,9 @@ class DivisionPolicy {
 /// One plane for all cells. Throws InputError for an axis of length 0.
 std::unique_ptr<DivisionPolicy> makePlanePolicy(const PlaneChoice& choice, std::uint64_t seed);
 
-/// For each cell the plane of the first rule that fits her. Throws InputError for an axis of length 0.
-std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& parameters, std::uint64_t seed);
+/// For each cell what the first rule that fits it says of its plane, share and tilt, and its deviations (rules.cpp).
+/// Throws InputError for an axis of length 0, and for a share that is or may vary below 0.1 or above 0.9.
+std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& parameters, std::uint64_t seed,
+                                                   const VariationParameters& variation = {});
 
 }  // namespace morula

@@ -1,6 +1,7 @@
-// Which cells stick to others alike: by the adhesion pairs that their substances fit.
+// Which cells stick to others alike: by the adhesion pairs that their substances fit, and by what the seed varies.
 #include <map>
 
+#include "base/random.h"
 #include "biology/substance_pattern.h"
 #include "simulation/stages.h"
 
@@ -28,14 +29,25 @@ double workOf(const AdhesionParameters& p, const Ends& one, const Ends& other) {
   return p.strength;
 }
 
+/// [slot]; empty where the seed varies none.
+std::vector<double> ownFactors(const World& world) {
+  const double sd = world.model.variation.adhesion;
+  if (sd == 0) return {};
+  std::vector<double> factors(world.bodies->restScale.size(), 1);
+  for (std::size_t cell = 0; cell < world.cells.path.size(); ++cell)
+    factors[world.bodies->slots[cell]] =
+        1 + sd * randomNormal({world.model.seed, world.cells.path[cell], 0, Purpose::adhesionVariation});
+  return factors;
+}
+
 }  // namespace
 
 void sortByAdhesion(World& world) {
   if (!world.contacts || !world.contacts->parameters.adhesion) return;
   const AdhesionParameters& p = *world.contacts->parameters.adhesion;
-  if (p.pairs.empty()) return;
+  if (p.pairs.empty() && world.model.variation.adhesion == 0) return;
   const Bodies& bodies = *world.bodies;
-  AdhesionKinds kinds{std::vector<int>(bodies.restScale.size(), 0), 0, {}};
+  AdhesionKinds kinds{std::vector<int>(bodies.restScale.size(), 0), 0, {}, ownFactors(world)};
   std::map<StateId, int> ofState;  // a state is described once
   std::map<Ends, int> ofEnds;
   std::vector<Ends> ends;  // [kind]

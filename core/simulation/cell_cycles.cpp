@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random.h"
 #include "simulation/observation.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
@@ -31,7 +32,7 @@ std::vector<CellChange> runDueCycles(World& world, double time) {
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (changes[i] == CellChange::none) continue;
     // When it was due: rounding to steps does not pile up.
-    cells.lastCycle[i] += world.biology->cycleLength(cells.state[i]);
+    cells.lastCycle[i] = nextCycleOf(world, i);
     world.lineage.entries[cells.entry[i]].state = next[i];
   }
   cells.state = std::move(next);
@@ -65,12 +66,22 @@ bool runOneRound(World& world, double time) {
 
 double findNextCycle(const World& world) {
   double next = INFINITY;
-  for (std::size_t i = 0; i < world.cells.path.size(); ++i)
-    next = std::min(next, world.cells.lastCycle[i] + world.biology->cycleLength(world.cells.state[i]));
+  for (std::size_t i = 0; i < world.cells.path.size(); ++i) next = std::min(next, nextCycleOf(world, i));
   return next;
 }
 
 }  // namespace
+
+double paceOf(const World& world, const CellPath& path) {
+  const double sd = world.model.variation.cycle;
+  return sd == 0 ? 1 : 1 + sd * randomNormal({world.model.seed, path, 0, Purpose::cycleVariation});
+}
+
+double nextCycleOf(const World& world, std::size_t cell) {
+  const Cells& cells = world.cells;
+  return cells.lastCycle[cell] +
+         paceOf(world, cells.path[cell]) * world.biology->cycleLength(cells.state[cell]);
+}
 
 void runCellCycles(World& world, double until) {
   Clock& clock = world.clock;

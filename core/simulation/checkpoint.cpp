@@ -1,6 +1,7 @@
 // The file around the fields, and which scene it is of.
 #include "simulation/checkpoint.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "simulation/checkpoint_state.h"
@@ -73,12 +74,15 @@ void writeScene(FieldWriter& out, const Scene& scene) {
 void checkScene(FieldReader& in, const Scene& scene) {
   const Texts names = in.texts("scene.parts"), hashes = in.texts("scene.hashes");
   const std::vector<ScenePart> parts = hashSceneParts(scene);
-  if (names.size() != parts.size() || hashes.size() != parts.size())
-    refuse("it tells too little of its scene");
+  if (names.size() != hashes.size()) refuse("it tells too little of its scene");
   std::string others;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (names[i] != parts[i].name || hashes[i] != parts[i].hash)
-      others += (others.empty() ? "" : ", ") + parts[i].name;
+  const auto differ = [&](const std::string& name) { others += (others.empty() ? "" : ", ") + name; };
+  for (const auto& [name, hash] : parts) {
+    const auto at = std::ranges::find(names, name);
+    if (at == names.end() || hashes[at - names.begin()] != hash) differ(name);
+  }
+  for (const std::string& name : names)  // what the other scene has besides
+    if (std::ranges::find(parts, name, &ScenePart::name) == parts.end()) differ(name);
   if (!others.empty()) refuse("it is of another scene; this one differs in: " + others);
 }
 

@@ -5,6 +5,7 @@
 
 #include "mesh/measures.h"
 #include "simulation/body_measures.h"
+#include "simulation/stages.h"
 
 namespace morula {
 
@@ -93,6 +94,7 @@ ObservedCell::ObservedCell(const Observation& observation, int number)
   time = observation.time;
   lastCycle = cells.lastCycle[number];
   born = observation.world.lineage.entries[cells.entry[number]].born;
+  pace = paceOf(observation.world, path);
 }
 
 std::string ObservedCell::substances() const { return observation_.world.biology->describe(state); }

@@ -6,6 +6,7 @@
 #include "base/maths.h"
 #include "division/coarsen.h"
 #include "division/cut.h"
+#include "division/place_plane.h"
 #include "division/principal_axis.h"
 #include "simulation/memory.h"
 #include "simulation/stages.h"
@@ -23,13 +24,15 @@ struct Division {
 Division divide(const World& world, const ObservedCell& cell) {
   const Bodies& bodies = *world.bodies;
   const Body mother = takeBody(bodies, cell.slot());
-  const Cut cut = world.divisionPolicy->findCut(cell);
-  DivisionRecord record{cell.path, world.clock.time, world.clock.step, cut.normal, cut.ratio, {}};
+  Cut cut = world.divisionPolicy->findCut(cell);
+  DivisionRecord record{cell.path,  world.clock.time,        world.clock.step,
+                        cut.normal, cut.share.value_or(0.5), {}};
   if (bodies.areSpheres())
     return {cut, divideSphere(mother, bodies.parameters.cell.radius * mother.restScale, cut), record};
+  const Faces faces = bodies.meshOf(cell.slot()).mesh.faces;
   record.extentRatio = extentRatio(mother.position);
-  CutResult result =
-      cutBody(mother, bodies.meshOf(cell.slot()).mesh.faces, cut, bodies.parameters.membrane.areaFactor);
+  if (cut.share) cut.point = placePlane(mother.position, faces, cut.normal, *cut.share);
+  CutResult result = cutBody(mother, faces, cut, bodies.parameters.membrane.areaFactor);
   if (!result.failure.empty())
     throw NumericalError(
         cell.path.text(), world.clock.step, "it cannot divide: " + result.failure,

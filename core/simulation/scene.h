@@ -9,6 +9,7 @@
 
 #include "biology/dna.h"
 #include "biology/parameters.h"
+#include "biology/variation.h"
 #include "connections/parameters.h"
 #include "contacts/parameters.h"
 #include "division/parameters.h"
@@ -42,6 +43,7 @@ struct Scene {
   StopParameters stop;
   std::optional<MechanicsScene> mechanics;  // absent: lineage only
   std::vector<StartCell> cells;             // that live at time 0; none: one egg at the origin
+  VariationParameters variation;            // what the seed changes besides
 };
 
 }  // namespace morula

@@ -139,10 +139,16 @@ void addPart(Hasher& h, const ConnectionParameters& connections) {
   if (most) h.field("most").add(*most);
 }
 
+void addPart(Hasher& h, const VariationParameters& variation) {
+  const auto& [cycle, share, start, tilt, adhesion] = variation;
+  h.field("variation").add(cycle).add(share).add(start).add(tilt);
+  if (adhesion != 0) h.field("adhesion").add(adhesion);
+}
+
 }  // namespace
 
 std::vector<ScenePart> hashSceneParts(const Scene& scene) {
-  const auto& [title, seed, dna, cycle, stop, mechanics, cells] = scene;
+  const auto& [title, seed, dna, cycle, stop, mechanics, cells, variation] = scene;
   std::vector<ScenePart> parts;
   const auto add = [&]<class Part>(const char* name, const Part* part) {
     Hasher h;
@@ -160,6 +166,9 @@ std::vector<ScenePart> hashSceneParts(const Scene& scene) {
   add("physics.contact", contact ? &*contact : nullptr);
   add("division", mechanics ? &division : nullptr);
   add("connections", connections ? &*connections : nullptr);
+  VariationParameters onTheWay = variation;
+  onTheWay.start = 0;  // as the start cells: how a state came about does not decide how it goes on
+  if (onTheWay != VariationParameters{}) add("variation", &onTheWay);
   return parts;
 }
 

@@ -50,14 +50,20 @@ void checkReach(const World& world);
 /// Cells that grow or shrink. Returns at once where the scene has no growth.
 void growCells(World& world, double timeStep);
 
-/// Tells contacts which cells stick to others alike, by their substances. Returns at once where adhesion does not
-/// depend on them.
+/// Tells contacts which cells stick to others alike, by their substances, and what the seed varies. Returns at
+/// once where adhesion depends on neither.
 void sortByAdhesion(World& world);
 
 /// Runs the cell cycles that are due until then [time], and the deaths, divisions and connections that follow
 /// from them. Cycles run in the order in which they are due, and those that are due at the same time
 /// together; none runs after the one that gives the scene as many cells as it stops at.
 void runCellCycles(World& world, double until);
+
+/// [1] A cell's cycle lengths over those of its state: 1 ± variation.cycle.
+double paceOf(const World& world, const CellPath& path);
+
+/// [time] When the next cycle of living cell number `cell` is due.
+double nextCycleOf(const World& world, std::size_t cell);
 
 /// True once as many cells live as the scene stops at.
 bool hasEnoughCells(const World& world);
@@ -75,8 +81,8 @@ void releaseConnections(World& world);
 double timeStepLimit(const World& world);
 
 /// [time] An automatic time step where steps up to `limit` are stable: the largest power of two that is no
-/// longer than this and than the shortest cell cycle, so that no cell has more than one cycle in a step.
-double automaticTimeStep(const CycleParameters& cycle, double limit);
+/// longer than this and than the shortest cell cycle that the scene may bring, so that no cell has more than one cycle in a step.
+double automaticTimeStep(const Scene& scene, double limit);
 
 /// Throws InputError if more cell cycles would come one after the other than any run can make, or if one
 /// cycle is so much shorter than another that times cannot tell its beginning from its end.

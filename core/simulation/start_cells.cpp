@@ -4,6 +4,7 @@
 #include <span>
 
 #include "simulation/population.h"
+#include "simulation/stages.h"
 
 namespace morula {
 
@@ -33,9 +34,9 @@ void found(World& world, const CellPath& path, std::span<const StartCell> cells)
 void createFounders(World& world) {
   if (world.model.cells.empty()) addFounder(world, CellPath{}, world.biology->startState());
   else found(world, CellPath{}, world.model.cells);
-  world.clock.nextCycle = world.biology->cycleLength(world.cells.state[0]);
-  for (StateId state : world.cells.state)
-    world.clock.nextCycle = std::min(world.clock.nextCycle, world.biology->cycleLength(state));
+  world.clock.nextCycle = nextCycleOf(world, 0);
+  for (std::size_t i = 1; i < world.cells.path.size(); ++i)
+    world.clock.nextCycle = std::min(world.clock.nextCycle, nextCycleOf(world, i));
 }
 
 Point placeVertex(const StartCell& cell, const Point& x) {

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/maths.h"
 #include "base/number_text.h"
+#include "base/random.h"
 #include "physics/integrator.h"
 #include "physics/stability.h"
 #include "simulation/stages.h"
@@ -124,23 +125,26 @@ struct ShortestCycle {
   std::string key;  // that gives it
 };
 
-ShortestCycle shortestCycle(const CycleParameters& cycle) {
+/// Of all cells that the scene may bring, whatever its seed.
+ShortestCycle shortestCycle(const Scene& scene) {
+  const CycleParameters& cycle = scene.cycle;
   ShortestCycle shortest{cycle.length, "cycle.length"};
   for (const auto& [substance, length] : cycle.perSubstance)
     if (length < shortest.length) shortest = {length, "cycle.per-substance." + substance};
+  shortest.length *= 1 - largestDeviate * scene.variation.cycle;
   return shortest;
 }
 
 /// A longer step would hold two cycles of one cell.
 void refuseAboveCycle(const World& world, double timeStep) {
-  const ShortestCycle cycle = shortestCycle(world.model.cycle);
+  const ShortestCycle cycle = shortestCycle(world.model);
   if (timeStep <= cycle.length) return;
-  throw NumericalError(world.cells.path[0].text(), world.clock.step,
-                       "physics.time_step " + exactText(timeStep) +
-                           " is longer than the shortest cell cycle, " + cycle.key + " " +
-                           exactText(cycle.length),
-                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(cycle.length)) +
-                           ", or give a longer " + cycle.key);
+  throw NumericalError(
+      world.cells.path[0].text(), world.clock.step,
+      "physics.time_step " + exactText(timeStep) + " is longer than the shortest cell cycle, " + cycle.key +
+          (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") + exactText(cycle.length),
+      "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(cycle.length)) +
+          ", or give a longer " + cycle.key);
 }
 
 /// The run would end behind its stop.
@@ -170,7 +174,7 @@ double timeStepLimit(const World& world) {
 }
 
 void refuseEndlessPace(const Scene& scene) {
-  const ShortestCycle shortest = shortestCycle(scene.cycle);
+  const ShortestCycle shortest = shortestCycle(scene);
   double longest = scene.cycle.length;
   for (const auto& [substance, length] : scene.cycle.perSubstance) longest = std::max(longest, length);
   const double until = std::max(longest, plannedEnd(scene).value_or(0));
@@ -181,8 +185,8 @@ void refuseEndlessPace(const Scene& scene) {
                    numberText(until / mostCycles) + ", or stop earlier");
 }
 
-double automaticTimeStep(const CycleParameters& cycle, double limit) {
-  return powerOfTwoBelow(std::min(limit, shortestCycle(cycle).length));
+double automaticTimeStep(const Scene& scene, double limit) {
+  return powerOfTwoBelow(std::min(limit, shortestCycle(scene).length));
 }
 
 void chooseTimeStep(World& world) {
@@ -204,7 +208,7 @@ void chooseTimeStep(World& world) {
   } else {
     if (kindOf(p.integrator).solvesForces ? std::isinf(limit.contact) : std::isinf(longest(combined, p)))
       refuseUnbounded(world);
-    timeStep = automaticTimeStep(world.model.cycle, p.autoShare * longest(combined, p));
+    timeStep = automaticTimeStep(world.model, p.autoShare * longest(combined, p));
   }
   refuseEndless(world, limit.cell, timeStep);
   Clock& clock = world.clock;

@@ -9,6 +9,7 @@
 #include "simulation/memory.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
+#include "simulation/start_variation.h"
 
 namespace morula {
 
@@ -44,7 +45,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   if (!scene.mechanics) return world;
 
   const MechanicsScene& m = *scene.mechanics;
-  world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed);
+  world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed, scene.variation);
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
     world.contacts =
@@ -53,7 +54,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   if (m.physics.motility) world.motility.emplace();
   setStages(world, execution.isa);
   requireMemoryForStart(world);
-  setBodies(*world.bodies, makeStartBodies(*world.bodies, scene.cells));
+  setBodies(*world.bodies, makeStartBodies(*world.bodies, placeStart(scene, world.cells.path)));
   try {
     beginWithBodies(world);
     checkNumbers(world);
@@ -91,12 +92,18 @@ std::optional<double> plannedEnd(const Scene& scene) {
 }
 
 bool usesSeed(const Scene& scene) {
+  const VariationParameters& v = scene.variation;
+  if (v.cycle > 0 || (scene.mechanics && v.start > 0)) return true;
   const auto divides = [&](const Gene& gene) {
     return scene.dna.substances[gene.product] == substance::divide;
   };
-  if (scene.mechanics && scene.mechanics->physics.motility) return true;
-  return scene.mechanics && kindOf(scene.mechanics->division.otherwise.plane).usesSeed &&
-         std::ranges::any_of(scene.dna.genes, divides);
+  if (scene.mechanics && (scene.mechanics->physics.motility || v.adhesion > 0)) return true;
+  if (!scene.mechanics || std::ranges::none_of(scene.dna.genes, divides)) return false;
+  const auto& [otherwise, rules] = scene.mechanics->division;
+  return v.share > 0 || v.tilt > 0 || kindOf(otherwise.plane).usesSeed ||
+         std::ranges::any_of(rules, [](const DivisionRule& rule) {
+           return rule.tilt.value_or(0) > 0 || (rule.plane && kindOf(rule.plane->plane).usesSeed);
+         });
 }
 
 bool finished(const World& world) {

@@ -113,8 +113,9 @@ void tellIfSeedsDoNotMatter(const RunOptions& options, const std::vector<Planned
     if ((told && told->scenario.file == run.scenario.file) || usesSeed(run.scenario.scene)) continue;
     told = &run;
     tell(run.scenario.file + ": nothing in this scenario is random, so every seed gives the same result; " +
-             (run.scenario.scene.mechanics ? "division.plane: random"
-                                           : "with a physics block, division.plane: random") +
+             (run.scenario.scene.mechanics ? "division.plane: random, a tilt in division.rules or variation"
+                                           : "variation: {cycle: 0.05}, or with a physics block "
+                                             "division.plane: random,") +
              " would make seeds differ where cells divide",
          options.output.quiet);
   }

@@ -71,7 +71,7 @@ double Tolerance::share(double expected, double actual) const {
 }
 
 bool ToleranceRule::matches(std::string_view name, std::uint64_t step) const {
-  return (!untilStep || step <= *untilStep) && fits(pattern, name);
+  return (!untilStep || step <= *untilStep) && fitsGlob(pattern, name);
 }
 
 std::string ToleranceRule::text() const {
@@ -140,7 +140,7 @@ std::uint64_t ulpsBetween(double a, double b) {
                  : static_cast<std::uint64_t>(pb) - static_cast<std::uint64_t>(pa);
 }
 
-bool fits(std::string_view pattern, std::string_view name) {
+bool fitsGlob(std::string_view pattern, std::string_view name) {
   // Greedy with one place to come back to: on a mismatch the last * takes one more character.
   std::size_t p = 0, n = 0, star = std::string_view::npos, resume = 0;
   while (n < name.size()) {

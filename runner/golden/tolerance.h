@@ -52,6 +52,6 @@ ToleranceRule readRule(std::string_view line, const std::string& place);
 std::uint64_t ulpsBetween(double a, double b);
 
 /// True if the pattern, in which * stands for any text, fits the whole name.
-bool fits(std::string_view pattern, std::string_view name);
+bool fitsGlob(std::string_view pattern, std::string_view name);
 
 }  // namespace morula

@@ -86,8 +86,8 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
     if (i >= trial.eras.size()) {
       from = era.from;
       if (era.generation != generation)
-        timeStep = fixed ? *fixed
-                         : automaticTimeStep(world.model.cycle, predictTimeStepLimit(trial, era.generation));
+        timeStep =
+            fixed ? *fixed : automaticTimeStep(world.model, predictTimeStepLimit(trial, era.generation));
       generation = era.generation;
     }
     const double cells = double(era.cells), steps = std::ceil(std::max(era.to - from, 0.0) / timeStep);

@@ -130,6 +130,14 @@ void addRecord(std::vector<Part>& parts, const Scenario& scenario, const RunAsk&
                      why.of({"record.pictures"})});
 }
 
+std::string describeDivision(const DivisionParameters& division) {
+  const std::size_t rules = division.rules.size();
+  return std::string("across ") + kindOf(division.otherwise.plane).meaning +
+         (rules == 0   ? ""
+          : rules == 1 ? ", unless 1 rule says otherwise"
+                       : fmt::format(", unless one of {} rules says otherwise", rules));
+}
+
 }  // namespace
 
 std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
@@ -143,11 +151,11 @@ std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
   addContact(parts, scenario, ask, why);
   parts.push_back(mechanics && mechanics->connections ? Part{"connections", true, "", why.of({"connections"})}
                                                       : absent("connections", "connections"));
-  parts.push_back(mechanics
-                      ? Part{"division", true,
-                             std::string("across ") + kindOf(mechanics->division.otherwise.plane).meaning,
-                             why.of({"division.plane", "division"})}
-                      : absent("division", "physics"));
+  parts.push_back(mechanics ? Part{"division", true, describeDivision(mechanics->division),
+                                   why.of({"division.rules", "division.plane", "division"})}
+                            : absent("division", "physics"));
+  if (scenario.scene.variation != VariationParameters{})
+    parts.push_back({"variation", true, "a seed makes cells differ", why.of({"variation"})});
   addRecord(parts, scenario, ask, why);
   return parts;
 }

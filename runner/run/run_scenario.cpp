@@ -6,6 +6,7 @@
 
 #include "check/check_run.h"
 #include "check/sanity.h"
+#include "division/rules.h"
 #include "engines/bullet_check.h"
 #include "files/folders.h"
 #include "golden/accept.h"
@@ -71,9 +72,14 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
 std::vector<DivisionRecord> ambiguousDivisions(const World& world) {
   std::vector<DivisionRecord> ambiguous;
   const auto& mechanics = world.model.mechanics;
-  if (!mechanics || mechanics->division.otherwise.plane != DivisionPlane::longest) return ambiguous;
+  if (!mechanics) return ambiguous;
+  const std::vector<std::uint32_t> order = orderByPath(world.lineage);
+  const auto isByExtent = [&](const CellPath& mother) {
+    const StateId state = find(world.lineage, order, mother)->state;  // as it was when she divided
+    return planeFor(mechanics->division, world.biology->describe(state)).plane == DivisionPlane::longest;
+  };
   for (const DivisionRecord& d : world.divisions)
-    if (d.extentRatio && *d.extentRatio < ambiguousExtentRatio) ambiguous.push_back(d);
+    if (d.extentRatio && *d.extentRatio < ambiguousExtentRatio && isByExtent(d.path)) ambiguous.push_back(d);
   return ambiguous;
 }
 

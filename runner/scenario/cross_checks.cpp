@@ -8,6 +8,7 @@
 #include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/value_types.h"
+#include "simulation/start_variation.h"
 #include "simulation/world.h"
 #include "yaml/numbers.h"
 
@@ -56,11 +57,14 @@ const Node* given(const Node& root, const std::string& path) {
   return whole ? &node : nullptr;
 }
 
-/// The place of a parameter's value, or of the innermost map that is given.
+}  // namespace
+
 Place placeOf(const Node& root, const std::string& path) {
   bool whole = true;
   return innermost(root, path, whole).place;
 }
+
+namespace {
 
 /// [1] How far out the egg's shape reaches, in its radii. An icosphere counts as the sphere that it stands
 /// for: its vertices lie a little farther out, and the shell puts them onto itself in the first step.
@@ -86,24 +90,12 @@ void checkShell(const Scenario& scenario, Reading& reading, const Node& root) {
                        "needs at most " + where);
 }
 
-/// (x/a)² + (y/b)² + (z/c)² of the start cell's vertex where it is largest.
-double outermostSquare(const StartCell& cell, const Mesh& egg, const double* axes) {
-  double outermost = 0;
-  for (const Point& vertex : egg.vertices) {
-    const Point p = placeVertex(cell, vertex);
-    const Vector q{p.x / axes[0], p.y / axes[1], p.z / axes[2]};
-    outermost = std::max(outermost, dot(q, q));
-  }
-  return outermost;
-}
-
 void checkStartCells(const Scenario& scenario, Reading& reading) {
   constexpr double rounding = 1e-9;
   const MechanicsScene& mechanics = *scenario.scene.mechanics;
   if (!mechanics.physics.shell || reading.startCells.size() != scenario.scene.cells.size()) return;
   for (std::size_t i = 0; i < scenario.scene.cells.size(); ++i)
-    if (outermostSquare(scenario.scene.cells[i], mechanics.mesh, mechanics.physics.shell->semiAxes) >
-        1 + rounding)
+    if (outermostSquare(scenario.scene.cells[i], mechanics.mesh, *mechanics.physics.shell) > 1 + rounding)
       reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "]",
                            "stands out of the shell", "move it inward, or make it or its stretch smaller");
 }
@@ -175,17 +167,36 @@ void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) 
            "needs pair");
   if (m.contact && m.contact->radius != ContactParameters{}.radius)
     refuse("physics.contact.radius", "spheres touch where their surfaces do", "remove this");
-  const auto divides = [](const Gene& gene, const Dna& dna) {
-    return dna.substances[gene.product] == "divide";
-  };
-  const Dna& dna = scenario.scene.dna;
-  if (kindOf(m.division.otherwise.plane).needsShape &&
-      std::any_of(dna.genes.begin(), dna.genes.end(), [&](const Gene& g) { return divides(g, dna); }))
-    refuse("division.plane", "a sphere has no longest extent", "needs " + planesAllowed(true));
   for (std::size_t i = 0; i < scenario.scene.cells.size() && i < reading.startCells.size(); ++i)
     if (const Vector& s = scenario.scene.cells[i].stretch; s.x != 1 || s.y != 1 || s.z != 1)
       reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "].stretch",
                            "a sphere stays round", "remove this, or use scale");
+}
+
+/// What a seed may change only of bodies.
+void checkVariation(const Scenario& scenario, Reading& reading, const Node& root) {
+  const VariationParameters& v = scenario.scene.variation;
+  const auto refuse = [&](const char* path, const char* wrong, const char* right) {
+    reading.problems.add(placeOf(root, path), path, wrong, right);
+  };
+  if (!scenario.scene.mechanics) {
+    const std::pair<const char*, double> ofBodies[] = {
+        {"variation.share", v.share}, {"variation.start", v.start}, {"variation.tilt", v.tilt},
+        {"variation.adhesion", v.adhesion}};
+    for (const auto& [path, sd] : ofBodies)
+      if (sd > 0) refuse(path, "cells without bodies have none", "add a physics block, or remove this");
+    return;
+  }
+  const auto& contact = scenario.scene.mechanics->contact;
+  if (v.adhesion > 0 && !(contact && contact->adhesion))
+    refuse("variation.adhesion", "cells stick to each other only with physics.contact.adhesion",
+           "give that, or remove this");
+  const PhysicsParameters& physics = scenario.scene.mechanics->physics;
+  if (!(v.start > 0) || !physics.shell || !scenario.scene.cells.empty()) return;
+  const auto& axes = physics.shell->semiAxes;
+  if (physics.cell.radius * reachOf(scenario) >= std::min({axes[0], axes[1], axes[2]}))
+    refuse("variation.start", "the egg fills the shell, and can stand nowhere else",
+           "remove this, or give a smaller physics.cell.radius");
 }
 
 /// Who says that an end need not be sane says why.
@@ -248,13 +259,15 @@ void checkAdhesion(const Scenario& scenario, Reading& reading, const Node& root)
     reading.problems.add(place, path, "is for physics.contact.law pair", "remove this, or give law: pair");
   double largest = contact->adhesion->strength;
   for (const AdhesionPair& pair : contact->adhesion->pairs) largest = std::max(largest, pair.strength);
-  const double most = contact->stiffness * largestAdhesion;
+  const bool spheres = !kindOf(scenario.scene.mechanics->physics.cell.model).hasMesh;
+  const double share = spheres ? largestSphereAdhesion : largestAdhesion;
+  const double most = contact->stiffness * share;
   if (largest > most)
     reading.problems.add(place, path,
                          exactText(largest) + " would draw cells into each other against a contact stiffness of " +
                              exactText(contact->stiffness),
                          "needs at most " + numberText(most) + ", or a physics.contact.stiffness of at least " +
-                             numberText(largest / largestAdhesion));
+                             numberText(largest / share));
 }
 
 void checkMotility(const PhysicsParameters& physics, Reading& reading, const Node& root) {
@@ -295,11 +308,13 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law == ContactLaw::pair,
                     reading, root);
     checkSpheres(scenario, reading, root);
+    checkDivision(scenario, reading, root);
     checkConnections(scenario, reading, root);
     checkAdhesion(scenario, reading, root);
     checkMotility(mechanics->physics, reading, root);
     checkBullet(scenario, reading, root);
   }
+  checkVariation(scenario, reading, root);
   checkInterval("record.every", scenario.record.every, 1e7, "samples", scenario, reading, root);
   checkInterval("record.pictures", scenario.record.pictures, 1e5, "pictures", scenario, reading, root);
   if (scenario.record.pictures && !scenario.scene.mechanics)

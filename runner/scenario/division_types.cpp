@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/did_you_mean.h"
+#include "division/rules.h"
 #include "scenario/value_types.h"
 
 namespace morula::scenario {
@@ -94,6 +95,100 @@ Json writePlane(const PlaneChoice& choice) {
   return Json{{kind.name, {choice.axis.x, choice.axis.y, choice.axis.z}}};
 }
 
+const std::vector<std::string> ruleKeys{"of", "axis", "plane", "share", "tilt"};
+constexpr Range shareRange{.low = leastShare, .high = largestShare}, tiltRange{.low = 0, .high = 90};
+constexpr const char* ruleForm = "a map, as {of: AB, axis: [1, 0, 0], share: 0.6, tilt: 10}";
+
+/// Reads one rule; `path` is "division.rules[2]".
+class RuleReader {
+ public:
+  RuleReader(const Node& node, std::string path, Reading& reading)
+      : node_(node), path_(std::move(path)), reading_(reading) {}
+
+  DivisionRule read() {
+    DivisionRule rule;
+    refuseUnknown(node_, path_, ruleKeys, reading_.problems);
+    readCells(rule);
+    readDirection(rule);
+    if (const auto* share = node_.find("share"))
+      rule.share = readReal(share->value, shareRange, path_ + ".share", numberAllowed(shareRange, ""),
+                            reading_.problems);
+    if (const auto* tilt = node_.find("tilt"))
+      rule.tilt = readReal(tilt->value, tiltRange, path_ + ".tilt", numberAllowed(tiltRange, "degree"),
+                           reading_.problems);
+    const auto saysSomething = [](const Member& m) { return m.key != "of"; };
+    if (node_.find("of") && std::ranges::none_of(node_.members, saysSomething))
+      reading_.problems.add(node_.place, path_, "says nothing of how these cells divide",
+                            "needs at least one of axis, plane, share, tilt");
+    return rule;
+  }
+
+ private:
+  void readCells(DivisionRule& rule) {
+    const std::string path = path_ + ".of";
+    const auto* of = node_.find("of");
+    if (!of) {
+      reading_.problems.add(node_.place, path, "is missing",
+                            "needs a substance of the cells that it is for, or a list of several, as of: AB");
+      return;
+    }
+    if (of->value.kind != Node::Kind::sequence) {
+      if (const auto pattern = readPattern(of->value, path, reading_)) rule.of.push_back(*pattern);
+      return;
+    }
+    if (!expectEntries(of->value, path, "a substance, or a list of several", reading_.problems)) return;
+    for (const Node& item : of->value.items) {
+      const auto pattern = readPattern(item, path, reading_);
+      if (!pattern) continue;
+      if (std::ranges::find(rule.of, *pattern) != rule.of.end())
+        reading_.problems.add(item.place, path, "'" + *pattern + "' is given twice", "keep one");
+      rule.of.push_back(*pattern);
+    }
+  }
+
+  /// `axis: v` is short for `plane: {axis: v}`.
+  void readDirection(DivisionRule& rule) {
+    const auto *axis = node_.find("axis"), *plane = node_.find("plane");
+    if (axis && plane)
+      reading_.problems.add(axis->place, path_ + ".axis", "stands beside plane", "give one of axis or plane");
+    if (plane) rule.plane = readPlane(plane->value, path_ + ".plane", reading_);
+    else if (axis)
+      if (const auto direction = readAxis(axis->value, path_ + ".axis", reading_.problems))
+        rule.plane = PlaneChoice{.plane = DivisionPlane::axis, .axis = *direction};
+  }
+
+  const Node& node_;
+  std::string path_;
+  Reading& reading_;
+};
+
+Json ruleSchema() {
+  const Json pattern{{"type", "string"}, {"pattern", "^[^* ]*[*]?$"}, {"minLength", 1}};
+  Json properties{
+      {"of",
+       {{"oneOf",
+         Json::array(
+             {pattern, {{"type", "array"}, {"items", pattern}, {"minItems", 1}, {"uniqueItems", true}}})}}},
+      {"axis", axisSchema()},
+      {"plane", planeSchema()},
+      {"share", numberSchema(shareRange)},
+      {"tilt", numberSchema(tiltRange)}};
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", Json::array({"of"})},
+          {"minProperties", 2},
+          {"not", {{"required", Json::array({"axis", "plane"})}}},
+          {"additionalProperties", false}};
+}
+
+Json writeRule(const DivisionRule& rule) {
+  Json map{{"of", rule.of}};
+  if (rule.plane) map["plane"] = writePlane(*rule.plane);
+  if (rule.share) map["share"] = *rule.share;
+  if (rule.tilt) map["tilt"] = *rule.tilt;
+  return map;
+}
+
 }  // namespace
 
 std::string planesAllowed(bool ofSpheres) {
@@ -116,6 +211,45 @@ Parameter divisionPlane() {
     if (const auto choice = readPlane(node, path, reading)) s.scene.mechanics->division.otherwise = *choice;
   };
   p.write = [](const Scenario& s) { return writePlane(s.scene.mechanics->division.otherwise); };
+  return p;
+}
+
+Parameter divisionRules() {
+  Parameter p;
+  p.path = "division.rules";
+  p.allowed =
+      "a list of maps, as [{of: AB, axis: [1, 0, 0], share: 0.6, tilt: 10}, {of: [skin, 'P*'], plane: "
+      "random}]";
+  p.meaning =
+      "How cells divide that hold all substances of `of` (a name, its beginning and '*', or a list), by the "
+      "first "
+      "rule that fits: axis, which points to daughter A, or plane, as division.plane; share of the volume "
+      "for A, 0.1 "
+      "to 0.9, instead of a plane through the centre; tilt, the standard deviation in degrees of the axis "
+      "about its "
+      "direction, by the seed";
+  p.absent = "all cells divide as division.plane says";
+  p.schema = {{"type", "array"}, {"items", ruleSchema()}, {"minItems", 1}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    if (!expectEntries(node, path, allowed, reading.problems)) return;
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      const Node& item = node.items[i];
+      const std::string at = path + "[" + std::to_string(i) + "]";
+      if (item.kind == Node::Kind::map) {
+        s.scene.mechanics->division.rules.push_back(RuleReader(item, at, reading).read());
+        reading.rules.push_back(item.place);
+      } else if (item.kind != Node::Kind::broken) {
+        reading.problems.add(item.place, at, "is " + describe(item), std::string("needs ") + ruleForm);
+      }
+    }
+  };
+  p.write = [](const Scenario& s) {
+    const auto& rules = s.scene.mechanics->division.rules;
+    if (rules.empty()) return Json();
+    Json list = Json::array();
+    for (const DivisionRule& rule : rules) list.push_back(writeRule(rule));
+    return list;
+  };
   return p;
 }
 

@@ -33,6 +33,7 @@ struct Reading {
   std::vector<SubstanceUse> substances;
   DnaSource dna;
   std::vector<Place> startCells;  // where each of `cells` stands
+  std::vector<Place> rules{};     // where each of `division.rules` stands
 };
 
 enum class Decides {
@@ -112,6 +113,12 @@ void readReferences(Scenario& scenario, Reading& reading, const Node& root, cons
 
 /// Substances that the DNA does not know, an egg that does not fit its shell, pictures without bodies.
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// How cells divide: rules that no cell follows, shares and tilts that cannot be.
+void checkDivision(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// The place of a parameter's value, or of the innermost map that is given.
+Place placeOf(const Node& root, const std::string& path);
 
 /// Every parameter of every part that exists, in the table's order. Itself a scenario: reading it gives the
 /// same again.

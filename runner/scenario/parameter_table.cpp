@@ -99,6 +99,14 @@ std::vector<Section> sections() {
              return s.scene.mechanics && s.scene.mechanics->connections &&
                     s.scene.mechanics->connections->spring;
            }},
+      {.path = "variation",
+       .meaning =
+           "What a seed changes: standard deviations of normal deviates within 3 of them, each keyed by a "
+           "cell's path, so that it is the same whatever else the scene does",
+       .absent = "no two runs differ by it",
+       .members = atLeastOne,
+       .later = true,
+       .exists = [](const Scenario& s) { return s.scene.variation != VariationParameters{}; }},
       {.path = "senses",
        .meaning = "What cells may know of themselves and their neighbours. Takes no keys yet"},
       {.path = "record", .meaning = "What is written down while the scene runs"},
@@ -243,6 +251,7 @@ std::vector<Parameter> parameters() {
       adhesion(),
 
       divisionPlane(),
+      later(divisionRules()),
 
       makeConnections(),
       choice("connections.on-division", MECHANICS(connections->onDivision)),
@@ -270,6 +279,20 @@ std::vector<Parameter> parameters() {
       real("connections.spring.rest", "", notNegative,
            "Distance of the centres at rest, in sums of the two radii; 1: as they touch",
            MECHANICS(connections->spring->rest)),
+
+      real("variation.cycle", "", {0, 0.3},
+           "Of a cell's cycle lengths, over those of its state; one for all its life",
+           AT(scene.variation.cycle)),
+      real("variation.share", "", {0, 0.13}, "Of daughter A's share of the volume, about a rule's or a half",
+           AT(scene.variation.share)),
+      real("variation.start", "", {0, 10},
+           "Of the places of the first cells, along x, y and z in radii of the egg; none leaves the shell",
+           AT(scene.variation.start)),
+      real("variation.tilt", "degree", {0, 90}, "Of the axes of divisions whose rule gives no tilt",
+           AT(scene.variation.tilt)),
+      later(real("variation.adhesion", "", {0, 0.3},
+                 "Of how strongly a cell sticks, over physics.contact.adhesion; two cells by the mean of both",
+                 AT(scene.variation.adhesion))),
 
       optionalReal("record.every", "time", positive, "", "only start and end", "Time between samples",
                    AT(record.every)),

@@ -105,7 +105,7 @@ Parameter adhesion() {
   p.meaning =
       "Work that parts two cells, per area of contact [Steinberg 1963]: of all cells, or by pairs of substances "
       "(the first pair that fits counts; a name may be the beginning of some and '*'), and default for the rest; "
-      "at most a sixth of stiffness; law pair only";
+      "at most a sixth of stiffness, a tenth with spheres; law pair only";
   p.absent = "cells do not stick to each other";
   const Json strength = numberSchema(notNegative);
   p.schema = {{"oneOf", Json::array({strength,

@@ -76,6 +76,7 @@ Parameter timeStep();
 Parameter shellSphere();
 Parameter shellEllipsoid();
 Parameter divisionPlane();
+Parameter divisionRules();
 /// What division.plane may be, in words.
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();

@@ -119,9 +119,13 @@ inline auto fields(StartCell& a) {
   auto& [at, velocity, scale, stretch, mass, substances] = a;
   return std::tie(at, velocity, scale, stretch, mass, substances);
 }
+inline auto fields(VariationParameters& a) {
+  auto& [cycle, share, start, tilt, adhesion] = a;
+  return std::tie(cycle, share, start, tilt, adhesion);
+}
 inline auto fields(Scene& a) {
-  auto& [name, seed, dna, cycle, stop, mechanics, cells] = a;
-  return std::tie(name, seed, dna, cycle, stop, mechanics, cells);
+  auto& [name, seed, dna, cycle, stop, mechanics, cells, variation] = a;
+  return std::tie(name, seed, dna, cycle, stop, mechanics, cells, variation);
 }
 
 struct Writer {

@@ -14,9 +14,11 @@ class KnownCell final : public CellContext, PhysicalUnit {
     shape_.surface = {{vertices.begin(), vertices.end()}, {faces.begin(), faces.end()}};
     shape_.centre = measureCentroid(vertices);
   }
+  std::string substances() const override { return held; }
   const PhysicalUnit* physical() const override { return this; }
   const DivisionRecord* motherDivision() const override { return mother ? &*mother : nullptr; }
 
+  std::string held;  // its substances
   std::optional<DivisionRecord> mother;
 
  private:

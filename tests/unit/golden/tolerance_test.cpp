@@ -96,22 +96,22 @@ TEST_CASE("what is not a finite number is within no tolerance") {
 }
 
 TEST_CASE("patterns") {
-  CHECK(fits("*", ""));
-  CHECK(fits("*", "final/egg/x"));
-  CHECK(fits("final/*/volume", "final/AB/volume"));
-  CHECK_FALSE(fits("final/*/volume", "final/AB/volumes"));
-  CHECK_FALSE(fits("final/*/volume", "final/volume"));
-  CHECK(fits("*a*b*", "xxaxxbxx"));
-  CHECK(fits("*ab", "aab"));
-  CHECK(fits("*aab", "aaab"));
-  CHECK_FALSE(fits("*ab", "aba"));
-  CHECK(fits("abc", "abc"));
-  CHECK_FALSE(fits("abc", "abcd"));
-  CHECK_FALSE(fits("abcd", "abc"));
-  CHECK_FALSE(fits("", "a"));
-  CHECK(fits("", ""));
-  CHECK(fits("**", "a"));
-  CHECK_FALSE(fits("a.c", "abc"));  // no regular expressions
+  CHECK(fitsGlob("*", ""));
+  CHECK(fitsGlob("*", "final/egg/x"));
+  CHECK(fitsGlob("final/*/volume", "final/AB/volume"));
+  CHECK_FALSE(fitsGlob("final/*/volume", "final/AB/volumes"));
+  CHECK_FALSE(fitsGlob("final/*/volume", "final/volume"));
+  CHECK(fitsGlob("*a*b*", "xxaxxbxx"));
+  CHECK(fitsGlob("*ab", "aab"));
+  CHECK(fitsGlob("*aab", "aaab"));
+  CHECK_FALSE(fitsGlob("*ab", "aba"));
+  CHECK(fitsGlob("abc", "abc"));
+  CHECK_FALSE(fitsGlob("abc", "abcd"));
+  CHECK_FALSE(fitsGlob("abcd", "abc"));
+  CHECK_FALSE(fitsGlob("", "a"));
+  CHECK(fitsGlob("", ""));
+  CHECK(fitsGlob("**", "a"));
+  CHECK_FALSE(fitsGlob("a.c", "abc"));  // no regular expressions
 }
 
 TEST_CASE("rules are read and written alike") {

@@ -43,7 +43,10 @@ physics:
   growth: {rate: 0.2}
   shell: {ellipsoid: [3, 2, 1]}
   contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, slip-speed: 0.02, radius: 1.1}
-division: {plane: {axis: [0, 1, -1]}}
+division:
+  plane: {axis: [0, 1, -1]}
+  rules: [{of: [a1, 'div*'], axis: [1, 0, 2], share: 0.4, tilt: 10}, {of: a1, plane: random}]
+variation: {cycle: 0.1, share: 0.05, start: 0.125, tilt: 5}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5}
 senses: {}
 record: {every: 0.25, pictures: 0.5}

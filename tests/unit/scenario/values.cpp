@@ -49,6 +49,15 @@ TEST_CASE("every key arrives in its field") {
   CHECK(scene.mechanics->contact->radius == 1.1);
   CHECK(scene.mechanics->division.otherwise.plane == DivisionPlane::axis);
   CHECK(scene.mechanics->division.otherwise.axis == Vector{0, 1, -1});
+  const auto& rules = scene.mechanics->division.rules;
+  REQUIRE(rules.size() == 2);
+  CHECK(rules[0].of == std::vector<std::string>{"a1", "div*"});
+  CHECK(rules[0].plane == PlaneChoice{DivisionPlane::axis, {1, 0, 2}});
+  CHECK((rules[0].share == 0.4 && rules[0].tilt == 10.0));
+  CHECK(rules[1].of == std::vector<std::string>{"a1"});
+  CHECK(rules[1].plane == PlaneChoice{DivisionPlane::random});
+  CHECK((!rules[1].share && !rules[1].tilt));
+  CHECK(scene.variation == VariationParameters{0.1, 0.05, 0.125, 5});
   REQUIRE(scene.mechanics->connections);
   CHECK(scene.mechanics->connections->make == MakeConnections::byGene);
   CHECK(scene.mechanics->connections->onDivision == ConnectionsOnDivision::both);
@@ -107,6 +116,8 @@ TEST_CASE("what is not said has the defaults of the structs") {
   CHECK(m.contact->stiffness == ContactParameters{}.stiffness);
   CHECK(m.contact->radius == ContactParameters{}.radius);
   CHECK(m.division.otherwise == PlaneChoice{});
+  CHECK(m.division.rules.empty());
+  CHECK(s.scene.variation == VariationParameters{});
   CHECK(m.connections->make == ConnectionParameters{}.make);
   CHECK(m.connections->onDivision == ConnectionParameters{}.onDivision);
   CHECK(m.connections->strength == ConnectionParameters{}.strength);

@@ -188,9 +188,21 @@ TEST_CASE("A checkpoint of another scene is refused, and the message says what d
   differs("physics.contact", [](Scene& s) { s.mechanics->contact->friction = 0.2; });
   differs("physics.contact", [](Scene& s) { s.mechanics->contact.reset(); });
   differs("division", [](Scene& s) { s.mechanics->division.otherwise.plane = DivisionPlane::random; });
+  differs("division", [](Scene& s) { s.mechanics->division.rules = {{.of = {"a0"}, .share = 0.4}}; });
   differs("connections", [](Scene& s) { s.mechanics->connections->releaseDistance.reset(); });
+  differs("variation", [](Scene& s) { s.variation.cycle = 0.1; });
   differs("physics, physics.mesh, physics.contact, division, connections",
           [](Scene& s) { s.mechanics.reset(); });
+}
+
+TEST_CASE(
+    "A checkpoint knows of a variation that this scene has not, and asks nothing of that of the start") {
+  Scene varied = scenes::life();
+  varied.variation = {.cycle = 0.1, .start = 0.5};
+  const std::string saved = saveState(makeWorld(varied));
+  CHECK_THAT(complaint(saved, scenes::life()), ContainsSubstring("differs in: variation"));
+  varied.variation.start = 0;
+  CHECK(complaint(saved, varied) == "");
 }
 
 TEST_CASE("A state whose parts contradict each other is refused") {

@@ -1,4 +1,6 @@
 // usesSeed: true exactly where two seeds give two results.
+#include <functional>
+
 #include "catch.h"
 #include "scenes.h"
 #include "simulation/hash.h"
@@ -41,4 +43,30 @@ TEST_CASE("a scene says that it uses its seed exactly if another seed gives anot
       CAPTURE(name, static_cast<int>(plane));
       CHECK(usesSeed(s) == (endOf(s, 1) != endOf(s, 2)));
     }
+}
+
+TEST_CASE(
+    "a scene whose rules or variation draw uses its seed exactly if another seed gives another result") {
+  const std::string rests = "START: a0\ng1(a0|a0)\n";
+  const auto changes = std::vector<std::pair<const char*, std::function<void(Scene&)>>>{
+      {"nothing", [](Scene&) {}},
+      {"rule without noise",
+       [](Scene& s) { s.mechanics->division.rules = {{.of = {"a*"}, .share = 0.4, .tilt = 0.0}}; }},
+      {"tilt of a rule", [](Scene& s) { s.mechanics->division.rules = {{.of = {"a*"}, .tilt = 5.0}}; }},
+      {"random by a rule",
+       [](Scene& s) { s.mechanics->division.rules = {{.of = {"a*"}, .plane = {{DivisionPlane::random}}}}; }},
+      {"variation of cycles", [](Scene& s) { s.variation.cycle = 0.1; }},
+      {"variation of shares", [](Scene& s) { s.variation.share = 0.05; }},
+      {"variation of places", [](Scene& s) { s.variation.start = 0.05; }},
+      {"variation of axes", [](Scene& s) { s.variation.tilt = 5; }}};
+  for (const auto& [what, change] : changes)
+    for (const bool divides : {true, false})
+      for (const bool hasBodies : {true, false}) {
+        Scene s = scenes::withBodies(divides ? scenes::everybodyDivides : rests, 2);
+        s.cycle.length = 0.0625;
+        change(s);
+        if (!hasBodies) s.mechanics.reset();
+        CAPTURE(what, divides, hasBodies);
+        CHECK(usesSeed(s) == (endOf(s, 1) != endOf(s, 2)));
+      }
 }

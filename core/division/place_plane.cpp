@@ -1,0 +1,66 @@
+#include "division/place_plane.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "division/halves.h"
+
+namespace morula {
+
+namespace {
+
+/// The height at which a share falls from above `wanted` to below it: 1 at the lower end, 0 at the upper one. Always
+/// so many halvings, below the last place of a double.
+template <class ShareAbove>
+double bisect(double low, double high, double wanted, const ShareAbove& shareAbove) {
+  for (int turn = 0; turn < 60; ++turn) {
+    const double middle = 0.5 * (low + high);
+    (shareAbove(middle) > wanted ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// What lies above a height, without a body for each: with the faces' shadows A_f on the plane, which projecting
+/// leaves as they are, and heights h,
+///
+///   V(t) = Σ_f A_f · mean over f's corners of max(h − t, 0) = Σ_v w_v max(h_v − t, 0),   w_v = ⅓ Σ_{f∋v} A_f
+class VolumeAbove {
+ public:
+  VolumeAbove(Points vertices, Faces faces, const Vector& normal) : weight_(vertices.size()) {
+    const Point centre = measureCentroid(vertices);
+    for (const Point& x : vertices) height_.push_back(dot(x - centre, normal));
+    for (const auto& [i, j, k] : faces) {
+      // Twice the area, and a third of it to each corner.
+      const double shadow = dot(cross(vertices[j] - vertices[i], vertices[k] - vertices[i]), normal) / 6;
+      weight_[i] += shadow, weight_[j] += shadow, weight_[k] += shadow;
+    }
+  }
+  double operator()(double t) const {
+    double volume = 0;
+    for (std::size_t v = 0; v < height_.size(); ++v) volume += weight_[v] * std::max(height_[v] - t, 0.0);
+    return volume;
+  }
+  double lowest() const { return *std::ranges::min_element(height_); }
+  double highest() const { return *std::ranges::max_element(height_); }
+
+ private:
+  std::vector<double> height_, weight_;  // [length] over the mean of the vertices; [length²]
+};
+
+}  // namespace
+
+Point placePlane(Points vertices, Faces faces, const Vector& normal, double share) {
+  const VolumeAbove above(vertices, faces, normal);
+  const Point centre = measureCentroid(vertices);
+  const double low = above.lowest(), high = above.highest(), whole = above(low);
+  const double height = bisect(low, high, share, [&](double t) { return above(t) / whole; });
+  const auto shareAbove = [&](double t) {
+    const Halves h = halve(vertices, faces, centre + t * normal, normal);
+    return h.volumeA / (h.volumeA + h.volumeB);
+  };
+  const double found = shareAbove(height);
+  if (found - share < 1e-12 && share - found < 1e-12) return centre + height * normal;
+  return centre + bisect(low, high, share, shareAbove) * normal;
+}
+
+}  // namespace morula

@@ -1,0 +1,83 @@
+#include "division/rules.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "base/random.h"
+#include "biology/substance_pattern.h"
+#include "division/policy.h"
+#include "division/tilt.h"
+
+namespace morula {
+
+namespace {
+
+bool fitsCell(const DivisionRule& rule, std::string_view substances) {
+  return std::ranges::all_of(rule.of,
+                             [&](const std::string& pattern) { return fitsAny(pattern, substances); });
+}
+
+/// Each cell by its rule, with its deviations.
+class RuledDivision final : public DivisionPolicy {
+ public:
+  RuledDivision(const DivisionParameters& division, std::uint64_t seed, const VariationParameters& variation)
+      : division_(division), seed_(seed), variation_(variation) {
+    otherwise_ = makePlanePolicy(division.otherwise, seed);
+    requireShare({});
+    for (const DivisionRule& rule : division_.rules) {
+      requireShare(rule.share);
+      planes_.push_back(rule.plane ? makePlanePolicy(*rule.plane, seed) : nullptr);
+    }
+  }
+
+  Cut findCut(const CellContext& cell) const override {
+    const DivisionRule* rule = division_.rules.empty() ? nullptr : ruleFor(division_, cell.substances());
+    const DivisionPolicy* plane = rule ? planes_[rule - division_.rules.data()].get() : nullptr;
+    Cut cut = (plane ? *plane : *otherwise_).findCut(cell);
+    const double tilt = rule && rule->tilt ? *rule->tilt : variation_.tilt;
+    if (tilt > 0) cut.normal = tiltAxis(cut.normal, tilt, {seed_, cell.path, 0, Purpose::tilt});
+    if (rule && rule->share) cut.share = rule->share;
+    if (variation_.share > 0)
+      cut.share = cut.share.value_or(0.5) +
+                  variation_.share * randomNormal({seed_, cell.path, 0, Purpose::shareVariation});
+    return cut;
+  }
+
+ private:
+  void requireShare(const std::optional<double>& given) const {
+    const double share = given.value_or(0.5), most = largestDeviate * variation_.share;
+    if (share - most >= leastShare && share + most <= largestShare) return;
+    throw InputError("division.rules: a share of " + numberText(share) +
+                     (most > 0 ? " ± " + numberText(most) : "") + " leaves " + numberText(leastShare) +
+                     " to " + numberText(largestShare) + "; give one that is nearer to 0.5");
+  }
+
+  const DivisionParameters division_;
+  const std::uint64_t seed_;
+  const VariationParameters variation_;
+  std::unique_ptr<DivisionPolicy> otherwise_;
+  std::vector<std::unique_ptr<DivisionPolicy>> planes_;  // [rule] null: as otherwise
+};
+
+}  // namespace
+
+const DivisionRule* ruleFor(const DivisionParameters& division, std::string_view substances) {
+  for (const DivisionRule& rule : division.rules)
+    if (fitsCell(rule, substances)) return &rule;
+  return nullptr;
+}
+
+const PlaneChoice& planeFor(const DivisionParameters& division, std::string_view substances) {
+  const DivisionRule* rule = ruleFor(division, substances);
+  return rule && rule->plane ? *rule->plane : division.otherwise;
+}
+
+std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& division, std::uint64_t seed,
+                                                   const VariationParameters& variation) {
+  if (division.rules.empty() && variation.share == 0 && variation.tilt == 0)
+    return makePlanePolicy(division.otherwise, seed);
+  return std::make_unique<RuledDivision>(division, seed, variation);
+}
+
+}  // namespace morula

@@ -1,0 +1,19 @@
+#pragma once
+// What a seed does to the places of the first cells.
+#include <span>
+
+#include "base/cell_path.h"
+#include "simulation/scene.h"
+
+namespace morula {
+
+/// The scene's start cells, or with none and a variation.start the one egg, each displaced by variation.start egg
+/// radii times three normal deviates of its path. A displacement that would lead out of the shell ends where the cell
+/// touches it. The scene has bodies; `paths`: of the cells, in their order.
+std::vector<StartCell> placeStart(const Scene& scene, std::span<const CellPath> paths);
+
+/// [1] (x/a)² + (y/b)² + (z/c)² of the cell's vertex where it is largest, with the shell's semi-axes: at most 1
+/// within.
+double outermostSquare(const StartCell& cell, const Mesh& egg, const ShellParameters& shell);
+
+}  // namespace morula
