@@ -151,6 +151,22 @@ inline Scene spheres() {
   return s;
 }
 
+/// As life, and cells stick to others by what they hold, crawl, and are tied by springs to what they touch.
+inline Scene sticky(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
+  Scene s = life(egg);
+  s.name = "sticky";
+  s.mechanics->contact->adhesion = AdhesionParameters{0.5, {{"a2", "a3", 3}, {"a4", "a*", 1}}};
+  s.mechanics->physics.motility = MotilityParameters{0.2, 0.3};
+  ConnectionParameters& c = *s.mechanics->connections;
+  c.make = MakeConnections::byContact;
+  c.onDivision = ConnectionsOnDivision::nearest;
+  c.strength.reset();
+  c.spring = ConnectionSpring{1, 0.9};
+  c.releaseAge = 1.6;
+  c.most = 3;
+  return s;
+}
+
 /// For cells put together by hand: those with the mesh of 162 vertices may touch those with 42.
 inline Scene mixedMeshes() {
   Scene s = withBodies(uniqueFour, 1, makeIcosphere(2));

@@ -18,6 +18,8 @@ enum class Purpose : std::uint32_t {  // part of what a seed means: new ones sta
   cycleVariation = 5,
   shareVariation = 6,
   startVariation = 7,
+  motility = 20,
+  adhesionVariation = 21,
 };
 
 struct Draw {

@@ -10,6 +10,7 @@ struct VariationParameters {
   double share = 0;  // [1] of daughter A's share, about the given one or a half
   double start = 0;  // [egg radii] of the places of the first cells, along x, y and z
   double tilt = 0;   // [degree] of division axes whose rule gives none
+  double adhesion = 0;  // [1] of how strongly a cell sticks; two cells stick by the mean of their factors
   friend bool operator==(const VariationParameters&, const VariationParameters&) = default;
 };
 

@@ -1,6 +1,9 @@
-// [Nilsson 2008, eq. 4.9] f_c = k_c v̂.
+// [Nilsson 2008, eq. 4.9] f_c = k_c v̂; with a spring k_c = k (|v| − rest).
 #include <algorithm>
 
+#include <numbers>
+
+#include "base/maths.h"
 #include "base/parallel.h"
 #include "connections/connections.h"
 
@@ -33,6 +36,14 @@ void findEnds(ConnectionScratch& scratch, const Connections& c, const std::vecto
 
 }  // namespace
 
+double roundRadius(const Bodies& b, int slot) {
+  return cubeRoot(3 * b.volume[slot] / (4 * std::numbers::pi));
+}
+
+double springTension(const ConnectionSpring& spring, const Bodies& b, int slotA, int slotB, double distance) {
+  return spring.stiffness * (distance - spring.rest * (roundRadius(b, slotA) + roundRadius(b, slotB)));
+}
+
 void addConnectionForces(Connections& c, const std::vector<CellPath>& paths, Bodies& bodies, int threads) {
   ConnectionScratch& scratch = c.scratch;
   findEnds(scratch, c, paths);
@@ -53,7 +64,10 @@ void addConnectionForces(Connections& c, const std::vector<CellPath>& paths, Bod
       const Vector between = scratch.centre[b] - scratch.centre[a];
       const double distance = norm(between);
       if (!(distance > 0)) continue;  // concentric: no direction, no force
-      const double pull = c.parameters.strength ? *c.parameters.strength : std::min(part(a), part(b));
+      const double pull = c.parameters.spring     ? springTension(*c.parameters.spring, bodies,
+                                                                  bodies.slots[a], bodies.slots[b], distance)
+                          : c.parameters.strength ? *c.parameters.strength
+                                                  : std::min(part(a), part(b));
       const Vector share = (pull / (distance * vertices)) * between;
       const Vector force = cell == a ? share : -share;
       for (int v = 0; v < vertices; ++v)

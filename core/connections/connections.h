@@ -11,7 +11,8 @@
 namespace morula {
 
 /// Why a connection ended; "": it holds.
-constexpr std::array<const char*, 5> releaseCauses = {"", "divided", "died", "distance", "gene"};
+constexpr std::array<const char*, 7> releaseCauses = {"",     "divided", "died", "distance",
+                                                      "gene", "tension", "age"};
 
 struct ConnectionRecord {
   CellPath a, b;                   // a < b
@@ -36,7 +37,7 @@ struct Connections {
 };
 
 bool areConnected(const Connections& connections, const CellPath& a, const CellPath& b);
-/// Does nothing if they are connected already.
+/// Does nothing if they are connected already, nor if one of them has ConnectionParameters::most connections.
 void connect(Connections& connections, const CellPath& a, const CellPath& b, double time);
 /// Does nothing if they are not connected.
 void release(Connections& connections, const CellPath& a, const CellPath& b, double time, const char* cause);
@@ -45,10 +46,16 @@ void releaseAll(Connections& connections, const CellPath& cell, double time, con
 /// The other ends of a cell's connections, by path.
 std::vector<CellPath> partners(const Connections& connections, const CellPath& cell);
 
+/// [length] Of the sphere that holds a cell's volume.
+double roundRadius(const Bodies& bodies, int slot);
+/// [force] Of a spring between two cells; < 0: it pushes them apart.
+double springTension(const ConnectionSpring& spring, const Bodies& bodies, int slotA, int slotB,
+                     double distance);
+
 /// Adhesion [Nilsson 2008, eq. 4.9]: on each of the two cells the constant force k_c towards the other's
 /// centre, spread evenly over its vertices. `paths` [cell], sorted. Adds to the bodies' forces; equal and
 /// opposite on a pair. Without a strength k_c is the smaller of what the two cells have for each of their
-/// connections.
+/// connections. With a spring k_c is its tension, which pushes where it is negative.
 void addConnectionForces(Connections& connections, const std::vector<CellPath>& paths, Bodies& bodies,
                          int threads = 1);
 

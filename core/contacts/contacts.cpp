@@ -21,14 +21,21 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
   c.skinShare = search.skinShare;
   c.list = makeNeighbourList(search.method, isa);
   c.kernels = &contactKernels(isa, precision);
-  const bool rubs = parameters.friction > 0;
+  const bool rubs = parameters.friction > 0, sticks = parameters.adhesion.has_value();
+  if (sticks) c.list.bytesPerNeighbour += sizeof(double);
   if (!kindOf(model).hasMesh) {
     c.takeSnapshot = c.kernels->takeSphereSnapshot;
-    c.addForces = rubs ? c.kernels->addSphereForcesWithFriction : c.kernels->addSphereForces;
+    if (sticks) c.list.reach = sphereAdhesionReach;
+    c.addForces = sticks && rubs ? c.kernels->addStickySphereForcesWithFriction
+                  : sticks       ? c.kernels->addStickySphereForces
+                  : rubs         ? c.kernels->addSphereForcesWithFriction
+                                 : c.kernels->addSphereForces;
     return c;
   }
   c.takeSnapshot = c.kernels->takeSnapshot;
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
+                : sticks && rubs                     ? c.kernels->addStickyPairForcesWithFriction
+                : sticks                             ? c.kernels->addStickyPairForces
                 : rubs                               ? c.kernels->addPairForcesWithFriction
                                                      : c.kernels->addPairForces;
   return c;
@@ -53,10 +60,12 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies, std::span<const double
   }
   c.list.skin = bodies.count > 0 ? c.skinShare * smallest : 0;
   c.listIsValid = false;
+  c.adhesion.isCurrent = false;
 }
 
 void resetContacts(Contacts& c, const Bodies& bodies) {
   setInfluenceRadii(c, bodies);
+  resetAdhesion(c, bodies);
   const std::size_t vertices = std::size_t(bodies.lineCount()) * blockLanes;
   c.rows.assign(vertices + 1, {});
   const Precision precision = bodies.parameters.precision;
@@ -80,8 +89,10 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   if (!c.listIsValid || !still) {
     buildNeighbourList(c.list, bodies, c.radius, threads);
     c.listIsValid = true;
+    c.adhesion.isCurrent = false;
     ++c.rebuilds;
   }
+  if (c.parameters.adhesion && !c.adhesion.isCurrent) findPairStrengths(c, bodies, threads);
   c.pairEvaluations += c.list.pairs;  // the forces come next
   if (c.parameters.friction > 0) {
     c.lightestVertex = INFINITY;
@@ -101,7 +112,8 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                                    .slipSpeed = c.parameters.slipSpeed,
                                    .strongestGrip = gripShare * c.lightestVertex / timeStep,
                                    .timeStep = timeStep,
-                                   .vertices = bodies.lineCount() * blockLanes};
+                                   .vertices = bodies.lineCount() * blockLanes,
+                                   .adhesion = c.adhesion.ofPairs.data()};
   c.addForces(slices, c.list.indices.data(), c.rows.data(), constants, bodies.acceleration.from(0));
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/aligned.h"
 #include "base/cell_path.h"
+#include "contacts/adhesion.h"
 #include "contacts/contacts_kernels.h"
 #include "contacts/neighbour_list.h"
 #include "contacts/parameters.h"
@@ -29,6 +30,7 @@ struct Contacts {
   AlignedVector<double> farthest;  // [block] largest squared displacement since the list was built
   NeighbourList list;
   bool listIsValid = false;
+  Adhesion adhesion;  // of scenes with ContactParameters::adhesion
 
   // Counters
   std::uint64_t rebuilds = 0;

@@ -12,11 +12,15 @@ extern const ContactKernels contacts;
 const ContactKernels contacts = {
     .takeSnapshot = takeSnapshot,
     .takeSphereSnapshot = takeSphereSnapshot,
-    .addPairForces = addPairForces<false>,
-    .addPairForcesWithFriction = addPairForces<true>,
+    .addPairForces = addPairForces<false, false>,
+    .addPairForcesWithFriction = addPairForces<true, false>,
     .addThesisForces = addThesisForces,
-    .addSphereForces = addSphereForces<false>,
-    .addSphereForcesWithFriction = addSphereForces<true>,
+    .addSphereForces = addSphereForces<false, false>,
+    .addSphereForcesWithFriction = addSphereForces<true, false>,
+    .addStickyPairForces = addPairForces<false, true>,
+    .addStickyPairForcesWithFriction = addPairForces<true, true>,
+    .addStickySphereForces = addSphereForces<false, true>,
+    .addStickySphereForcesWithFriction = addSphereForces<true, true>,
 };
 
 }  // namespace morula::MORULA_ISA

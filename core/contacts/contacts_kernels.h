@@ -33,6 +33,7 @@ struct ContactConstants {
   double strongestGrip;                 // [force·time/length] the most that friction is, per slip speed
   double timeStep;                      // [time] the thesis' law depends on it [Nilsson 2008, eq. 4.8]
   std::int32_t vertices;                // number of rows, and the number of the far row behind them
+  const double* adhesion;               // [as indices] of each pair (adhesion.h); null without adhesion
 };
 
 struct ContactKernels {
@@ -46,6 +47,9 @@ struct ContactKernels {
                              const ContactConstants&, RealPointer force);
   AddForces addPairForces, addPairForcesWithFriction, addThesisForces;
   AddForces addSphereForces, addSphereForcesWithFriction;
+  // With adhesion, and without or with friction.
+  AddForces addStickyPairForces, addStickyPairForcesWithFriction;
+  AddForces addStickySphereForces, addStickySphereForcesWithFriction;
 };
 
 const ContactKernels& contactKernels(Isa isa, Precision precision = Precision::binary64);

@@ -24,9 +24,8 @@ void prepareSearch(Search& search, const SearchInput& input, int threads) {
 
 /// That all blocks may keep together.
 std::int64_t mostNumbers(const NeighbourList& list) {
-  // Four bytes in BlockLists, up to nine while they are moved to a larger place, and four in slices.
-  constexpr double each = 16;
-  return static_cast<std::int64_t>(std::clamp(list.mostBytes / each, 0.0, 1e15));
+  // Four bytes in BlockLists, up to nine while they are moved to a larger place, and four in slices: 16.
+  return static_cast<std::int64_t>(std::clamp(list.mostBytes / list.bytesPerNeighbour, 0.0, 1e15));
 }
 
 }  // namespace
@@ -57,7 +56,7 @@ void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const Aligned
   list.reference = bodies.position;
   list.halfReach.resize(radius.size());
   for (std::size_t slot = 0; slot < radius.size(); ++slot)
-    list.halfReach[slot] = rounding * 0.5 * radius[slot];
+    list.halfReach[slot] = rounding * 0.5 * radius[slot] * list.reach;
   const SearchInput input{*list.kernels, bodies, list.halfReach,
                           *std::max_element(list.halfReach.begin(), list.halfReach.end()), list.skin};
   list.perBlock.resize(blocks);

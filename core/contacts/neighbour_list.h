@@ -25,6 +25,8 @@ struct NeighbourList {
   const SearchKernels* kernels = nullptr;
 
   double mostBytes = INFINITY;           // [byte] that the lists may take
+  double reach = 1;                      // [1] influence reaches so many influence radii
+  double bytesPerNeighbour = 16;         // [byte] that an entry may take, see mostNumbers
   double skin = 0;                       // [length] with 0, it is good for the positions it was built at
   Reals reference;                       // positions it was built at, as Bodies::position
   std::vector<NeighbourSlice> slices;    // by block; vertices without neighbours have none

@@ -1,5 +1,9 @@
 #pragma once
 // What a scenario may say about cells that touch.
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "base/choice.h"
 
 namespace morula {
@@ -14,6 +18,25 @@ inline constexpr auto choices<ContactLaw> = std::to_array<Choice<ContactLaw>>({
     {ContactLaw::thesis, "thesis", "implicit planes with [Nilsson 2008, eq. 4.8]"},
 });
 
+/// How strongly cells with one of two substances stick to cells with the other.
+struct AdhesionPair {
+  std::string a, b;     // a substance, or the beginning of some and '*'; which is which does not matter
+  double strength = 0;  // as AdhesionParameters::strength
+};
+
+/// Differential adhesion [Steinberg 1963].
+struct AdhesionParameters {
+  // W [force/length], which is energy per area: what it costs to part two flat surfaces, per area of contact,
+  // whatever the mesh and the cells' size; of cells that no pair names. Higher: larger contacts, and from
+  // about a tenth of the contact stiffness on crumpled ones.
+  double strength = 0;
+  std::vector<AdhesionPair> pairs;  // the first that fits two cells counts
+};
+
+// [1] Of the contact stiffness. With more, meshes fold where they touch; spheres, which nothing else keeps apart, slip
+// into each other by and by where many stick together (at 0.13 a heap of 32 did).
+constexpr double largestAdhesion = 1.0 / 6, largestSphereAdhesion = 0.1;
+
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;
   double stiffness = 30;    // K [force/length] of one vertex pair; pair law only
@@ -21,6 +44,7 @@ struct ContactParameters {
   double friction = 0;      // [1] Coulomb's coefficient; pair law only
   double slipSpeed = 0.01;  // [length/time] below it friction fades out linearly
   double radius = 1;        // influence radius of a vertex, in mean rest lengths of its cell's edges
+  std::optional<AdhesionParameters> adhesion = {};  // absent: cells that touch do not stick; pair law only
 };
 
 }  // namespace morula

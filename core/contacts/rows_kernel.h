@@ -79,7 +79,8 @@ MORULA_INLINE void addToForces(Real* force, const VertexNumber* vertex, std::int
 }
 
 /// Adds to each vertex of the slices, lane by lane, the sum of a law's forces from its neighbours. `Law`:
-/// load(rows, index) → its data of `width` vertices; force(i, j, c) → the force on i.
+/// load(rows, index) → its data of `width` vertices; force(i, j, c) → the force on i; where it `adheres`
+/// force(i, j, c, strength), with each pair's own.
 template <class Law>
 MORULA_INLINE void addSlices(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
                              const ContactConstants& c, Real* force) {
@@ -92,7 +93,9 @@ MORULA_INLINE void addSlices(const BlockSlices& block, const std::int32_t* indic
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
       for (int k = 0; k < slice.length; ++k, index += blockLanes) {
         prefetchRows(rows, index);
-        sum += Law::force(i, Law::load(rows, index), c);
+        if constexpr (Law::adheres)
+          sum += Law::force(i, Law::load(rows, index), c, load(c.adhesion + (index - indices)));
+        else sum += Law::force(i, Law::load(rows, index), c);
       }
       addToForces(force, slice.vertex + lane, c.vertices, sum);
     }

@@ -5,6 +5,10 @@
 //
 // on i, and friction as in pair_law_kernel.h. Exchanging i and j negates f bit for bit. Two spheres with
 // one centre feel no force: it would have no direction.
+//
+// Adhesion pulls with S [force] of the pair (adhesion.h) where they overlap, and beyond over a gap g with
+// S (1 − g²/δ²)², δ = (r_i + r_j)/8: no force jumps, and where it ends its slope does. S is that of smooth
+// spheres whose surfaces take the work W per area to part, 2πW r_i r_j/(r_i + r_j) [Derjaguin et al. 1975].
 #include "contacts/rows_kernel.h"
 
 namespace morula::MORULA_ISA {
@@ -14,15 +18,17 @@ struct Spheres {
   Lanes radius;
 };
 
-template <bool withFriction>
+template <bool withFriction, bool withAdhesion>
 struct SphereLaw {
+  static constexpr bool adheres = withAdhesion;
   // In rows of spheres a radius stands where a mesh's have the normal.
   static MORULA_INLINE Spheres load(const RowMemory* rows, const VertexNumber* index) {
     Lanes c[rowColumns];
     loadRows(numbersOf(rows), index, c);
     return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6]};
   }
-  static MORULA_INLINE Vec force(const Spheres& i, const Spheres& j, const ContactConstants& c);
+  static MORULA_INLINE Vec force(const Spheres& i, const Spheres& j, const ContactConstants& c,
+                                 Lanes adhesion = 0.0);
 };
 
 /// [ContactKernels::takeSnapshot]
@@ -46,9 +52,9 @@ inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const 
   return largestOf(farthest);
 }
 
-template <bool withFriction>
-MORULA_INLINE Vec SphereLaw<withFriction>::force(const Spheres& i, const Spheres& j,
-                                                 const ContactConstants& c) {
+template <bool withFriction, bool withAdhesion>
+MORULA_INLINE Vec SphereLaw<withFriction, withAdhesion>::force(const Spheres& i, const Spheres& j,
+                                                               const ContactConstants& c, Lanes adhesion) {
   const Vec apart = i.x - j.x, relative = i.v - j.v;
   const Lanes distance = sqrt(dot(apart, apart)), depth = (i.radius + j.radius) - distance;
   const Vec n = (1.0 / (distance + tiny)) * apart;
@@ -56,6 +62,11 @@ MORULA_INLINE Vec SphereLaw<withFriction>::force(const Spheres& i, const Spheres
   const Lanes push = Lanes(c.stiffness) * depth - Lanes(c.damping) * opening;
   const Lanes size = select((depth > Lanes(0.0)) & (push > Lanes(0.0)), push, 0.0);
   Vec f = size * n;
+  if constexpr (withAdhesion) {
+    const Lanes overReach = min(max(-depth, Lanes(0.0)) * 8.0 / ((i.radius + j.radius) + tiny), Lanes(1.0));
+    const Lanes fade = 1.0 - overReach * overReach;
+    f -= (adhesion * (fade * fade)) * n;
+  }
   if constexpr (withFriction) {
     const Vec slip = relative - opening * n;
     const Lanes slipSpeed = max(sqrt(dot(slip, slip)), Lanes(c.slipSpeed));
@@ -65,10 +76,10 @@ MORULA_INLINE Vec SphereLaw<withFriction>::force(const Spheres& i, const Spheres
 }
 
 /// [ContactKernels::addSphereForces]
-template <bool withFriction>
+template <bool withFriction, bool withAdhesion>
 inline void addSphereForces(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
                             const ContactConstants& c, RealPointer force) {
-  addSlices<SphereLaw<withFriction>>(block, indices, rows, c, force);
+  addSlices<SphereLaw<withFriction, withAdhesion>>(block, indices, rows, c, force);
 }
 
 }  // namespace morula::MORULA_ISA

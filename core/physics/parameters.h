@@ -73,6 +73,13 @@ struct ShellParameters {
   double semiAxes[3] = {1, 1, 1};  // [length]; all equal: a sphere
 };
 
+/// Cells that crawl: an active force that would move a cell alone through the medium with one speed, and
+/// turns to a new direction now and then, which the seed chooses.
+struct MotilityParameters {
+  double speed = 0.1;      // [length/time]; higher: cells change their neighbours more often
+  double persistence = 1;  // [time] for which a cell keeps its direction
+};
+
 struct PhysicsParameters {
   // [length] A daughter takes the coarsest of the scene's meshes whose mean edge at rest is no longer; absent:
   // every cell has the egg's mesh.
@@ -89,6 +96,7 @@ struct PhysicsParameters {
   double drag = 0;  // [1/time] acceleration −drag·v from the medium
   std::optional<GrowthParameters> growth;
   std::optional<ShellParameters> shell;
+  std::optional<MotilityParameters> motility;
 };
 
 }  // namespace morula

@@ -59,7 +59,7 @@ bool runOneRound(World& world, double time) {
   std::vector<CellChange> changes = runDueCycles(world, time);
   const Observation now(world, time);
   decide(world, now, changes);
-  connectByGene(world, now, changes);
+  connectNeighbours(world, now, changes);
   changePopulation(world, now, changes);
   return std::any_of(changes.begin(), changes.end(), [](CellChange c) { return c != CellChange::none; });
 }
@@ -90,6 +90,7 @@ void runCellCycles(World& world, double until) {
     some = runOneRound(world, clock.nextCycle);
     clock.nextCycle = findNextCycle(world);
   }
+  sortByAdhesion(world);
   if (world.bodies && world.model.mechanics->physics.growth) {
     if (world.contacts) setInfluenceRadii(*world.contacts, *world.bodies);
     chooseTimeStep(world);  // cells that shrink get lighter: an automatic step must follow

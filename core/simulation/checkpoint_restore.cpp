@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "simulation/checkpoint_state.h"
+#include "simulation/stages.h"
 
 namespace morula {
 
@@ -206,6 +207,7 @@ void restoreContacts(const SavedContacts& s, World& world) {
   Contacts& c = *world.contacts;
   Bodies& b = *world.bodies;
   resetContacts(c, b);
+  sortByAdhesion(world);
   if (b.count > 0) {
     setInfluenceRadii(c, b, s.listIsValid ? s.radius : s.snapshotRadius);
     const Reals position = b.position, acceleration = b.acceleration;
@@ -256,6 +258,7 @@ void takeOver(World& world, SavedState&& s) {
   world.polarities = std::move(s.world.polarities);
   if (world.bodies) world.bodies = std::move(s.world.bodies);
   if (world.contacts) restoreContacts(s.contacts, world);
+  if (world.motility) world.motility->isCurrent = false;
   if (world.connections) {
     world.connections->history = std::move(s.world.connections->history);
     restoreActive(*world.connections);

@@ -1,8 +1,9 @@
-// Connections by gene, and their end by distance [Nilsson 2008, §4.1.1, §4.4.3].
+// Connections that are made and released between neighbours, and their end by distance, tension and age
+// [Nilsson 2008, §4.1.1, §4.4.3].
 #include <algorithm>
-#include <numbers>
+#include <tuple>
 
-#include "base/maths.h"
+#include "biology/substance_pattern.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
 
@@ -10,12 +11,23 @@ namespace morula {
 
 namespace {
 
-/// Of the sphere that holds the cell's volume.
-double radius(const Bodies& b, int slot) { return cubeRoot(3 * b.volume[slot] / (4 * std::numbers::pi)); }
+/// Whether one cell holds a substance of the pair, and the other one of the pair's other.
+bool fits(const ConnectedPair& pair, const std::string& one, const std::string& other) {
+  return (fitsAny(pair.a, one) && fitsAny(pair.b, other)) || (fitsAny(pair.b, one) && fitsAny(pair.a, other));
+}
+
+/// Whether two cells that touch are to be connected. `wish`: the sum of their wantsToConnect.
+bool shallConnect(const ConnectionParameters& p, double wish, const CellContext& a, const CellContext& b) {
+  if (p.make == MakeConnections::byContact) return wish >= 0;
+  if (p.make != MakeConnections::pairs) return wish > 0;
+  const std::string ofA = a.substances(), ofB = b.substances();
+  return wish >= 0 &&
+         std::ranges::any_of(p.pairs, [&](const ConnectedPair& pair) { return fits(pair, ofA, ofB); });
+}
 
 }  // namespace
 
-void connectByGene(World& world, const Observation& now, const std::vector<CellChange>& changes) {
+void connectNeighbours(World& world, const Observation& now, const std::vector<CellChange>& changes) {
   if (!world.connections || world.connections->parameters.make == MakeConnections::atDivision) return;
   Connections& connections = *world.connections;
   const auto cycled = [&](int cell) {
@@ -31,22 +43,33 @@ void connectByGene(World& world, const Observation& now, const std::vector<CellC
       release(connections, a, b, world.clock.time, "gene");
   }
   for (const ContactArea& touch : now.contacts())
-    if ((cycled(touch.a) || cycled(touch.b)) && wish(touch.a) + wish(touch.b) > 0)
+    if ((cycled(touch.a) || cycled(touch.b)) &&
+        shallConnect(connections.parameters, wish(touch.a) + wish(touch.b), ObservedCell(now, touch.a),
+                     ObservedCell(now, touch.b)))
       connect(connections, world.cells.path[touch.a], world.cells.path[touch.b], world.clock.time);
 }
 
 void releaseConnections(World& world) {
-  if (!world.connections || !world.connections->parameters.releaseDistance) return;
+  if (!world.connections) return;
   Connections& c = *world.connections;
+  const auto& [releaseDistance, releaseTension, releaseAge] =
+      std::tie(c.parameters.releaseDistance, c.parameters.releaseTension, c.parameters.releaseAge);
+  if (!releaseDistance && !releaseTension && !releaseAge) return;
   const Bodies& bodies = *world.bodies;
   for (std::size_t k = c.active.size();
        k-- > 0;) {  // from behind, for release takes the pair out of the list
-    const CellPath a = c.history[c.active[k]].a, b = c.history[c.active[k]].b;
+    const auto [a, b, made, released, none] = c.history[c.active[k]];
     const int slotA = bodies.slots[cellNumber(world.cells, a)],
               slotB = bodies.slots[cellNumber(world.cells, b)];
-    const double limit = *c.parameters.releaseDistance * (radius(bodies, slotA) + radius(bodies, slotB));
-    if (norm(measureCentre(bodies, slotA) - measureCentre(bodies, slotB)) > limit)
-      release(c, a, b, world.clock.time, "distance");
+    const double distance = norm(measureCentre(bodies, slotA) - measureCentre(bodies, slotB));
+    const char* cause = "";
+    if (releaseDistance && distance > *releaseDistance * (roundRadius(bodies, slotA) + roundRadius(bodies, slotB)))
+      cause = "distance";
+    else if (releaseTension &&
+             springTension(*c.parameters.spring, bodies, slotA, slotB, distance) > *releaseTension)
+      cause = "tension";
+    else if (releaseAge && world.clock.time - made >= *releaseAge) cause = "age";
+    if (*cause) release(c, a, b, world.clock.time, cause);
   }
 }
 

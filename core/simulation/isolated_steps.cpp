@@ -10,7 +10,7 @@ namespace morula {
 namespace {
 
 bool areIsolated(const World& world) {
-  return world.bodies && !world.contacts && !world.connections && !world.swirls &&
+  return world.bodies && !world.contacts && !world.connections && !world.motility && !world.swirls &&
          std::all_of(world.cells.growth.begin(), world.cells.growth.end(), [](double g) { return g == 0; });
 }
 

@@ -44,7 +44,7 @@ double perVertex(const MechanicsScene& m) {
   double bytes = 3 * vector;                                              // place, velocity, acceleration
   bytes += 2 * sizeof(Vector);                                            // Body, while cells divide
   if (kindOf(m.physics.integrator).evaluations > 1) bytes += 4 * vector;  // Bodies::substeps
-  if (!m.contact && !m.connections) bytes += 3 * vector;                  // BodyCopy
+  if (!m.contact && !m.connections && !m.physics.motility) bytes += 3 * vector;                  // BodyCopy
   // Snapshot, NeighbourList::reference, PointTable, BlockLists.
   if (m.contact) bytes += sizeof(RowMemory) + vector + 6 * sizeof(double) + 4 * sizeof(std::int32_t);
   return bytes;
@@ -119,7 +119,7 @@ MemoryUse measureMemory(const World& world) {
     const Contacts& k = *world.contacts;
     m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.list.reference);
     m.listRows = bytes(k.list.firstSlice);
-    m.listPairs = bytes(k.list.slices, k.list.indices);
+    m.listPairs = bytes(k.list.slices, k.list.indices, k.adhesion.ofPairs);
     for (const BlockLists& lists : k.list.perBlock) {
       m.listRows += bytes(lists.begin, lists.length, lists.order, lists.place);
       m.listPairs += bytes(lists.neighbours);

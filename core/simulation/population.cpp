@@ -45,20 +45,42 @@ Division divide(const World& world, const ObservedCell& cell) {
   return {cut, {coarsen(bodies, std::move(a)), coarsen(bodies, std::move(b))}, record};
 }
 
-/// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3]: the one on
-/// whose side of the plane the other cell lies. `centreOf` knows the cells of this moment.
-template <class CentreOf>
+/// Which daughter keeps which connection of a mother that has just divided [Nilsson 2008, §4.4.3].
+struct Heirs {
+  bool a, b;
+};
+
+/// `centreOf` knows the cells of this moment, `centreBefore` where these or their mothers were before.
+template <class CentreOf, class CentreBefore>
+Heirs heirsOf(ConnectionsOnDivision policy, const CellPath& mother, const CellPath& other, const Cut& cut,
+              const CentreOf& centreOf, const CentreBefore& centreBefore) {
+  if (policy == ConnectionsOnDivision::both) return {true, true};
+  if (policy == ConnectionsOnDivision::a) return {true, false};
+  bool isNearA;
+  if (policy == ConnectionsOnDivision::nearest) {
+    // To where the other cell was, which may divide, too: so it cannot matter which of the two comes first.
+    const Point there = centreBefore(other);
+    isNearA =
+        norm(centreOf(mother.daughter(false)) - there) <= norm(centreOf(mother.daughter(true)) - there);
+  } else {
+    isNearA = dot(centreOf(other) - cut.point, cut.normal) >= 0;
+  }
+  return {isNearA, !isNearA};
+}
+
+/// The old ones first, then that of the sisters: so it is the one that ConnectionParameters::most leaves out.
+template <class... Centres>
 void inheritConnections(Connections& c, const CellPath& mother, const Cut& cut, double time,
-                        const CentreOf& centreOf) {
+                        const Centres&... centres) {
   const CellPath a = mother.daughter(false), b = mother.daughter(true);
   for (const CellPath& other : partners(c, mother)) {
     release(c, mother, other, time, "divided");
-    const bool both = c.parameters.onDivision == ConnectionsOnDivision::both;
-    const bool onSideOfA = dot(centreOf(other) - cut.point, cut.normal) >= 0;
-    if (both || onSideOfA) connect(c, a, other, time);
-    if (both || !onSideOfA) connect(c, b, other, time);
+    const Heirs heirs = heirsOf(c.parameters.onDivision, mother, other, cut, centres...);
+    if (heirs.a) connect(c, a, other, time);
+    if (heirs.b) connect(c, b, other, time);
   }
-  if (c.parameters.make != MakeConnections::byGene) connect(c, a, b, time);
+  const MakeConnections make = c.parameters.make;
+  if (make == MakeConnections::atDivision || make == MakeConnections::both) connect(c, a, b, time);
 }
 
 Point centreOfBody(const Body& body) { return measureCentroid(body.position); }
@@ -104,12 +126,18 @@ void inheritAllConnections(World& world, const std::vector<CellChange>& changes,
     if (const int now = cellNumber(next.cells, path); now >= 0) return centreOfBody(next.bodies[now]);
     return measureCentre(*world.bodies, world.bodies->slots[cellNumber(world.cells, path)]);
   };
+  const auto centreBefore = [&](const CellPath& path) {
+    const int number = cellNumber(world.cells, path);
+    return measureCentre(*world.bodies,
+                         world.bodies->slots[number >= 0 ? number : cellNumber(world.cells, path.mother())]);
+  };
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] == CellChange::dies) releaseAll(*world.connections, world.cells.path[i], time, "died");
   std::size_t division = 0;
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] == CellChange::divides)
-      inheritConnections(*world.connections, world.cells.path[i], cuts[division++], time, centreOf);
+      inheritConnections(*world.connections, world.cells.path[i], cuts[division++], time, centreOf,
+                         centreBefore);
 }
 
 /// Sorts in what mothers left to their daughters.

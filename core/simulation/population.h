@@ -20,8 +20,8 @@ void addFounder(World& world, const CellPath& path, StateId state);
 /// The start of life with a new set of bodies: lists, forces and the time step for them.
 void beginWithBodies(World& world);
 
-/// Makes and releases connections between neighbours whose cell cycle ran, by the sum of their
-/// wantsToConnect.
-void connectByGene(World& world, const Observation& now, const std::vector<CellChange>& changes);
+/// Makes and releases connections between neighbours of which one's cell cycle ran: by the sum of their
+/// wantsToConnect, or unless that is below 0, as ConnectionParameters::make says.
+void connectNeighbours(World& world, const Observation& now, const std::vector<CellChange>& changes);
 
 }  // namespace morula

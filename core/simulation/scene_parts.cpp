@@ -44,7 +44,7 @@ void addPart(Hasher& h, const std::uint64_t& seed) { h.field("seed").add(seed); 
 
 void addPart(Hasher& h, const PhysicsParameters& physics) {
   const auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
-               shapeMatching, drag, growth, shell] = physics;
+               shapeMatching, drag, growth, shell, motility] = physics;
   h.field("physics").add(number(integrator)).add(number(precision)).add(drag);
   if (substeps) h.field("substeps").add(*substeps);
   add(h, coarsen);
@@ -67,6 +67,10 @@ void addPart(Hasher& h, const PhysicsParameters& physics) {
     const auto& [semiAxes] = *shell;
     h.add(std::span<const double>(semiAxes));
   }
+  if (motility) {
+    const auto& [speed, persistence] = *motility;
+    h.field("motility").add(speed).add(persistence);
+  }
 }
 
 void addMesh(Hasher& h, const Mesh& mesh) {
@@ -88,8 +92,12 @@ void addPart(Hasher& h, const Meshes& meshes) {
 }
 
 void addPart(Hasher& h, const ContactParameters& contact) {
-  const auto& [law, stiffness, damping, friction, slipSpeed, radius] = contact;
+  const auto& [law, stiffness, damping, friction, slipSpeed, radius, adhesion] = contact;
   h.field("contact").add(number(law)).add(stiffness).add(damping).add(friction).add(slipSpeed).add(radius);
+  if (!adhesion) return;
+  const auto& [strength, pairs] = *adhesion;
+  h.field("adhesion").add(strength).add(std::uint64_t{pairs.size()});
+  for (const auto& [a, b, own] : pairs) h.add(a).add(b).add(own);
 }
 
 void addPlane(Hasher& h, const PlaneChoice& choice) {
@@ -123,16 +131,27 @@ void addPart(Hasher& h, const DivisionParameters& division) {
 }
 
 void addPart(Hasher& h, const ConnectionParameters& connections) {
-  const auto& [make, onDivision, strength, releaseDistance] = connections;
+  const auto& [make, onDivision, strength, releaseDistance, pairs, spring, releaseTension, releaseAge, most] =
+      connections;
   h.field("connections").add(number(make)).add(number(onDivision));
   if (strength) h.add(*strength);
   else h.add("shared");
   add(h, releaseDistance);
+  if (!pairs.empty()) h.field("pairs").add(std::uint64_t{pairs.size()});
+  for (const auto& [a, b] : pairs) h.add(a).add(b);
+  if (spring) {
+    const auto& [stiffness, rest] = *spring;
+    h.field("spring").add(stiffness).add(rest);
+  }
+  if (releaseTension) h.field("release tension").add(*releaseTension);
+  if (releaseAge) h.field("release age").add(*releaseAge);
+  if (most) h.field("most").add(*most);
 }
 
 void addPart(Hasher& h, const VariationParameters& variation) {
-  const auto& [cycle, share, start, tilt] = variation;
+  const auto& [cycle, share, start, tilt, adhesion] = variation;
   h.field("variation").add(cycle).add(share).add(start).add(tilt);
+  if (adhesion != 0) h.field("adhesion").add(adhesion);
 }
 
 }  // namespace

@@ -50,6 +50,10 @@ void checkReach(const World& world);
 /// Cells that grow or shrink. Returns at once where the scene has no growth.
 void growCells(World& world, double timeStep);
 
+/// Tells contacts which cells stick to others alike, by their substances, and what the seed varies. Returns at
+/// once where adhesion depends on neither.
+void sortByAdhesion(World& world);
+
 /// Runs the cell cycles that are due until then [time], and the deaths, divisions and connections that follow
 /// from them. Cycles run in the order in which they are due, and those that are due at the same time
 /// together; none runs after the one that gives the scene as many cells as it stops at.
@@ -69,7 +73,7 @@ bool hasEnoughCells(const World& world);
 /// without bodies.
 double dueUntil(const World& world, double before);
 
-/// Ends connections whose cells are too far apart. Returns at once where there are none.
+/// Ends connections whose cells are too far apart, that pull too hard or are too old. Returns at once where there are none.
 void releaseConnections(World& world);
 
 /// [time] Up to which a time step is stable for the cells as they are, with some margin; an automatic one is

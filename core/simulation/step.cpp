@@ -90,8 +90,8 @@ void evaluateForces(World& world) { movePhysics(world, 0); }
 void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
   Bodies& bodies = *world.bodies;
   const int blocks = bodies.blockCount(), threads = world.execution.threads;
-  const bool isolated =
-      !world.contacts && !world.connections && !world.swirls;  // one pass while a block is in cache
+  const bool isolated = !world.contacts && !world.connections && !world.motility &&
+                        !world.swirls;  // one pass while a block is in cache
 
   const auto stagesOf = [&](const BlockView& block) {
     const PhysicsStages& stages = world.stagesOfLanes[block.liveLanes - 1];
@@ -109,6 +109,7 @@ void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
 
   if (world.swirls) addSwirlForces(world);
   if (world.connections) addConnectionForces(*world.connections, world.cells.path, bodies, threads);
+  if (world.motility) addMotility(world);
   if (world.contacts) {
     checkReach(world);
     refreshLists(world);

@@ -1,6 +1,7 @@
 // The stability limit falls with each division: springs and pressure stay as strong while masses halve.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "base/error.h"
@@ -20,29 +21,60 @@ constexpr double mostSteps = 1e12;  // more than a week of one small cell
 
 struct Limit {
   double spring, pressure, contact;  // [time]; contact is infinite without pair contact
+  double connection;                 // [time] infinite without springs between cells
   int cell;
 };
 
 /// Of all modes at once: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with
 /// 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
-  if (kindOf(integrator).needsDrag) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact);
-  const double least = std::min({l.spring, l.pressure, l.contact});
+  if (kindOf(integrator).needsDrag) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection);
+  const double least = std::min({l.spring, l.pressure, l.contact, l.connection});
   if (!(least < INFINITY)) return INFINITY;
-  const double a = least / l.spring, b = least / l.pressure, c = least / l.contact;  // no square is too small
-  return least / std::sqrt(a * a + b * b + c * c);
+  const double a = least / l.spring, b = least / l.pressure, c = least / l.contact,
+               d = least / l.connection;  // no square is too small
+  return least / std::sqrt(a * a + b * b + c * c + d * d);
+}
+
+/// [force/length] Of all springs to a cell, with the partners' motion: as many as it has, and those that contacts
+/// may add before the next choice of a time step.
+double connectionStiffness(const World& world) {
+  if (!world.connections || !world.connections->parameters.spring) return 0;
+  const Connections& c = *world.connections;
+  const std::uint64_t usual = 20;  // neighbours of a cell in a heap, with some margin
+  std::uint64_t most = c.parameters.most ? std::min(*c.parameters.most, usual) : usual;
+  std::map<CellPath, std::uint64_t> count;
+  for (std::size_t i : c.active)
+    for (const CellPath& cell : {c.history[i].a, c.history[i].b}) most = std::max(most, ++count[cell]);
+  return 2 * static_cast<double>(most) * c.parameters.spring->stiffness;
+}
+
+/// [time] Of a cell that springs hold, as a whole.
+double connectionLimit(const World& world, double stiffness, int slot) {
+  const PhysicsParameters& p = world.bodies->parameters;
+  if (stiffness == 0) return INFINITY;
+  const double m = world.bodies->mass(slot);
+  const IntegratorKind& kind = kindOf(p.integrator);
+  if (kind.needsDrag && p.drag == 0) return 0;
+  return kind.oscillatorLimit(stiffness, kind.needsDrag ? p.drag * m : 0, m);
 }
 
 /// The limits of the cell with the smallest combined one.
 Limit tightestLimit(const World& world, double& combined) {
-  Limit tightest{INFINITY, INFINITY, INFINITY, 0};
+  Limit tightest{INFINITY, INFINITY, INFINITY, INFINITY, 0};
   combined = INFINITY;
+  const double held = connectionStiffness(world);
+  // A vertex is either pushed or drawn by another: of the two slopes the steeper one counts.
+  const double contact =
+      world.contacts ? std::max(world.contacts->parameters.stiffness,
+                                adhesionStiffness(*world.contacts, *world.bodies))
+                     : 0;
   for (int cell = 0; cell < world.bodies->count; ++cell) {
     const int slot = world.bodies->slots[cell];
     const StabilityLimits own = measureLimits(*world.bodies, slot);
-    Limit l{own.spring, own.pressure, INFINITY, cell};
+    Limit l{own.spring, own.pressure, INFINITY, connectionLimit(world, held, slot), cell};
     if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
-      l.contact = contactLimit(world.bodies->parameters.integrator, world.contacts->parameters.stiffness,
+      l.contact = contactLimit(world.bodies->parameters.integrator, contact,
                                world.contacts->parameters.damping, world.bodies->vertexMass[slot],
                                world.bodies->parameters.drag);
     const double all = combine(world.bodies->parameters.integrator, l);
@@ -171,6 +203,7 @@ void chooseTimeStep(World& world) {
     refuseAbove(limit.spring, kindOf(p.cell.model).limitedBy, world, limit.cell, timeStep);
     refuseAbove(limit.pressure, "pressure", world, limit.cell, timeStep);
     refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
+    refuseAbove(limit.connection, "connections' springs", world, limit.cell, timeStep);
     refuseAbove(dragLimit(p.integrator, p.drag), "drag", world, limit.cell, timeStep);
   } else {
     if (kindOf(p.integrator).solvesForces ? std::isinf(limit.contact) : std::isinf(longest(combined, p)))

@@ -52,6 +52,7 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
         makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
   if (keepsPolarity(m.division)) world.polarities.emplace();
+  if (m.physics.motility) world.motility.emplace();
   setStages(world, execution.isa);
   requireMemoryForStart(world);
   setBodies(*world.bodies, makeStartBodies(*world.bodies, placeStart(scene, world.cells.path)));
@@ -75,6 +76,8 @@ void setStages(World& world, Isa isa) {
 void beginWithBodies(World& world) {
   findSwirls(world);
   if (world.contacts) resetContacts(*world.contacts, *world.bodies);
+  sortByAdhesion(world);
+  if (world.motility) world.motility->isCurrent = false;
   if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
   evaluateForces(world);
   checkBodies(world);
@@ -96,6 +99,7 @@ bool usesSeed(const Scene& scene) {
   const auto divides = [&](const Gene& gene) {
     return scene.dna.substances[gene.product] == substance::divide;
   };
+  if (scene.mechanics && (scene.mechanics->physics.motility || v.adhesion > 0)) return true;
   if (!scene.mechanics || std::ranges::none_of(scene.dna.genes, divides)) return false;
   const auto& [otherwise, rules] = scene.mechanics->division;
   return v.share > 0 || v.tilt > 0 || kindOf(otherwise.plane).usesSeed ||

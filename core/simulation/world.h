@@ -15,6 +15,7 @@
 #include "division/record.h"
 #include "physics/bodies.h"
 #include "physics/stages.h"
+#include "simulation/motility.h"
 #include "simulation/scene.h"
 #include "simulation/swirls.h"
 
@@ -83,6 +84,7 @@ struct World {
   std::optional<std::vector<PolarityRecord>> polarities;  // by path; absent: no division plane keeps any
 
   std::optional<BodyCopy> before;            // scratch of takeSteps
+  std::optional<Motility> motility;          // of scenes with it; follows from the rest
   std::optional<std::vector<Swirl>> swirls;  // follow from the divisions; absent: no rule has chirality
 };
 

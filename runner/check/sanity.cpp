@@ -43,14 +43,15 @@ bool mayTouch(const World& world) {
   return false;
 }
 
-/// True if measureEnergy sees all that there is at the start, and nothing adds to it: contacts, connections
-/// and growth hold energy that it does not count, and a shell moves what it stops.
+/// True if measureEnergy sees all that there is at the start, and nothing adds to it: contacts, adhesion,
+/// connections and growth hold energy that it does not count, crawling adds some, and a shell moves what it
+/// stops.
 bool isClosed(const World& start) {
   if (!start.bodies) return false;
   const PhysicsParameters& p = start.bodies->parameters;
   const bool boundless = p.pressure.outside == 0 && p.pressure.constant > 0;  // contents without a rest
   return start.bodies->model().hasMembrane && !p.shell && !p.growth && !boundless && !start.connections &&
-         !mayTouch(start);
+         !p.motility && !(start.contacts && start.contacts->parameters.adhesion) && !mayTouch(start);
 }
 
 std::string nameOf(const CellPath& cell) { return cell.isEgg() ? "the egg" : "cell " + cell.text(); }

@@ -48,7 +48,7 @@ void addModel(std::vector<Part>& parts, const PhysicsParameters& p, const Reason
 void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons& why) {
   if (!scenario.scene.mechanics) {
     for (const char* name : {"bodies", "springs", "damping", "pressure", "shape-matching", "drag",
-                             "integration", "growth", "shell"})
+                             "integration", "motility", "growth", "shell"})
       parts.push_back(absent(name, "physics"));
     return;
   }
@@ -70,6 +70,8 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
                    p.timeStep ? "fixed time step" : "automatic time step",
                    p.substeps.value_or(1) > 1 ? fmt::format(" in {} sub-steps", *p.substeps) : ""),
        why.of({"physics.integrator", "physics.time_step"})});
+  parts.push_back(p.motility ? Part{"motility", true, "", why.of({"physics.motility"})}
+                             : absent("motility", "physics.motility"));
   parts.push_back(p.growth ? Part{"growth", true, "", why.of({"physics.growth"})}
                            : absent("growth", "physics.growth"));
   if (!p.shell) {
@@ -84,7 +86,7 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
 void addContact(std::vector<Part>& parts, const Scenario& scenario, const RunAsk& ask, const Reasons& why) {
   const auto& mechanics = scenario.scene.mechanics;
   if (!mechanics || !mechanics->contact) {
-    for (const char* name : {"contact", "friction", "search"})
+    for (const char* name : {"contact", "friction", "adhesion", "search"})
       parts.push_back(absent(name, "physics.contact"));
     return;
   }
@@ -99,6 +101,10 @@ void addContact(std::vector<Part>& parts, const Scenario& scenario, const RunAsk
                       ? Part{"friction", true, "", why.of({"physics.contact.friction"})}
                       : absent("friction", thesis ? "physics.contact.law: pair, and friction > 0"
                                                   : "physics.contact.friction > 0"));
+  parts.push_back(c.adhesion ? Part{"adhesion", true,
+                                    c.adhesion->pairs.empty() ? "of all cells" : "by pairs of substances",
+                                    why.of({"physics.contact.adhesion"})}
+                             : absent("adhesion", "physics.contact.adhesion"));
   parts.push_back({"search", true, nameOf(ask.search),
                    ask.search == ContactSearch::grid ? why.of({"physics.contact"}) : "--search"});
 }

@@ -47,6 +47,11 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
   if (mechanics.contact && mechanics.contact->friction > 0)
     found.push_back({true, "Bullet has no Coulomb friction between soft bodies",
                      "set physics.contact.friction to 0, or remove this"});
+  if (mechanics.contact && mechanics.contact->adhesion)
+    found.push_back({true, "Bullet's soft bodies do not stick to each other",
+                     "remove physics.contact.adhesion, or this"});
+  if (mechanics.physics.motility)
+    found.push_back({true, "Bullet's cells do not crawl", "remove physics.motility, or this"});
   if (!plannedEnd(scenario.scene))
     found.push_back({false, "the run's end is not known beforehand", "give stop.time"});
   if (!scenario.check.fails.empty())

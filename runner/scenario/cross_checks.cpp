@@ -20,7 +20,7 @@ void checkSubstances(const Dna& dna, Reading& reading) {
   if (dna.substances.empty()) return;  // it could not be read, which has been said
   for (const auto& use : reading.substances) {
     const auto isMeant = [&](const std::string& s) {
-      return use.isPattern ? fits(use.name, s) : s == use.name;
+      return use.isPattern ? standsFor(use.name, s) : s == use.name;
     };
     if (std::ranges::any_of(dna.substances, isMeant)) continue;
     if (use.isPattern) {
@@ -181,11 +181,16 @@ void checkVariation(const Scenario& scenario, Reading& reading, const Node& root
   };
   if (!scenario.scene.mechanics) {
     const std::pair<const char*, double> ofBodies[] = {
-        {"variation.share", v.share}, {"variation.start", v.start}, {"variation.tilt", v.tilt}};
+        {"variation.share", v.share}, {"variation.start", v.start}, {"variation.tilt", v.tilt},
+        {"variation.adhesion", v.adhesion}};
     for (const auto& [path, sd] : ofBodies)
       if (sd > 0) refuse(path, "cells without bodies have none", "add a physics block, or remove this");
     return;
   }
+  const auto& contact = scenario.scene.mechanics->contact;
+  if (v.adhesion > 0 && !(contact && contact->adhesion))
+    refuse("variation.adhesion", "cells stick to each other only with physics.contact.adhesion",
+           "give that, or remove this");
   const PhysicsParameters& physics = scenario.scene.mechanics->physics;
   if (!(v.start > 0) || !physics.shell || !scenario.scene.cells.empty()) return;
   const auto& axes = physics.shell->semiAxes;
@@ -205,16 +210,20 @@ void checkReason(const CheckParameters& check, Reading& reading, const Node& roo
                          "remove it, or write sane: false");
 }
 
-/// Genes that are to connect cells need genes that want it, and neighbours.
-void checkConnections(const Scenario& scenario, Reading& reading, const Node& root) {
+/// Cells that are to connect when they touch need contact; genes that are to connect them need to want it.
+void checkConnecting(const Scenario& scenario, Reading& reading, const Node& root) {
   const MechanicsScene& mechanics = *scenario.scene.mechanics;
   const Dna& dna = scenario.scene.dna;
-  if (!mechanics.connections || mechanics.connections->make == MakeConnections::atDivision) return;
+  const MakeConnections make = mechanics.connections->make;
+  const bool byGene = make == MakeConnections::byGene || make == MakeConnections::both;
+  if (make == MakeConnections::atDivision) return;
   const Place place = placeOf(root, "connections.make");
   if (!mechanics.contact)
     reading.problems.add(place, "connections.make",
-                         "genes connect cells that touch, and without physics.contact none do",
+                         std::string(byGene ? "genes connect cells" : "it is for cells") +
+                             " that touch, and without physics.contact none do",
                          "add 'contact: {}' to physics, or set this to at-division");
+  if (!byGene) return;
   const auto connect = findSubstance(dna, substance::connect);
   const bool wanted = connect && (std::ranges::find(dna.start, *connect) != dna.start.end() ||
                                   std::ranges::find(dna.genes, *connect, &Gene::product) != dna.genes.end() ||
@@ -225,6 +234,47 @@ void checkConnections(const Scenario& scenario, Reading& reading, const Node& ro
     reading.problems.add(place, "connections.make",
                          "no gene produces 'connect', so genes never connect cells",
                          "write a gene such as g9(connect|a0), or set this to at-division");
+}
+
+void checkConnections(const Scenario& scenario, Reading& reading, const Node& root) {
+  if (!scenario.scene.mechanics->connections) return;
+  checkConnecting(scenario, reading, root);
+  const ConnectionParameters& c = *scenario.scene.mechanics->connections;
+  if (c.spring && c.strength)
+    reading.problems.add(placeOf(root, "connections.strength"), "connections.strength",
+                         "stands beside spring, and a connection is either", "give one of strength or spring");
+  if (c.releaseTension && !c.spring)
+    reading.problems.add(placeOf(root, "connections.release-tension"), "connections.release-tension",
+                         "is the tension of a spring, and here every connection pulls with one strength",
+                         "add 'spring: {}' to connections, or use release-distance");
+}
+
+/// What sticks must give way, and the law must know how.
+void checkAdhesion(const Scenario& scenario, Reading& reading, const Node& root) {
+  const auto& contact = scenario.scene.mechanics->contact;
+  if (!contact || !contact->adhesion) return;
+  const std::string path = "physics.contact.adhesion";
+  const Place place = placeOf(root, path);
+  if (contact->law == ContactLaw::thesis)
+    reading.problems.add(place, path, "is for physics.contact.law pair", "remove this, or give law: pair");
+  double largest = contact->adhesion->strength;
+  for (const AdhesionPair& pair : contact->adhesion->pairs) largest = std::max(largest, pair.strength);
+  const bool spheres = !kindOf(scenario.scene.mechanics->physics.cell.model).hasMesh;
+  const double share = spheres ? largestSphereAdhesion : largestAdhesion;
+  const double most = contact->stiffness * share;
+  if (largest > most)
+    reading.problems.add(place, path,
+                         exactText(largest) + " would draw cells into each other against a contact stiffness of " +
+                             exactText(contact->stiffness),
+                         "needs at most " + numberText(most) + ", or a physics.contact.stiffness of at least " +
+                             numberText(largest / share));
+}
+
+void checkMotility(const PhysicsParameters& physics, Reading& reading, const Node& root) {
+  if (physics.motility && physics.drag == 0)
+    reading.problems.add(placeOf(root, "physics.motility"), "physics.motility",
+                         "cells crawl against the drag of their medium, and here it is 0",
+                         "give a physics.drag > 0, or remove this");
 }
 
 void checkBullet(const Scenario& scenario, Reading& reading, const Node& root) {
@@ -262,6 +312,8 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkDivision(scenario, reading, root);
     checkConnections(scenario, reading, root);
     checkPlanes(scenario, reading, root);
+    checkAdhesion(scenario, reading, root);
+    checkMotility(mechanics->physics, reading, root);
     checkBullet(scenario, reading, root);
   }
   checkVariation(scenario, reading, root);

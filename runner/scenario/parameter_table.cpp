@@ -67,6 +67,13 @@ std::vector<Section> sections() {
        .members = exactlyOne,
        .make = [](Scenario& s) { s.scene.mechanics->physics.shell.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics->physics.shell.has_value(); }},
+      {.path = "physics.motility",
+       .meaning = "Cells crawl through the medium, each its own way, which turns now and then as the seed says; "
+                  "needs physics.drag",
+       .absent = "cells do not move on their own",
+       .later = true,
+       .make = [](Scenario& s) { s.scene.mechanics->physics.motility.emplace(); },
+       .exists = [](const Scenario& s) { return s.scene.mechanics->physics.motility.has_value(); }},
       {.path = "physics.contact",
        .meaning = "How cells touch",
        .absent = "cells pass through one another",
@@ -90,6 +97,16 @@ std::vector<Section> sections() {
        .needs = "physics",
        .make = [](Scenario& s) { s.scene.mechanics->connections.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->connections; }},
+      {.path = "connections.spring",
+       .meaning = "Connections pull and push along the centres, instead of pulling with one strength",
+       .absent = "a constant pull",
+       .later = true,
+       .make = [](Scenario& s) { s.scene.mechanics->connections->spring.emplace(); },
+       .exists =
+           [](const Scenario& s) {
+             return s.scene.mechanics && s.scene.mechanics->connections &&
+                    s.scene.mechanics->connections->spring;
+           }},
       {.path = "variation",
        .meaning =
            "What a seed changes: standard deviations of normal deviates within 3 of them, each keyed by a "
@@ -231,6 +248,11 @@ std::vector<Parameter> parameters() {
       shellSphere(),
       shellEllipsoid(),
 
+      real("physics.motility.speed", "length/time", positive, "Of a cell alone in the medium",
+           PHYSICS(motility->speed)),
+      real("physics.motility.persistence", "time", positive, "For which a cell keeps its direction",
+           PHYSICS(motility->persistence)),
+
       choice("physics.contact.law", MECHANICS(contact->law)),
       real("physics.contact.stiffness", "force/length", positive, "K of a vertex pair; law pair only",
            MECHANICS(contact->stiffness)),
@@ -242,6 +264,7 @@ std::vector<Parameter> parameters() {
            "Friction grows in proportion to slip up to this speed", MECHANICS(contact->slipSpeed)),
       real("physics.contact.radius", "", positive,
            "Reach of a vertex, in mean rest lengths of its cell's edges", MECHANICS(contact->radius)),
+      adhesion(),
 
       divisionPlane(),
       real("division.chirality.angle", "degree", chiralAngle,
@@ -253,7 +276,7 @@ std::vector<Parameter> parameters() {
            MECHANICS(division.chirality->time)),
       later(divisionRules()),
 
-      choice("connections.make", MECHANICS(connections->make)),
+      makeConnections(),
       choice("connections.on-division", MECHANICS(connections->onDivision)),
       optionalReal("connections.strength", "force", notNegative, "shared",
                    "shared: all connections of a cell together pull with at most 0.2, times its share of the "
@@ -263,6 +286,22 @@ std::vector<Parameter> parameters() {
       optionalReal("connections.release-distance", "", positive, "", "never by distance",
                    "Released beyond this distance of the centres, in sums of the two radii",
                    MECHANICS(connections->releaseDistance)),
+      optionalReal("connections.release-tension", "force", positive, "", "never by tension",
+                   "Released when a spring pulls harder than this", MECHANICS(connections->releaseTension)),
+      optionalReal("connections.release-age", "time", positive, "", "never by age",
+                   "Released so long after it was made; a daughter's is made at her birth",
+                   MECHANICS(connections->releaseAge)),
+      optionalNatural("connections.most", {1, 1'000'000}, "any number",
+                      "Connections of a cell: one that would be one too many for either is not made. Those of a "
+                      "cell that divides pass on first, by the other cell's path, then comes that of the sisters",
+                      MECHANICS(connections->most)),
+      real("connections.spring.stiffness", "force/length", positive,
+           "k of the tension k (d − rest (r₁ + r₂)), d the distance of the centres, r the radii of spheres with "
+           "the cells' volumes",
+           MECHANICS(connections->spring->stiffness)),
+      real("connections.spring.rest", "", notNegative,
+           "Distance of the centres at rest, in sums of the two radii; 1: as they touch",
+           MECHANICS(connections->spring->rest)),
 
       real("variation.cycle", "", {0, 0.3},
            "Of a cell's cycle lengths, over those of its state; one for all its life",
@@ -274,6 +313,9 @@ std::vector<Parameter> parameters() {
            AT(scene.variation.start)),
       real("variation.tilt", "degree", {0, 90}, "Of the axes of divisions whose rule gives no tilt",
            AT(scene.variation.tilt)),
+      later(real("variation.adhesion", "", {0, 0.3},
+                 "Of how strongly a cell sticks, over physics.contact.adhesion; two cells by the mean of both",
+                 AT(scene.variation.adhesion))),
 
       optionalReal("record.every", "time", positive, "", "only start and end", "Time between samples",
                    AT(record.every)),

@@ -88,6 +88,8 @@ Parameter divisionRules();
 /// What division.plane may be, in words.
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();
+Parameter adhesion();
+Parameter makeConnections();
 Parameter saneEnd();
 Parameter nameOfEgg();
 Parameter namesOfDaughters();

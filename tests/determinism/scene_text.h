@@ -61,19 +61,31 @@ inline auto fields(GrowthParameters& a) {
   auto& [rate] = a;
   return std::tie(rate);
 }
+inline auto fields(MotilityParameters& a) {
+  auto& [speed, persistence] = a;
+  return std::tie(speed, persistence);
+}
 inline auto fields(ShellParameters& a) {
   auto& [semiAxes] = a;
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
 }
 inline auto fields(PhysicsParameters& a) {
   auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
-         shapeMatching, drag, growth, shell] = a;
+         shapeMatching, drag, growth, shell, motility] = a;
   return std::tie(coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
-                  shapeMatching, drag, growth, shell);
+                  shapeMatching, drag, growth, shell, motility);
+}
+inline auto fields(AdhesionPair& a) {
+  auto& [first, second, strength] = a;
+  return std::tie(first, second, strength);
+}
+inline auto fields(AdhesionParameters& a) {
+  auto& [strength, pairs] = a;
+  return std::tie(strength, pairs);
 }
 inline auto fields(ContactParameters& a) {
-  auto& [law, stiffness, damping, friction, slipSpeed, radius] = a;
-  return std::tie(law, stiffness, damping, friction, slipSpeed, radius);
+  auto& [law, stiffness, damping, friction, slipSpeed, radius, adhesion] = a;
+  return std::tie(law, stiffness, damping, friction, slipSpeed, radius, adhesion);
 }
 inline auto fields(PlaneChoice& a) {
   auto& [plane, axis, substance, turnsAway] = a;
@@ -91,9 +103,17 @@ inline auto fields(DivisionParameters& a) {
   auto& [otherwise, rules, chirality] = a;
   return std::tie(otherwise, rules, chirality);
 }
+inline auto fields(ConnectedPair& a) {
+  auto& [first, second] = a;
+  return std::tie(first, second);
+}
+inline auto fields(ConnectionSpring& a) {
+  auto& [stiffness, rest] = a;
+  return std::tie(stiffness, rest);
+}
 inline auto fields(ConnectionParameters& a) {
-  auto& [make, onDivision, strength, releaseDistance] = a;
-  return std::tie(make, onDivision, strength, releaseDistance);
+  auto& [make, onDivision, strength, releaseDistance, pairs, spring, releaseTension, releaseAge, most] = a;
+  return std::tie(make, onDivision, strength, releaseDistance, pairs, spring, releaseTension, releaseAge, most);
 }
 inline auto fields(MechanicsScene& a) {
   auto& [physics, mesh, coarser, contact, division, connections] = a;
@@ -104,8 +124,8 @@ inline auto fields(StartCell& a) {
   return std::tie(at, velocity, scale, stretch, mass, substances);
 }
 inline auto fields(VariationParameters& a) {
-  auto& [cycle, share, start, tilt] = a;
-  return std::tie(cycle, share, start, tilt);
+  auto& [cycle, share, start, tilt, adhesion] = a;
+  return std::tie(cycle, share, start, tilt, adhesion);
 }
 inline auto fields(Scene& a) {
   auto& [name, seed, dna, cycle, stop, mechanics, cells, variation] = a;

@@ -179,19 +179,19 @@ TEST_CASE("By gene: a cell acts at its own cell cycle only") {
   using enum CellChange;
   World world = worldOf(scene, row, {Isa::scalar, 1}, std::make_unique<Wish>(1));
   REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA"});
-  connectByGene(world, Observation(world), {none, none, none});
+  connectNeighbours(world, Observation(world), {none, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{});
-  connectByGene(world, Observation(world), {none, none, cycled});
+  connectNeighbours(world, Observation(world), {none, none, cycled});
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
-  connectByGene(world, Observation(world), {divides, none, none});
+  connectNeighbours(world, Observation(world), {divides, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA"});
 
   static_cast<Wish&>(*world.biology).wish = -1;
-  connectByGene(world, Observation(world), {none, none, none});
+  connectNeighbours(world, Observation(world), {none, none, none});
   CHECK(pairsOf(world).size() == 2);
-  connectByGene(world, Observation(world), {cycled, none, none});
+  connectNeighbours(world, Observation(world), {cycled, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
-  connectByGene(world, Observation(world),
+  connectNeighbours(world, Observation(world),
                 {none, none, dies});  // it is released by its death, not by its wish
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
 }

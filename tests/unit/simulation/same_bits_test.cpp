@@ -16,8 +16,14 @@ std::vector<Scene> allScenes() {
       scenes::packed(),    scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring,
       scenes::coarsening()};
   scenes.push_back(scenes::spheres());
+  scenes.push_back(scenes::sticky());
+  Scene stickySpheres = scenes::spheres();
+  stickySpheres.name = "sticky spheres";
+  stickySpheres.mechanics->contact->adhesion = AdhesionParameters{1, {}};
+  stickySpheres.mechanics->physics.motility = MotilityParameters{0.2, 0.3};
+  scenes.push_back(stickySpheres);
   scenes.push_back(scenes::turning());
-  for (Scene single : {scenes::packed(), scenes::thesis(), ring, scenes::spheres()}) {
+  for (Scene single : {scenes::packed(), scenes::thesis(), ring, scenes::spheres(), scenes::sticky(), stickySpheres}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;
     scenes.push_back(single);

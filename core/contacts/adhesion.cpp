@@ -1,0 +1,108 @@
+#include "contacts/adhesion.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "contacts/contacts.h"
+
+namespace morula {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// [1] Area of a vertex at rest over the square of its influence radius.
+double areaOverSquare(const MeshTemplate& mesh, double influence) {
+  double area = 0;
+  for (const auto& [i, j, k] : mesh.mesh.faces) {
+    const Point& p = mesh.mesh.vertices[i];
+    area += 0.5 * norm(cross(mesh.mesh.vertices[j] - p, mesh.mesh.vertices[k] - p));
+  }
+  const double radius = influence * mesh.meanRestLength;
+  return area / (mesh.vertexCount() * radius * radius);
+}
+
+/// S of vertices of these two slots, for W = 1: the same to the bit when they are exchanged.
+double pairFactor(const Contacts& c, const Bodies& b, int i, int j) {
+  const double ri = c.radius[i], rj = c.radius[j];
+  if (b.areSpheres()) return pi * (ri * rj) / (ri + rj);  // their influence radius is the diameter
+  const auto area = [&](int slot, double r) {
+    return c.adhesion.areaOverSquare[b.blocks[slot / blockLanes].meshLevel] * (r * r);
+  };
+  const double inverse = 0.5 * (1 / (ri * ri) + 1 / (rj * rj));  // 1/R²
+  return 24 / pi * (area(i, ri) * area(j, rj)) * (inverse * inverse);
+}
+
+double workOf(const Contacts& c, int i, int j) {
+  const AdhesionKinds& k = c.adhesion.kinds;
+  const double work =
+      k.work.empty() ? c.parameters.adhesion->strength : k.work[k.ofSlot[i] * k.count + k.ofSlot[j]];
+  return k.factor.empty() ? work : work * (0.5 * (k.factor[i] + k.factor[j]));
+}
+
+void fillBlock(Contacts& c, const Bodies& b, int block, VertexNumber far) {
+  const auto slotOf = [&](VertexNumber g) {
+    return c.adhesion.blockOfLine[g / blockLanes] * blockLanes + g % blockLanes;
+  };
+  for (std::int64_t s = c.list.firstSlice[block]; s < c.list.firstSlice[block + 1]; ++s) {
+    const NeighbourSlice& slice = c.list.slices[s];
+    for (int lane = 0; lane < blockLanes; ++lane) {
+      const int own = block * blockLanes + slice.vertex[lane] % blockLanes;
+      int other = -1;  // neighbours are mostly of one cell
+      double strength = 0;
+      for (int k = 0; k < slice.length; ++k) {
+        const std::int64_t at = (slice.start + k) * blockLanes + lane;
+        const VertexNumber g = c.list.indices[at];
+        if (g != far && slotOf(g) != other) {
+          other = slotOf(g);
+          strength = workOf(c, own, other) * pairFactor(c, b, own, other);
+        }
+        c.adhesion.ofPairs[at] = g == far ? 0 : strength;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void resetAdhesion(Contacts& c, const Bodies& b) {
+  if (!c.parameters.adhesion) return;
+  Adhesion& a = c.adhesion;
+  a.blockOfLine.resize(b.lineCount());
+  for (int block = 0; block < b.blockCount(); ++block)
+    std::fill_n(a.blockOfLine.begin() + b.blocks[block].firstLine, b.verticesPerLane(block), block);
+  a.areaOverSquare.clear();
+  for (int level = 0; !b.areSpheres() && level <= static_cast<int>(b.coarser.size()); ++level)
+    a.areaOverSquare.push_back(areaOverSquare(b.meshAt(level), c.parameters.radius));
+  setAdhesionKinds(c, {});
+}
+
+void setAdhesionKinds(Contacts& c, AdhesionKinds kinds) {
+  c.adhesion.kinds = std::move(kinds);
+  c.adhesion.isCurrent = false;
+}
+
+void findPairStrengths(Contacts& c, const Bodies& b, int threads) {
+  c.adhesion.ofPairs.resize(c.list.indices.size());
+  const VertexNumber far = b.lineCount() * blockLanes;
+  parallelFor(b.blockCount(), threads, [&](int block) { fillBlock(c, b, block, far); });
+  c.adhesion.isCurrent = true;
+}
+
+double adhesionStiffness(const Contacts& c, const Bodies& b) {
+  if (!c.parameters.adhesion || b.count == 0) return 0;
+  double work = c.parameters.adhesion->strength;
+  for (const AdhesionPair& pair : c.parameters.adhesion->pairs) work = std::max(work, pair.strength);
+  const auto& factor = c.adhesion.kinds.factor;
+  if (!factor.empty()) work *= *std::max_element(factor.begin(), factor.end());
+  // Of spheres S/δ is at most 4πW, and (1 − u²)² at its steepest 1.54.
+  if (b.areSpheres()) return 1.54 * 4 * pi * work;
+  // Of all pairs that with the most different radii has the largest factor.
+  const auto smaller = [&](int i, int j) { return c.radius[i] < c.radius[j]; };
+  const auto [least, most] = std::minmax_element(b.slots.begin(), b.slots.end(), smaller);
+  return work * std::max({pairFactor(c, b, *least, *most), pairFactor(c, b, *least, *least),
+                          pairFactor(c, b, *most, *most)});
+}
+
+}  // namespace morula

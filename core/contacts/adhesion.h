@@ -1,0 +1,57 @@
+#pragma once
+// Adhesion of cells that touch: how strongly each pair of vertices of the neighbour list sticks together. Both laws'
+// kernels read that number beside the list, one after the other: no look-up and no branch per pair.
+//
+// W is the work that parts two flat surfaces, per area. Surfaces with n_i and n_j vertices per area and a gap g, each
+// pair with the force S g (1 − r²/R²)² of pair_law_kernel.h, attract each other with the pressure
+//
+//   p(g) = n_i n_j S g ∫ (1 − (ρ² + g²)/R²)² 2πρ dρ = n_i n_j S g (πR²/3) (1 − g²/R²)³,   largest at g = 0.38 R
+//   W = ∫ p dg = n_i n_j S πR⁴/24     ⇒     S = (24/π) W a_i a_j/R⁴,   a = 1/n the area of a vertex at rest
+//
+// So W does not depend on the mesh nor on the cells' sizes. With radius 1 and equal cells S = 5.7 W.
+#include <vector>
+
+#include "base/aligned.h"
+#include "physics/bodies.h"
+
+namespace morula {
+
+struct Contacts;
+
+/// Cells that stick to others alike are of one kind. Who knows the cells gives their kinds; without them all
+/// are of kind 0, and stick with AdhesionParameters::strength.
+struct AdhesionKinds {
+  std::vector<int> ofSlot;   // [slot]
+  int count = 1;             // of kinds
+  std::vector<double> work;  // [kind · count + kind] W [force/length], symmetric
+  // [slot] Each cell's own; two cells stick with the mean of theirs. Empty: all are 1.
+  std::vector<double> factor = {};
+};
+
+/// Follows from the cells' kinds, their influence radii and the neighbour list.
+struct Adhesion {
+  AdhesionKinds kinds;
+  AlignedVector<double> ofPairs;  // [as NeighbourList::indices] S [force/length]; of spheres [force]
+  bool isCurrent = false;         // ofPairs
+  // With each set of cells
+  std::vector<int> blockOfLine;       // [line]
+  std::vector<double> areaOverSquare;  // [mesh level] area of a vertex at rest over its influence radius squared
+};
+
+// Spheres attract each other over a gap of an eighth of the sum of their radii.
+constexpr double sphereAdhesionReach = 1.125;
+
+/// To be called when the set of cells has changed. Nothing without adhesion.
+void resetAdhesion(Contacts& contacts, const Bodies& bodies);
+
+/// To be called when cells have changed their kinds, and after resetAdhesion.
+void setAdhesionKinds(Contacts& contacts, AdhesionKinds kinds);
+
+/// Fills Adhesion::ofPairs for the list as it is.
+void findPairStrengths(Contacts& contacts, const Bodies& bodies, int threads);
+
+/// [force/length] The steepest that adhesion of these cells may change with the distance of two vertices, or of two
+/// spheres: counts against the time step as a contact's stiffness does. 0 without adhesion.
+double adhesionStiffness(const Contacts& contacts, const Bodies& bodies);
+
+}  // namespace morula

@@ -1,0 +1,66 @@
+// Connections that are springs, and how many a cell may have.
+#include "catch.h"
+#include "connections/connections.h"
+#include "unit/physics/lab.h"
+
+using namespace morula;
+
+namespace {
+
+const std::vector<CellPath> paths{CellPath::parse("AA"), CellPath::parse("AB"), CellPath::parse("B")};
+
+/// Sum of a spring's forces on two round cells, the second one of `size`, at this distance, along the way between them.
+std::array<Vector, 2> forcesOf(const ConnectionSpring& spring, const Vector& between, double size) {
+  const Mesh ball = makeIcosphere(2);
+  Body one = shakenBody(ball, 0, 0), other = one;
+  for (Point& x : other.position) x = size * x + between;
+  Lab lab(softCell(), ball, {one, other});
+  lab.bodies.volume[0] = 4 * 3.141592653589793 / 3;  // as spheres of these radii
+  lab.bodies.volume[1] = lab.bodies.volume[0] * size * size * size;
+  lab.bodies.acceleration.assign(lab.bodies.acceleration.size(), 0);
+  Connections c;
+  c.parameters.spring = spring;
+  connect(c, paths[0], paths[1], 0);
+  addConnectionForces(c, {paths[0], paths[1]}, lab.bodies);
+  std::array<Vector, 2> sums{};
+  for (int slot : {0, 1})
+    for (int v = 0; v < lab.bodies.vertexCount(); ++v) sums[slot] += lab.force(slot, v);
+  return sums;
+}
+
+}  // namespace
+
+TEST_CASE("A spring pulls cells that are farther apart than at rest, and pushes nearer ones") {
+  const Vector way = Vector{2, -1, 2} / 3.0;
+  // Radii 1 and 0.5, rest 1.2: at rest at 1.8. Stiffness 3.
+  for (const auto& [distance, force] : {std::pair{1.8, 0.0}, {2.8, 3.0}, {1.3, -1.5}}) {
+    const auto [a, b] = forcesOf({3, 1.2}, distance * way, 0.5);
+    CAPTURE(distance);
+    CHECK(norm(a - force * way) < 1e-12);
+    CHECK(norm(a + b) < 1e-12);
+  }
+}
+
+TEST_CASE("Turning two cells turns the spring's force") {
+  const auto along = forcesOf({2, 0.5}, {3, 0, 0}, 1)[0], across = forcesOf({2, 0.5}, {0, 0, -3}, 1)[0];
+  CHECK(along.x == Approx(4));
+  CHECK(across.z == Approx(-along.x));
+  CHECK(norm(along) == Approx(norm(across)));
+}
+
+TEST_CASE("No cell gets more connections than it may have, and room is made by a release") {
+  Connections c;
+  c.parameters.most = 2;
+  const auto cell = [](const char* path) { return CellPath::parse(path); };
+  for (const char* other : {"BA", "BB", "A"}) connect(c, cell("AA"), cell(other), 0);
+  CHECK(partners(c, cell("AA")) == std::vector<CellPath>{cell("BA"), cell("BB")});
+  connect(c, cell("BB"), cell("A"), 0);  // both have room
+  CHECK(areConnected(c, cell("A"), cell("BB")));
+  connect(c, cell("BA"), cell("BB"), 0);  // one has not
+  CHECK_FALSE(areConnected(c, cell("BA"), cell("BB")));
+  connect(c, cell("AA"), cell("BB"), 0);  // holds already
+  CHECK(c.history.size() == 3);
+  release(c, cell("AA"), cell("BA"), 1, "age");
+  connect(c, cell("AA"), cell("A"), 2);
+  CHECK(areConnected(c, cell("AA"), cell("A")));
+}

@@ -1,0 +1,114 @@
+// Adhesion in a living world: by what cells hold now, and what it does to cells that touch.
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+Scene sticking(const std::string& dna, AdhesionParameters adhesion) {
+  Scene scene = scenes::withBodies(dna, 9);
+  scene.mechanics->contact = scenes::pairContact;
+  scene.mechanics->contact->adhesion = std::move(adhesion);
+  scene.mechanics->physics.drag = 5;
+  return scene;
+}
+
+/// W of two cells, as contacts have it.
+double workOf(const World& world, int a, int b) {
+  const AdhesionKinds& k = world.contacts->adhesion.kinds;
+  if (k.work.empty()) return world.contacts->parameters.adhesion->strength;
+  return k.work[k.ofSlot[world.bodies->slots[a]] * k.count + k.ofSlot[world.bodies->slots[b]]];
+}
+
+/// [length²] Over which two cells touch after a while.
+double contactArea(const Scene& scene, double time = 6) {
+  World world = makeWorld(scene);
+  while (world.clock.time < time) step(world);
+  const auto areas = measureContactAreas(*world.contacts, *world.bodies);
+  return areas.empty() ? 0 : areas[0].area;
+}
+
+const std::string resting = "START: a0\ng1(a0|a0)\ng2(red|red)\ng3(red2|red2)\ng4(blue|blue)\n";
+
+}  // namespace
+
+TEST_CASE("The first pair that fits two cells counts, in either order; the default holds for the rest") {
+  Scene scene = sticking(resting, {0.25, {{"red", "red", 1}, {"blue", "red*", 2}, {"red*", "red*", 3}}});
+  double x = 0;
+  for (const char* substance : {"red", "red2", "blue", "a0"})
+    scene.cells.push_back({.at = {x += 5, 0, 0}, .substances = std::vector<std::string>{substance}});
+  const World world = makeWorld(scene);
+  const double expected[4][4] = {
+      {1, 3, 2, 0.25}, {3, 3, 2, 0.25}, {2, 2, 0.25, 0.25}, {0.25, 0.25, 0.25, 0.25}};
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      CAPTURE(a, b);
+      CHECK(workOf(world, a, b) == expected[a][b]);
+    }
+}
+
+TEST_CASE("A cell sticks by what it holds after its cycle, with or without births") {
+  Scene scene = sticking("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1, A)\ng4(a3|a1, B)\ng5(a4|a2)\ng6(a5|a3)\n",
+                         {0, {{"a1", "a1", 1}, {"a2", "a3", 2}, {"a4", "a5", 3}}});
+  World world = makeWorld(scene);
+  std::vector<double> works;
+  for (const double time : {1.5, 2.5, 3.5}) {
+    while (world.clock.time < time) step(world);
+    works.push_back(workOf(world, 0, 1));
+  }
+  CHECK(works == std::vector<double>{1, 2, 3});
+}
+
+TEST_CASE("Cells that stick flatten against each other the more, the stronger") {
+  const auto areaWith = [](AdhesionParameters adhesion) {
+    Scene scene = sticking(resting, std::move(adhesion));
+    for (const char* substance : {"red", "blue"})
+      scene.cells.push_back({.at = {scene.cells.empty() ? -0.96 : 0.96, 0, 0},
+                             .substances = std::vector<std::string>{substance}});
+    return contactArea(scene);
+  };
+  const double none = areaWith({0, {}}), some = areaWith({1, {}}), more = areaWith({2, {}});
+  CHECK(some > none + 0.1);
+  CHECK(more > 1.2 * some);
+  CHECK(areaWith({0, {{"red", "blue", 2}}}) == more);  // the same bits
+  CHECK(areaWith({2, {{"blue", "red", 0}}}) == none);
+}
+
+TEST_CASE("Without crawling and drag, cells that stick keep their momentum") {
+  Scene scene = sticking(resting, {2, {}});
+  scene.mechanics->physics.drag = 0;
+  scene.cells = {{.at = {-0.97, 0, 0}, .velocity = {0.2, 0.1, 0}}, {.at = {0.97, 0.2, 0}}};
+  World world = makeWorld(scene);
+  const auto momentum = [&] {
+    Vector sum;
+    for (int slot : world.bodies->slots)
+      for (int v = 0; v < world.bodies->vertexCount(); ++v)
+        sum += world.bodies->vertexMass[slot] * world.bodies->read(world.bodies->velocity, slot, v);
+    return sum;
+  };
+  const Vector before = momentum();
+  while (world.clock.time < 2) step(world);
+  CHECK(norm(momentum() - before) < 1e-12);
+}
+
+TEST_CASE("Spheres in contact lie as deep in each other as adhesion and stiffness balance") {
+  // 2πW R* = K depth, R* = ½ for two balls of radius 1.
+  Scene scene = sticking(resting, {1.5, {}});
+  scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
+  scene.cells = {{.at = {-1.05, 0, 0}}, {.at = {1.05, 0, 0}}};  // apart, and within reach
+  World world = makeWorld(scene);
+  while (world.clock.time < 9) step(world);
+  const double distance = norm(centreOf(world, "A") - centreOf(world, "B"));
+  CHECK(2 - distance == Approx(3.141592653589793 * 1.5 / 30).epsilon(1e-3));
+}
+
+TEST_CASE("Strong adhesion shortens the automatic time step, and weak does not") {
+  const auto limitWith = [](double work) {
+    Scene scene = sticking(resting, {work, {}});
+    scene.cells = {{.at = {-0.96, 0, 0}}, {.at = {0.96, 0, 0}}};
+    return timeStepLimit(makeWorld(scene));
+  };
+  CHECK(limitWith(1) == limitWith(0));
+  CHECK(limitWith(30) < 0.8 * limitWith(0));
+}

@@ -1,0 +1,194 @@
+// More ways to make connections, to hand them on and to end them.
+#include <set>
+
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+Scene connected(const std::string& dna, const ConnectionParameters& parameters) {
+  Scene scene = scenes::withBodies(dna, 9);
+  scene.mechanics->contact = scenes::pairContact;
+  scene.mechanics->division.otherwise = {DivisionPlane::axis, {1, 0, 0}};
+  scene.mechanics->connections = parameters;
+  scene.mechanics->physics.drag = 5;
+  return scene;
+}
+
+ConnectionParameters with(MakeConnections make, ConnectionsOnDivision onDivision) {
+  ConnectionParameters p;
+  p.make = make;
+  p.onDivision = onDivision;
+  p.strength = 0.05;
+  return p;
+}
+
+std::set<std::string> pairsOf(const World& world) {
+  std::set<std::string> pairs;
+  for (std::size_t i : world.connections->active) {
+    const ConnectionRecord& r = world.connections->history[i];
+    pairs.insert(r.a.text() + "-" + r.b.text());
+  }
+  return pairs;
+}
+
+/// Of every cell, by number.
+std::multiset<int> countsOf(const World& world) {
+  std::multiset<int> counts;
+  for (const CellPath& path : world.cells.path)
+    counts.insert(static_cast<int>(partners(*world.connections, path).size()));
+  return counts;
+}
+
+/// Balls at these places that never run a cycle.
+World ballsAt(Scene scene, const std::vector<Vector>& places) {
+  Body ball = shakenBody(scene.mechanics->mesh, 0, 0);
+  ball.pressureConstant = 200;
+  std::vector<Body> cells(places.size(), ball);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (Point& x : cells[i].position) x += places[i];
+  return worldOf(scene, cells);
+}
+
+using enum CellChange;
+
+}  // namespace
+
+TEST_CASE("Daughter A takes all: four rounds make a cyst of sixteen cells with 4, 3, 2 and 1 bridges") {
+  // Each cell keeps its bridges and makes one with each daughter it gives off: a binomial tree
+  // [Spradling 1993; de Cuevas & Spradling 1998].
+  World world =
+      makeWorld(connected(scenes::everybodyDivides, with(MakeConnections::atDivision, ConnectionsOnDivision::a)));
+  while (world.cells.path.size() < 16) step(world);
+  CHECK(countsOf(world) == std::multiset<int>{1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 4, 4});
+  CHECK(world.connections->active.size() == 15);
+  CHECK(pairsOf(world).contains("AAAA-BAAA"));
+}
+
+TEST_CASE("Nearest: each connection goes to the daughter whose centre is nearer, whoever else divides") {
+  const ConnectionParameters p = with(MakeConnections::byGene, ConnectionsOnDivision::nearest);
+  // Three in a row, cut across x, A on its larger side: AA at 0, AB at 1.9, B at 4 … and one aside of AA.
+  const auto after = [&](const std::vector<CellChange>& changes) {
+    World world = ballsAt(connected(scenes::everybodyDivides, p), {{0, 0, 0}, {1.95, 0, 0}, {4, 0, 0}});
+    REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA"});
+    connect(*world.connections, CellPath::parse("AA"), CellPath::parse("AB"), 0);
+    connect(*world.connections, CellPath::parse("AB"), CellPath::parse("BA"), 0);
+    changePopulation(world, Observation(world), changes);
+    return pairsOf(world);
+  };
+  CHECK(after({none, divides, none}) == std::set<std::string>{"AA-ABB", "ABA-BA"});
+  CHECK(after({divides, divides, divides}) == std::set<std::string>{"AAA-ABB", "ABA-BAB"});
+  // At the same place the plane decides alike, and with a cut off the middle it need not.
+}
+
+TEST_CASE("The nearest daughter may lie on the plane's other side") {
+  struct CapOff final : DivisionPolicy {
+    Cut findCut(const CellContext&) const override { return {{0.6, 0, 0}, {1, 0, 0}}; }
+  };
+  const Mesh ball = makeIcosphere(3);
+  for (const auto policy : {ConnectionsOnDivision::plane, ConnectionsOnDivision::nearest}) {
+    Scene scene = connected(scenes::everybodyDivides, with(MakeConnections::byGene, policy));
+    scene.mechanics->mesh = ball;
+    World world = ballsAt(scene, {{}, {0.5, 2.1, 0}});  // beside the cap, on the large daughter's side
+    world.divisionPolicy = std::make_unique<CapOff>();
+    connect(*world.connections, CellPath::parse("A"), CellPath::parse("B"), 0);
+    changePopulation(world, Observation(world), {divides, none});
+    const bool nearest = policy == ConnectionsOnDivision::nearest;
+    CHECK(pairsOf(world) == std::set<std::string>{nearest ? "AA-B" : "AB-B"});
+  }
+}
+
+TEST_CASE("By contact: cells that touch connect at a cycle, without a gene that asks for it") {
+  World world = ballsAt(connected(scenes::everybodyDivides,
+                                  with(MakeConnections::byContact, ConnectionsOnDivision::plane)),
+                        {{}, {1.8, 0, 0}, {3.6, 0, 0}, {9, 0, 0}});
+  connectNeighbours(world, Observation(world), {none, none, none, none});
+  CHECK(pairsOf(world).empty());
+  connectNeighbours(world, Observation(world), {cycled, none, none, cycled});
+  CHECK(pairsOf(world) == std::set<std::string>{"AA-AB"});
+  connectNeighbours(world, Observation(world), {none, cycled, none, none});
+  CHECK(pairsOf(world) == std::set<std::string>{"AA-AB", "AB-BA"});
+}
+
+TEST_CASE("By contact: a gene that produces release keeps cells apart, and ends what holds") {
+  const auto after = [](const std::string& gene) {
+    Scene scene = connected("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1)\ng4(a2|a2)\n" + gene,
+                            with(MakeConnections::byContact, ConnectionsOnDivision::plane));
+    scene.mechanics->physics.shell = ShellParameters{{1, 1, 1}};
+    World world = makeWorld(scene);
+    while (world.clock.time < 3.02) step(world);
+    return pairsOf(world).size();
+  };
+  CHECK(after("") == 1);
+  CHECK(after("g5(release|a1)\n") == 1);  // at 2 it does not, at 3 it does again
+  CHECK(after("g5(release|a2)\n") == 0);
+}
+
+TEST_CASE("Pairs: only cells that touch and hold the two substances connect, whichever holds which") {
+  const auto after = [](std::vector<ConnectedPair> pairs) {
+    ConnectionParameters p = with(MakeConnections::pairs, ConnectionsOnDivision::plane);
+    p.pairs = std::move(pairs);
+    Scene scene = connected("START: red1\ng1(red1|red1)\ng2(blue|blue)\ng3(green|green)\n", p);
+    int i = 0;
+    for (const char* substance : {"red1", "blue", "green", "red1"})
+      scene.cells.push_back({.at = {1.8 * i++, 0, 0}, .substances = std::vector<std::string>{substance}});
+    World world = makeWorld(scene);
+    REQUIRE(pathsOf(world) == std::vector<std::string>{"AA", "AB", "BA", "BB"});
+    connectNeighbours(world, Observation(world), {cycled, cycled, cycled, cycled});
+    return pairsOf(world);
+  };
+  CHECK(after({{"red1", "blue"}}) == std::set<std::string>{"AA-AB"});
+  CHECK(after({{"blue", "red*"}}) == std::set<std::string>{"AA-AB"});
+  CHECK(after({{"red1", "red1"}}).empty());
+  CHECK(after({{"green", "*"}}) == std::set<std::string>{"AB-BA", "BA-BB"});
+}
+
+TEST_CASE("A connection ends by age and by tension, and the cause is on record") {
+  const auto causeAfter = [](const ConnectionParameters& p, double distance) {
+    Scene scene = connected(scenes::everybodyDivides, p);
+    scene.mechanics->contact.reset();
+    World world = ballsAt(scene, {{}, {distance, 0, 0}});
+    connect(*world.connections, CellPath::parse("A"), CellPath::parse("B"), 0);
+    const double end = 0.2;
+    while (world.clock.time < end) step(world);
+    return std::pair{std::string(world.connections->history[0].cause), world.connections->history[0].released};
+  };
+  ConnectionParameters p = with(MakeConnections::atDivision, ConnectionsOnDivision::plane);
+  CHECK(causeAfter(p, 2.5).first == "");
+  p.releaseAge = 0.1;
+  CHECK(causeAfter(p, 2.5).first == "age");
+  CHECK(causeAfter(p, 2.5).second == Approx(0.1).margin(0.01));
+  p.strength.reset();
+  p.releaseAge.reset();
+  p.spring = ConnectionSpring{2, 1};
+  p.releaseTension = 1;  // radii are near 0.95: at rest at 1.9
+  CHECK(causeAfter(p, 2.2).first == "");
+  CHECK(causeAfter(p, 2.6).first == "tension");
+  CHECK(causeAfter(p, 1.2).first == "");  // pushed
+}
+
+TEST_CASE("A cell may have so many connections that the sisters' own is left out, which comes last") {
+  ConnectionParameters p = with(MakeConnections::atDivision, ConnectionsOnDivision::a);
+  p.most = 2;
+  World world = makeWorld(connected(scenes::everybodyDivides, p));
+  while (world.cells.path.size() < 8) step(world);
+  for (const int count : countsOf(world)) CHECK(count <= 2);
+  // Two rounds make the chain AB-AA-BA-BB; in the third its inner cells have no place for a daughter.
+  CHECK(pairsOf(world) == std::set<std::string>{"AAA-ABA", "AAA-BAA", "BAA-BBA", "ABA-ABB", "BBA-BBB"});
+}
+
+TEST_CASE("Springs between cells count against the time step") {
+  ConnectionParameters p = with(MakeConnections::atDivision, ConnectionsOnDivision::plane);
+  p.strength.reset();
+  p.spring = ConnectionSpring{1, 1};
+  const auto limitWith = [&](double stiffness) {
+    p.spring->stiffness = stiffness;
+    Scene scene = connected(scenes::everybodyDivides, p);
+    scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
+    scene.mechanics->contact.reset();
+    return timeStepLimit(makeWorld(scene));
+  };
+  CHECK(limitWith(400) == Approx(limitWith(100) / 2).epsilon(0.1));
+}
