@@ -241,6 +241,7 @@ SavedState readState(FieldReader& in, const World& world) {
   if (world.bodies) read.world.bodies = *world.bodies;
   if (world.contacts) read.world.contacts.emplace();
   if (world.connections) read.world.connections.emplace();
+  if (world.birthSizes) read.world.birthSizes.emplace();
   visitState(read.world, StateReader(in, *world.biology, read));
   in.end();
   return read;
@@ -252,6 +253,7 @@ void takeOver(World& world, SavedState&& s) {
   world.lineage = std::move(s.world.lineage);
   world.timeSteps = std::move(s.world.timeSteps);
   world.divisions = std::move(s.world.divisions);
+  if (world.birthSizes) world.birthSizes = std::move(s.world.birthSizes);
   if (world.bodies) world.bodies = std::move(s.world.bodies);
   if (world.contacts) restoreContacts(s.contacts, world);
   if (world.connections) {

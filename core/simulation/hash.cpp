@@ -79,6 +79,7 @@ struct PartHasher {
   // These tell of the way, or follow from positions.
   void operator()(const char*, const std::vector<TimeStepChange>&) {}
   void operator()(const char*, const std::vector<DivisionRecord>&) {}
+  void operator()(const char*, const std::vector<BirthSize>&) {}
   void operator()(const char*, const Contacts&) {}
 
   template <class Record>

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "division/principal_axis.h"
 #include "mesh/measures.h"
+#include "physics/growth.h"
 #include "simulation/body_measures.h"
 
 namespace morula {
@@ -64,6 +66,12 @@ const DivisionRecord* Observation::divisionOf(const CellPath& mother) const {
   return at != divisionByPath_.end() && all[*at].path == mother ? &all[*at] : nullptr;
 }
 
+const Point& Observation::centreOf(int number) const {
+  if (centres_.empty())
+    for (int slot : world.bodies->slots) centres_.push_back(measureCentre(*world.bodies, slot));
+  return centres_[number];
+}
+
 BodyUnit::BodyUnit(const Observation& observation, int slot)
     : observation_(observation), bodies_(*observation.world.bodies), slot_(slot) {}
 
@@ -121,6 +129,49 @@ const CellContext* ObservedCell::sister() const {
 
 const DivisionRecord* ObservedCell::motherDivision() const {
   return path.isEgg() ? nullptr : observation_.divisionOf(path.mother());
+}
+
+std::span<const CellContext* const> ObservedCell::connectedCells() const {
+  if (!connected_) {
+    connected_.emplace();
+    const World& world = observation_.world;
+    if (world.connections)
+      for (const CellPath& other : partners(*world.connections, path))
+        connected_->push_back(&observation_.cell(cellNumber(world.cells, other)));
+  }
+  return *connected_;
+}
+
+std::span<const OtherCell> ObservedCell::otherCells() const {
+  if (!others_) {
+    others_.emplace();
+    const int count = observation_.world.bodies ? static_cast<int>(observation_.world.cells.path.size()) : 0;
+    for (int other = 0; other < count; ++other)
+      if (other != number_)
+        others_->push_back({&observation_.cell(other),
+                            norm(observation_.centreOf(other) - observation_.centreOf(number_))});
+  }
+  return *others_;
+}
+
+double ObservedCell::shellShare() const {
+  if (!observation_.world.bodies || !observation_.world.bodies->parameters.shell) return 0;
+  return measureShellShare(physical()->getShape(), *observation_.world.bodies->parameters.shell);
+}
+
+double ObservedCell::elongation() const {
+  if (!observation_.world.bodies) return 1;
+  const BodyShape& shape = physical()->getShape();
+  return shape.isBall ? 1 : extentRatio(shape.surface.vertices);
+}
+
+double ObservedCell::size() const {
+  return observation_.world.bodies ? sizeAtRest(*observation_.world.bodies, slot()) : 1;
+}
+
+double ObservedCell::sizeAtBirth() const {
+  const auto& sizes = observation_.world.birthSizes;
+  return sizes ? (*sizes)[number_].size : 0;
 }
 
 }  // namespace morula

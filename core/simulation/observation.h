@@ -44,6 +44,8 @@ class Observation {
   double meshVolume(int meshLevel) const;
   /// Null if no division made daughters of this cell.
   const DivisionRecord* divisionOf(const CellPath& mother) const;
+  /// [length] The mean of a cell's vertices; the world has bodies.
+  const Point& centreOf(int number) const;
 
   /// How often something was measured, so far.
   struct Counts {
@@ -61,6 +63,7 @@ class Observation {
   mutable std::vector<Contact> contactsByCell_;
   mutable std::vector<double> meshVolumes_;            // [meshLevel]
   mutable std::vector<std::uint32_t> divisionByPath_;  // places in world.divisions
+  mutable std::vector<Point> centres_;                 // [cell]; empty: not measured
 };
 
 /// A body as an observation sees it.
@@ -90,6 +93,12 @@ class ObservedCell final : public CellContext {
   std::span<const Neighbour> neighbours() const override;
   const CellContext* sister() const override;
   const DivisionRecord* motherDivision() const override;
+  std::span<const CellContext* const> connectedCells() const override;
+  std::span<const OtherCell> otherCells() const override;
+  double shellShare() const override;
+  double elongation() const override;
+  double size() const override;
+  double sizeAtBirth() const override;
 
   /// Its number among the living, and where its body is, if it has one.
   int number() const { return number_; }
@@ -100,6 +109,8 @@ class ObservedCell final : public CellContext {
   int number_;
   mutable std::optional<BodyUnit> body_;
   mutable std::optional<std::vector<Neighbour>> neighbours_;
+  mutable std::optional<std::vector<const CellContext*>> connected_;
+  mutable std::optional<std::vector<OtherCell>> others_;
 };
 
 }  // namespace morula

@@ -42,6 +42,7 @@ struct Scene {
   StopParameters stop;
   std::optional<MechanicsScene> mechanics;  // absent: lineage only
   std::vector<StartCell> cells;             // that live at time 0; none: one egg at the origin
+  std::vector<SenseParameters> senses;      // by substance, each once
 };
 
 }  // namespace morula

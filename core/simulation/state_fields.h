@@ -92,6 +92,12 @@ void visitFields(T& division, auto&& visit) {
   visit(Field{"extent ratio", "", Use::saved}, extentRatio);
 }
 
+template <IsA<BirthSize> T>
+void visitFields(T& birth, auto&& visit) {
+  auto& [size] = birth;
+  visit(Field{"size", "", Use::saved}, size);
+}
+
 template <IsA<ConnectionRecord> T>
 void visitFields(T& connection, auto&& visit) {
   auto& [a, b, made, released, cause] = connection;
@@ -150,7 +156,7 @@ void visitBody(const Bodies& bodies, int slot, auto&& visit) {
 template <IsA<World> W>
 void visitState(W& world, auto&& visit) {
   auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts,
-         connections, lineage, timeSteps, divisions, before] = world;
+         connections, lineage, timeSteps, divisions, birthSizes, before] = world;
   visit("clock", clock);
   visit("cells", cells);
   visit("lineage", lineage.entries);
@@ -161,6 +167,7 @@ void visitState(W& world, auto&& visit) {
   }
   if (contacts) visit("contacts", *contacts);
   if (connections) visit("connections", connections->history);
+  if (birthSizes) visit("birth sizes", *birthSizes);
 }
 
 }  // namespace morula

@@ -110,6 +110,7 @@ class Comparison {
   // They tell of the way, or follow from positions.
   void operator()(const char*, const std::vector<TimeStepChange>&) {}
   void operator()(const char*, const std::vector<DivisionRecord>&) {}
+  void operator()(const char*, const std::vector<BirthSize>&) {}
   void operator()(const char*, const Contacts&) {}
 
   std::optional<StateDifference> first() const {

@@ -6,6 +6,7 @@
 #include "biology/substances.h"
 #include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
+#include "scenario/scene_checks.h"
 #include "scenario/value_types.h"
 #include "simulation/world.h"
 #include "yaml/numbers.h"
@@ -14,10 +15,38 @@ namespace morula::scenario {
 
 namespace {
 
+/// The parameter's value, or that of the innermost map that is given; `whole`: whether it is the parameter's.
+const Node& innermost(const Node& root, const std::string& path, bool& whole) {
+  const Node* node = &root;
+  for (std::size_t begin = 0; begin < path.size();) {
+    const auto end = std::min(path.find('.', begin), path.size());
+    const auto* member = node->find(path.substr(begin, end - begin));
+    whole = member != nullptr;
+    if (!member) break;
+    node = &member->value;
+    begin = end + 1;
+  }
+  return *node;
+}
+
+}  // namespace
+
+Place placeOf(const Node& root, const std::string& path) {
+  bool whole = true;
+  return innermost(root, path, whole).place;
+}
+
+namespace {
+
+/// Where a name may be a beginning and '*'.
+bool mayBePattern(const std::string& path) {
+  return path == "colours" || path.starts_with("cycle.") || path.starts_with("senses.");
+}
+
 void checkSubstances(const Dna& dna, Reading& reading) {
   if (dna.substances.empty()) return;  // it could not be read, which has been said
   for (const auto& use : reading.substances) {
-    const bool pattern = use.path == "colours" && use.name.back() == '*';
+    const bool pattern = mayBePattern(use.path) && use.name.back() == '*';
     const auto beginning = use.name.substr(0, use.name.size() - (pattern ? 1 : 0));
     const auto fits = [&](const std::string& s) {
       return pattern ? s.starts_with(beginning) : s == beginning;
@@ -35,31 +64,11 @@ void checkSubstances(const Dna& dna, Reading& reading) {
   }
 }
 
-/// The parameter's value, or that of the innermost map that is given; `whole`: whether it is the parameter's.
-const Node& innermost(const Node& root, const std::string& path, bool& whole) {
-  const Node* node = &root;
-  for (std::size_t begin = 0; begin < path.size();) {
-    const auto end = std::min(path.find('.', begin), path.size());
-    const auto* member = node->find(path.substr(begin, end - begin));
-    whole = member != nullptr;
-    if (!member) break;
-    node = &member->value;
-    begin = end + 1;
-  }
-  return *node;
-}
-
 /// The parameter's value, or else null.
 const Node* given(const Node& root, const std::string& path) {
   bool whole = true;
   const Node& node = innermost(root, path, whole);
   return whole ? &node : nullptr;
-}
-
-/// The place of a parameter's value, or of the innermost map that is given.
-Place placeOf(const Node& root, const std::string& path) {
-  bool whole = true;
-  return innermost(root, path, whole).place;
 }
 
 /// [1] How far out the egg's shape reaches, in its radii. An icosphere counts as the sphere that it stands
@@ -254,7 +263,9 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkSpheres(scenario, reading, root);
     checkConnections(scenario, reading, root);
     checkBullet(scenario, reading, root);
+    checkDivisionSize(scenario, reading, root);
   }
+  checkSenses(scenario, reading, root);
   checkInterval("record.every", scenario.record.every, 1e7, "samples", scenario, reading, root);
   checkInterval("record.pictures", scenario.record.pictures, 1e5, "pictures", scenario, reading, root);
   if (scenario.record.pictures && !scenario.scene.mechanics)

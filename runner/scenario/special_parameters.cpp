@@ -7,9 +7,6 @@
 
 namespace morula::scenario {
 
-namespace {
-
-/// Reads a map that has exactly one key, of those that are known; null and a problem otherwise.
 const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
                        const std::string& allowed, Problems& problems) {
   const Member* found = nullptr;
@@ -27,6 +24,8 @@ const Member* readOnly(const Node& node, const std::string& path, const std::vec
   if (node.members.empty()) problems.add(node.place, path, "is empty", "needs " + allowed);
   return found;
 }
+
+namespace {
 
 /// "a or b"; "a, b, or c".
 std::string inWords(const std::vector<std::string>& choices) {
@@ -92,6 +91,43 @@ Parameter dna() {
       text +=
           gene.name + "(" + dna.substances[gene.product] + "|" + list(gene.inputs, gene.repressors) + ")\n";
     return Json(text);
+  };
+  return p;
+}
+
+Parameter divisionSize() {
+  Parameter p;
+  p.path = "division.size";
+  p.allowed = "timer, {sizer: 0.8}, or {adder: 0.3}, with any number > 0";
+  p.meaning =
+      "The size at which a cell may divide, of its volume at rest over the egg's: when it is time (timer), once it has "
+      "this size (sizer), or has gained so much since its birth (adder). A cell whose cycle is due, and would make it "
+      "divide, waits for that; needs growth";
+  p.later = true;
+  p.absent = "timer";
+  Json forms = Json::array({{{"const", "timer"}}});
+  for (const char* rule : {"sizer", "adder"})
+    forms.push_back({{"type", "object"},
+                     {"properties", {{rule, numberSchema(positive)}}},
+                     {"required", {rule}},
+                     {"additionalProperties", false}});
+  p.schema = {{"oneOf", forms}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    if (node.kind == Node::Kind::scalar && node.text == "timer") return;
+    if (node.kind != Node::Kind::map) return refuse(node, path, allowed, reading.problems);
+    const Member* given = readOnly(node, path, {"sizer", "adder"}, allowed, reading.problems);
+    if (!given) return;
+    const auto size = readReal(given->value, positive, path + "." + given->key, numberAllowed(positive, ""),
+                               reading.problems);
+    const bool sizer = given->key == "sizer";
+    if (size)
+      s.scene.cycle.divisionSize =
+          DivisionSize{sizer ? DivisionSize::Rule::sizer : DivisionSize::Rule::adder, *size};
+  };
+  p.write = [](const Scenario& s) {
+    const auto& size = s.scene.cycle.divisionSize;
+    if (!size) return Json();
+    return Json{{size->rule == DivisionSize::Rule::sizer ? "sizer" : "adder", size->size}};
   };
   return p;
 }

@@ -24,7 +24,7 @@ Parameter timePerSubstance(std::string path, std::string meaning,
   Parameter p;
   p.path = std::move(path);
   p.unit = "time";
-  p.allowed = "a map of substances to numbers > 0 [time]";
+  p.allowed = "a map of substances, or beginnings of names and '*', to numbers > 0 [time]";
   p.meaning = std::move(meaning);
   p.schema = {{"type", "object"}, {"additionalProperties", numberSchema(positive)}};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {

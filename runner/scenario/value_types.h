@@ -79,10 +79,19 @@ Parameter divisionPlane();
 /// What division.plane may be, in words.
 std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();
+/// What a section `senses` holds, and the tables that explain it.
+Parameter senses();
+std::string sensesAsMarkdown();
+/// division.size.
+Parameter divisionSize();
 Parameter saneEnd();
 Parameter becauseText();
 
 // For the kinds themselves.
+
+/// Reads a map that has exactly one key, of those that are known; null and a problem otherwise.
+const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
+                       const std::string& allowed, Problems& problems);
 
 /// Says that the node is empty or of another kind than is allowed; nothing where it could not be read at all,
 /// which has been said.

@@ -19,7 +19,7 @@ CREATE TABLE run (
   run_id        TEXT PRIMARY KEY,   -- from scenario_hash, seed and build_id: the same computation, the same id
   scenario      TEXT NOT NULL,
   seed          INTEGER NOT NULL,   -- two's complement from 2^63 on
-  status        TEXT NOT NULL MORULA_CHECK (status IN ('running', 'done', 'failed', 'killed')),
+  status        TEXT NOT NULL CHECK (status IN ('running', 'done', 'failed', 'killed')),
   state_hash    TEXT,               -- of the final state, all bits; NULL unless done
   started       TEXT NOT NULL,      -- UTC
   ended         TEXT,               -- NULL while running
@@ -32,7 +32,7 @@ CREATE TABLE run (
   version       TEXT NOT NULL,
   sources       TEXT NOT NULL,      -- digest of the program's sources
   git_commit    TEXT NOT NULL,
-  git_state     TEXT NOT NULL MORULA_CHECK (git_state IN ('clean', 'modified', 'unknown')),
+  git_state     TEXT NOT NULL CHECK (git_state IN ('clean', 'modified', 'unknown')),
   compiler      TEXT NOT NULL,
   flags         TEXT NOT NULL,
   target        TEXT NOT NULL,
@@ -65,7 +65,7 @@ CREATE TABLE cell (
   parent     TEXT,                  -- NULL for the egg
   born       REAL NOT NULL,
   ended      REAL,                  -- NULL while alive
-  fate       TEXT NOT NULL MORULA_CHECK (fate = 'divided' OR fate = 'died' OR fate = 'alive'),
+  fate       TEXT NOT NULL CHECK (fate = 'divided' OR fate = 'died' OR fate = 'alive'),
   state      TEXT NOT NULL,         -- its last substances, sorted, separated by spaces
   name       TEXT,
   born_step  INTEGER NOT NULL,
@@ -142,11 +142,11 @@ CREATE TABLE check_result (
   run_id             TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
   number             INTEGER NOT NULL,
   "check"            TEXT NOT NULL,
-  kind               TEXT NOT NULL MORULA_CHECK (kind IN ('golden', 'bullet', 'invariant')),
+  kind               TEXT NOT NULL CHECK (kind IN ('golden', 'bullet', 'invariant')),
   expected           TEXT NOT NULL,
   actual             TEXT NOT NULL,
   tolerance          TEXT NOT NULL,
-  passed             INTEGER NOT NULL MORULA_CHECK (passed IN (0, 1)),
+  passed             INTEGER NOT NULL CHECK (passed IN (0, 1)),
   class              TEXT NOT NULL, -- '' when passed
   first_step         INTEGER,
   cell               TEXT,
@@ -242,11 +242,11 @@ CREATE TABLE check_result_4 (
   run_id             TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
   number             INTEGER NOT NULL,
   "check"            TEXT NOT NULL,
-  kind               TEXT NOT NULL MORULA_CHECK (kind IN ('golden', 'bullet', 'invariant', 'sanity')),
+  kind               TEXT NOT NULL CHECK (kind IN ('golden', 'bullet', 'invariant', 'sanity')),
   expected           TEXT NOT NULL,
   actual             TEXT NOT NULL,
   tolerance          TEXT NOT NULL,
-  passed             INTEGER NOT NULL MORULA_CHECK (passed IN (0, 1)),
+  passed             INTEGER NOT NULL CHECK (passed IN (0, 1)),
   class              TEXT NOT NULL, -- '' when passed
   first_step         INTEGER,
   cell               TEXT,
