@@ -98,7 +98,7 @@ inline Scene ellipsoid() {
   s.mechanics->physics.shell = ShellParameters{{1.2, 1, 0.96}};
   s.mechanics->physics.drag = 0.5;
   s.mechanics->contact = pairContactWithFriction;
-  s.mechanics->division.plane = DivisionPlane::random;
+  s.mechanics->division.otherwise.plane = DivisionPlane::random;
   s.mechanics->connections =
       ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, {}};
   s.stop.time = 3.5;
@@ -144,7 +144,7 @@ inline Scene spheres() {
   p.drag = 2;
   p.shell = ShellParameters{{1.2, 1, 0.96}};
   s.mechanics->contact = pairContactWithFriction;
-  s.mechanics->division.plane = DivisionPlane::random;
+  s.mechanics->division.otherwise.plane = DivisionPlane::random;
   s.mechanics->connections =
       ConnectionParameters{MakeConnections::atDivision, ConnectionsOnDivision::plane, 0.2, 1.6};
   s.stop.time = 4.5;

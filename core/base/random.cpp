@@ -3,6 +3,7 @@
 #include <Random123/philox.h>
 
 #include "base/hash.h"
+#include "base/maths.h"
 
 namespace morula {
 
@@ -20,10 +21,18 @@ std::array<std::uint32_t, 4> randomWords(const Draw& draw, std::uint32_t number)
   return {out[0], out[1], out[2], out[3]};
 }
 
+namespace {
+
+/// In [0, 1).
+double unitOf(std::uint32_t high, std::uint32_t low) {
+  return static_cast<double>((std::uint64_t{high} << 32 | low) >> 11) * 0x1p-53;
+}
+
+}  // namespace
+
 double randomUnit(const Draw& draw, std::uint32_t number) {
   const auto w = randomWords(draw, number);
-  const std::uint64_t bits = (std::uint64_t{w[0]} << 32 | w[1]) >> 11;
-  return static_cast<double>(bits) * 0x1p-53;
+  return unitOf(w[0], w[1]);
 }
 
 Vector randomDirection(const Draw& draw) {
@@ -33,6 +42,17 @@ Vector randomDirection(const Draw& draw) {
     if (s >= 1) continue;
     const double root = 2 * std::sqrt(1 - s);
     return {u * root, v * root, 1 - 2 * s};
+  }
+}
+
+double randomNormal(const Draw& draw, std::uint32_t number) {
+  for (std::uint32_t attempt = 0;; ++attempt) {
+    const auto w = randomWords(draw, number << 8 | (attempt & 0xFF));  // 256 failures in a row: never
+    const double u = 2 * unitOf(w[0], w[1]) - 1, v = 2 * unitOf(w[2], w[3]) - 1;
+    const double s = u * u + v * v;
+    if (!(s > 0 && s < 1)) continue;
+    const double deviate = u * std::sqrt(-2 * naturalLog(s) / s);
+    if (deviate >= -largestDeviate && deviate <= largestDeviate) return deviate;
   }
 }
 

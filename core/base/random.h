@@ -10,7 +10,15 @@
 
 namespace morula {
 
-enum class Purpose : std::uint32_t { divisionPlane = 1, perturbation = 2, test = 3 };
+enum class Purpose : std::uint32_t {  // part of what a seed means: new ones stand behind the others
+  divisionPlane = 1,
+  perturbation = 2,
+  test = 3,
+  tilt = 4,
+  cycleVariation = 5,
+  shareVariation = 6,
+  startVariation = 7,
+};
 
 struct Draw {
   std::uint64_t seed = 0;
@@ -27,5 +35,13 @@ double randomUnit(const Draw& draw, std::uint32_t number);
 
 /// Uniform on the unit sphere, by rejection [Marsaglia 1972]: only + − × and square roots.
 Vector randomDirection(const Draw& draw);
+
+/// The most that a normal deviate is away from 0.
+constexpr double largestDeviate = 3;
+
+/// A deviate of the normal distribution with mean 0 and standard deviation 1 that lies within ±3; one farther out is
+/// drawn anew, so that nothing ever strays without bound (the standard deviation of what is left is 0.9866). By the
+/// polar method [Marsaglia & Bray 1964]: s = u² + v² in (0, 1), u √(−2 ln s / s). `number` below 2²⁴.
+double randomNormal(const Draw& draw, std::uint32_t number = 0);
 
 }  // namespace morula

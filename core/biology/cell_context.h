@@ -49,7 +49,7 @@ class CellContext {
   /// How its mother was cut; null for a cell that no division made, and in a lineage-only scene.
   virtual const DivisionRecord* motherDivision() const { return nullptr; }
   /// The cells that it is connected to, by path; none in a scene without connections.
-  virtual std::span<const CellContext* const> connectedCells() const { return {}; }
+  virtual std::span<const CellContext* const> connected() const { return {}; }
   /// All other living cells, by path; none in a lineage-only scene.
   virtual std::span<const OtherCell> otherCells() const { return {}; }
   /// [1] The share of its surface that lies on the shell: a vertex there stands for a third of the area of its

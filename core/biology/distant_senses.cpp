@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "biology/decay.h"
+#include "base/maths.h"
 #include "biology/sense.h"
 
 namespace morula {
@@ -23,7 +23,7 @@ double nearest(const CellContext& cell, const SenseParameters&, const CountsCell
 double concentration(const CellContext& cell, const SenseParameters& sense, const CountsCell& counts) {
   double sum = 0;
   for (const OtherCell& other : cell.otherCells())
-    if (counts(*other.cell)) sum += decay(other.distance / *sense.number) / other.distance;
+    if (counts(*other.cell)) sum += exponential(-other.distance / *sense.number) / other.distance;
   return sum;
 }
 

@@ -8,6 +8,7 @@
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "biology/sense.h"
+#include "biology/substance_pattern.h"
 #include "biology/substances.h"
 
 namespace morula {
@@ -125,10 +126,10 @@ std::vector<double> LogicalDna::paceBySubstance(const std::map<std::string, doub
   std::vector<double> pace(names_.size(), std::numeric_limits<double>::infinity());
   for (const auto& [pattern, length] : lengths) {
     MORULA_CHECK(length > 0, "time between cell cycles");
-    bool fits = false;
+    bool isMeant = false;
     for (std::size_t s = 0; s < names_.size(); ++s)
-      if (fitsPattern(names_[s], pattern)) pace[s] = std::min(pace[s], length), fits = true;
-    if (fits) continue;
+      if (fits(pattern, names_[s])) pace[s] = std::min(pace[s], length), isMeant = true;
+    if (isMeant) continue;
     const std::string meant = closest(pattern, names_);
     throw InputError("cycle: the DNA has no substance '" + pattern + "'; " +
                      (meant.empty() ? "name one that it produces" : "did you mean '" + meant + "'?"));
@@ -188,7 +189,7 @@ StateId LogicalDna::intern(Substances substances) const {
   state.growth = has(grow_) - has(shrink_);
   state.connecting = has(connect_) - has(release_);
   for (std::size_t i = 0; i < senses_.size(); ++i) {
-    const auto counts = [&](SubstanceId s) { return fitsPattern(names_[s], senses_[i].parameters.of); };
+    const auto counts = [&](SubstanceId s) { return fits(senses_[i].parameters.of, names_[s]); };
     state.sensed |= std::uint64_t{has(senses_[i].substance)} << i;
     state.counted |= std::uint64_t{std::ranges::any_of(substances, counts)} << i;
   }

@@ -33,7 +33,7 @@ double shareOfContact(const CellContext& cell, const SenseParameters&, const Cou
 
 double countConnected(const CellContext& cell, const SenseParameters&, const CountsCell& counts) {
   double count = 0;
-  for (const CellContext* other : cell.connectedCells()) count += counts(*other);
+  for (const CellContext* other : cell.connected()) count += counts(*other);
   return count;
 }
 

@@ -35,8 +35,4 @@ bool isSensed(const SenseParameters& sense, const CellContext& cell, const Count
   return holds(row.threshold ? row.threshold(sense) : sense.is, row.measure(cell, sense, counts), before);
 }
 
-bool fitsPattern(std::string_view name, std::string_view pattern) {
-  return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1)) : name == pattern;
-}
-
 }  // namespace morula

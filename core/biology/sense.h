@@ -6,7 +6,6 @@
 #include <functional>
 #include <limits>
 #include <span>
-#include <string_view>
 
 #include "biology/cell_context.h"
 #include "biology/parameters.h"
@@ -59,9 +58,6 @@ bool holds(const Threshold& threshold, double value, bool before);
 
 /// Whether a cell perceives this now. `before`: whether it did at its last cycle.
 bool isSensed(const SenseParameters& sense, const CellContext& cell, const CountsCell& counts, bool before);
-
-/// True for the name itself, and for a name with the beginning that stands before a '*'.
-bool fitsPattern(std::string_view name, std::string_view pattern);
 
 // Rows, by file. Private to this room.
 std::span<const SenseKindRow> bodySenses();

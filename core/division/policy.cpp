@@ -54,7 +54,7 @@ struct AlternatingPlane final : DivisionPolicy {
 };
 
 using Made = std::unique_ptr<DivisionPolicy>;
-using Given = const DivisionParameters&;
+using Given = const PlaneChoice&;
 
 constexpr DivisionPlaneKind kinds[] = {
     {.plane = DivisionPlane::longest,
@@ -70,13 +70,13 @@ constexpr DivisionPlaneKind kinds[] = {
     {.plane = DivisionPlane::axis,
      .name = "axis",
      .meaning = "one fixed axis, which points to daughter A",
-     .takesAxis = true,
+     .takes = Takes::axis,
      .make = [](Given p, std::uint64_t) -> Made { return std::make_unique<FixedAxis>(p.axis); }},
     {.plane = DivisionPlane::alternating,
      .name = "alternating",
      .meaning = "an axis at right angles to their mother's, the one of their largest extent, and at first "
                 "the given one",
-     .takesAxis = true,
+     .takes = Takes::axis,
      .needsShape = true,
      .make = [](Given p, std::uint64_t) -> Made { return std::make_unique<AlternatingPlane>(p.axis); }},
 };
@@ -91,11 +91,15 @@ const DivisionPlaneKind& kindOf(DivisionPlane plane) {
   return *at;
 }
 
-std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& p, std::uint64_t seed) {
-  const DivisionPlaneKind& kind = kindOf(p.plane);
-  if (kind.takesAxis && !(norm(p.axis) > 0))
+std::unique_ptr<DivisionPolicy> makePlanePolicy(const PlaneChoice& choice, std::uint64_t seed) {
+  const DivisionPlaneKind& kind = kindOf(choice.plane);
+  if (kind.takes == Takes::axis && !(norm(choice.axis) > 0))
     throw InputError("division.plane: the axis has no length; give a direction such as [1, 0, 0]");
-  return kind.make(p, seed);
+  return kind.make(choice, seed);
+}
+
+std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& p, std::uint64_t seed) {
+  return makePlanePolicy(p.otherwise, seed);
 }
 
 }  // namespace morula

@@ -17,7 +17,10 @@ class DivisionPolicy {
   virtual Cut findCut(const CellContext& cell) const = 0;
 };
 
-/// Throws InputError for an axis of length 0.
+/// One plane for all cells. Throws InputError for an axis of length 0.
+std::unique_ptr<DivisionPolicy> makePlanePolicy(const PlaneChoice& choice, std::uint64_t seed);
+
+/// For each cell the plane of the first rule that fits her. Throws InputError for an axis of length 0.
 std::unique_ptr<DivisionPolicy> makeDivisionPolicy(const DivisionParameters& parameters, std::uint64_t seed);
 
 }  // namespace morula

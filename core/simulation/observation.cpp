@@ -131,7 +131,7 @@ const DivisionRecord* ObservedCell::motherDivision() const {
   return path.isEgg() ? nullptr : observation_.divisionOf(path.mother());
 }
 
-std::span<const CellContext* const> ObservedCell::connectedCells() const {
+std::span<const CellContext* const> ObservedCell::connected() const {
   if (!connected_) {
     connected_.emplace();
     const World& world = observation_.world;

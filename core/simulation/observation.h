@@ -93,7 +93,7 @@ class ObservedCell final : public CellContext {
   std::span<const Neighbour> neighbours() const override;
   const CellContext* sister() const override;
   const DivisionRecord* motherDivision() const override;
-  std::span<const CellContext* const> connectedCells() const override;
+  std::span<const CellContext* const> connected() const override;
   std::span<const OtherCell> otherCells() const override;
   double shellShare() const override;
   double elongation() const override;

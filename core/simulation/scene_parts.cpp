@@ -110,9 +110,25 @@ void addPart(Hasher& h, const ContactParameters& contact) {
   h.field("contact").add(number(law)).add(stiffness).add(damping).add(friction).add(slipSpeed).add(radius);
 }
 
+void addPlane(Hasher& h, const PlaneChoice& choice) {
+  const auto& [plane, axis, substance] = choice;
+  h.add(number(plane)).add(axis.x).add(axis.y).add(axis.z);
+  if (!substance.empty()) h.add(substance);
+}
+
 void addPart(Hasher& h, const DivisionParameters& division) {
-  const auto& [plane, axis] = division;
-  h.field("division").add(number(plane)).add(axis.x).add(axis.y).add(axis.z);
+  const auto& [otherwise, rules] = division;
+  addPlane(h.field("division"), otherwise);
+  if (rules.empty()) return;
+  h.field("rules").add(std::uint64_t{rules.size()});
+  for (const auto& [of, plane, share, tilt] : rules) {
+    h.add(std::uint64_t{of.size()});
+    for (const std::string& pattern : of) h.add(pattern);
+    h.add(plane.has_value());
+    if (plane) addPlane(h, *plane);
+    add(h, share);
+    add(h, tilt);
+  }
 }
 
 void addPart(Hasher& h, const ConnectionParameters& connections) {

@@ -99,7 +99,7 @@ bool usesSeed(const Scene& scene) {
   const auto divides = [&](const Gene& gene) {
     return scene.dna.substances[gene.product] == substance::divide;
   };
-  return scene.mechanics && kindOf(scene.mechanics->division.plane).usesSeed &&
+  return scene.mechanics && kindOf(scene.mechanics->division.otherwise.plane).usesSeed &&
          std::ranges::any_of(scene.dna.genes, divides);
 }
 

@@ -137,10 +137,11 @@ std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
   addContact(parts, scenario, ask, why);
   parts.push_back(mechanics && mechanics->connections ? Part{"connections", true, "", why.of({"connections"})}
                                                       : absent("connections", "connections"));
-  parts.push_back(mechanics ? Part{"division", true,
-                                   std::string("across ") + kindOf(mechanics->division.plane).meaning,
-                                   why.of({"division.plane", "division"})}
-                            : absent("division", "physics"));
+  parts.push_back(mechanics
+                      ? Part{"division", true,
+                             std::string("across ") + kindOf(mechanics->division.otherwise.plane).meaning,
+                             why.of({"division.plane", "division"})}
+                      : absent("division", "physics"));
   addRecord(parts, scenario, ask, why);
   return parts;
 }

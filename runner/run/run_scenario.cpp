@@ -71,7 +71,7 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
 std::vector<DivisionRecord> ambiguousDivisions(const World& world) {
   std::vector<DivisionRecord> ambiguous;
   const auto& mechanics = world.model.mechanics;
-  if (!mechanics || mechanics->division.plane != DivisionPlane::longest) return ambiguous;
+  if (!mechanics || mechanics->division.otherwise.plane != DivisionPlane::longest) return ambiguous;
   for (const DivisionRecord& d : world.divisions)
     if (d.extentRatio && *d.extentRatio < ambiguousExtentRatio) ambiguous.push_back(d);
   return ambiguous;

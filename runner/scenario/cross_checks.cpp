@@ -3,6 +3,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
+#include "biology/substance_pattern.h"
 #include "biology/substances.h"
 #include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
@@ -38,28 +39,22 @@ Place placeOf(const Node& root, const std::string& path) {
 
 namespace {
 
-/// Where a name may be a beginning and '*'.
-bool mayBePattern(const std::string& path) {
-  return path == "colours" || path.starts_with("cycle.") || path.starts_with("senses.");
-}
-
 void checkSubstances(const Dna& dna, Reading& reading) {
   if (dna.substances.empty()) return;  // it could not be read, which has been said
   for (const auto& use : reading.substances) {
-    const bool pattern = mayBePattern(use.path) && use.name.back() == '*';
-    const auto beginning = use.name.substr(0, use.name.size() - (pattern ? 1 : 0));
-    const auto fits = [&](const std::string& s) {
-      return pattern ? s.starts_with(beginning) : s == beginning;
+    const auto isMeant = [&](const std::string& s) {
+      return use.isPattern ? fits(use.name, s) : s == use.name;
     };
-    if (std::any_of(dna.substances.begin(), dna.substances.end(), fits)) continue;
-    if (pattern) {
-      reading.problems.add(use.place, use.path + "." + use.name,
-                           "no substance of the DNA begins with '" + std::string(beginning) + "'",
-                           "needs a name, or its beginning and '*'");
+    if (std::ranges::any_of(dna.substances, isMeant)) continue;
+    if (use.isPattern) {
+      reading.problems.add(
+          use.place, use.path,
+          "no substance of the DNA begins with '" + use.name.substr(0, use.name.size() - 1) + "'",
+          "needs a name, or its beginning and '*'");
       continue;
     }
     const auto near = closest(use.name, dna.substances);
-    reading.problems.add(use.place, use.path + "." + use.name, "the DNA has no substance '" + use.name + "'",
+    reading.problems.add(use.place, use.path, "the DNA has no substance '" + use.name + "'",
                          near.empty() ? "needs a name that occurs in the DNA" : "did you mean " + near + "?");
   }
 }
@@ -188,7 +183,7 @@ void checkSpheres(const Scenario& scenario, Reading& reading, const Node& root) 
     return dna.substances[gene.product] == "divide";
   };
   const Dna& dna = scenario.scene.dna;
-  if (kindOf(m.division.plane).needsShape &&
+  if (kindOf(m.division.otherwise.plane).needsShape &&
       std::any_of(dna.genes.begin(), dna.genes.end(), [&](const Gene& g) { return divides(g, dna); }))
     refuse("division.plane", "a sphere has no longest extent", "needs " + planesAllowed(true));
   for (std::size_t i = 0; i < scenario.scene.cells.size() && i < reading.startCells.size(); ++i)

@@ -14,9 +14,10 @@ namespace morula::scenario {
 
 /// A substance named outside of the DNA: to be looked up once the DNA is read.
 struct SubstanceUse {
-  std::string name;  // may end in '*' where patterns are allowed
+  std::string name;
   Place place;
   std::string path;
+  bool isPattern = false;  // the beginning of names and '*'
 };
 
 /// Where the DNA's text comes from. Parsed after everything else is read.

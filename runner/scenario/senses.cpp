@@ -1,7 +1,6 @@
 // The section `senses`: for each substance one condition, of a kind that a row of biology/sense.h describes.
 #include <algorithm>
 
-#include "base/did_you_mean.h"
 #include "biology/sense.h"
 #include "biology/substances.h"
 #include "files/text.h"
@@ -68,22 +67,12 @@ class SenseReader {
   Problems& problems() { return reading_.problems; }
 
   void readKeys(const SenseKindRow& row, const Node& node) {
-    checkKeys(row, node);
+    refuseUnknown(node, path_, keysOf(row), problems());
     readOf(row, node);
     if (row.number.key) readNumber(row, node);
     if (const Member* axis = row.takesAxis ? require(node, "axis", "a direction, as [1, 0, 0]") : nullptr)
       readAxis(axis->value);
     if (!row.threshold) readThreshold(row, node);
-  }
-
-  void checkKeys(const SenseKindRow& row, const Node& node) {
-    const auto known = keysOf(row);
-    for (const auto& member : node.members) {
-      if (member.key.empty() || std::ranges::find(known, member.key) != known.end()) continue;
-      const auto near = closest(member.key, known);
-      problems().add(member.place, path_ + "." + member.key, "unknown key",
-                     near.empty() ? "known here: " + join(known) : "did you mean " + near + "?");
-    }
   }
 
   const Member* require(const Node& node, const std::string& key, const std::string& right) {
@@ -104,11 +93,7 @@ class SenseReader {
     }
     if (lives)
       problems().add(of->place, path_ + "." + key, "stands beside lives", "give " + key + " or lives");
-    const auto name = readText(of->value, path_ + "." + key, right, problems());
-    if (!name) return;
-    if (name->empty()) return refuse(Node{}, path_ + "." + key, right, problems());
-    sense_.of = *name;
-    reading_.substances.push_back({*name, of->value.place, path_ + "." + key});
+    if (const auto name = readPattern(of->value, path_ + "." + key, reading_)) sense_.of = *name;
   }
 
   void readLives(const Node& node) {

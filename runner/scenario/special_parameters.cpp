@@ -1,49 +1,7 @@
-// Parameters that are one of a kind: DNA, the time step, the shell's two spellings, the division plane.
-#include <algorithm>
-
-#include "base/did_you_mean.h"
-#include "files/text.h"
+// Parameters that are one of a kind: DNA, the time step, the shell's two spellings.
 #include "scenario/value_types.h"
 
 namespace morula::scenario {
-
-const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
-                       const std::string& allowed, Problems& problems) {
-  const Member* found = nullptr;
-  for (const auto& member : node.members) {
-    const bool isKnown = std::ranges::find(keys, member.key) != keys.end();
-    if (isKnown && !found) found = &member;
-    else if (isKnown)
-      problems.add(member.place, path + "." + member.key, "is one too many", "needs " + allowed);
-    else if (!member.key.empty()) {
-      const std::string meant = closest(member.key, keys);
-      problems.add(member.place, path + "." + member.key, "unknown key",
-                   meant.empty() ? "known here: " + join(keys) : "did you mean " + meant + "?");
-    }
-  }
-  if (node.members.empty()) problems.add(node.place, path, "is empty", "needs " + allowed);
-  return found;
-}
-
-namespace {
-
-/// "a or b"; "a, b, or c".
-std::string inWords(const std::vector<std::string>& choices) {
-  std::string text;
-  for (std::size_t i = 0; i < choices.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < choices.size() ? ", " : i > 1 ? ", or " : " or ") + choices[i];
-  return text;
-}
-
-}  // namespace
-
-std::string planesAllowed(bool ofSpheres) {
-  std::vector<std::string> allowed;
-  for (const DivisionPlaneKind& kind : divisionPlanes())
-    if (!(ofSpheres && kind.needsShape))
-      allowed.push_back(kind.takesAxis ? std::string("{") + kind.name + ": [x, y, z]}" : kind.name);
-  return inWords(allowed);
-}
 
 Parameter dna() {
   Parameter p;
@@ -198,67 +156,6 @@ Parameter shellEllipsoid() {
   p.write = [](const Scenario& s) {
     const auto& axes = s.scene.mechanics->physics.shell->semiAxes;
     return axes[0] == axes[1] && axes[1] == axes[2] ? Json() : Json{axes[0], axes[1], axes[2]};
-  };
-  return p;
-}
-
-Parameter divisionPlane() {
-  Parameter p;
-  p.path = "division.plane";
-  p.allowed = planesAllowed();
-  std::vector<std::string> meanings;
-  Json words = Json::array(), forms = Json::array();
-  for (const DivisionPlaneKind& kind : divisionPlanes()) {
-    meanings.push_back(std::string(kind.meaning) + " (" + kind.name + ")");
-    if (!kind.takesAxis) words.push_back(kind.name);
-    else
-      forms.push_back(
-          {{"type", "object"},
-           {"properties",
-            {{kind.name,
-              {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}}},
-           {"required", {kind.name}},
-           {"additionalProperties", false}});
-  }
-  p.meaning = "Cells divide across " + inWords(meanings);
-  forms.insert(forms.begin(), {{"enum", words}});
-  p.schema = {{"oneOf", forms}};
-  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    auto& division = s.scene.mechanics->division;
-    std::vector<std::string> words, keys;
-    for (const DivisionPlaneKind& kind : divisionPlanes()) {
-      (kind.takesAxis ? keys : words).push_back(kind.name);
-      if (!kind.takesAxis && node.kind == Node::Kind::scalar && node.text == kind.name) {
-        division.plane = kind.plane;
-        return;
-      }
-    }
-    if (node.kind == Node::Kind::map) {
-      const auto* axis = readOnly(node, path, keys, allowed, reading.problems);
-      if (!axis) return;
-      const std::string key = path + "." + axis->key;
-      const auto value =
-          readTriple(axis->value, {}, key, "three numbers, not all 0, as [1, 0, 0]", reading.problems);
-      if (!value) return;
-      if (*value == Vector{})
-        reading.problems.add(axis->value.place, key, "has length 0",
-                             "needs at least one number other than 0");
-      else
-        division = {std::ranges::find(divisionPlanes(), axis->key, &DivisionPlaneKind::name)->plane, *value};
-    } else if (node.kind != Node::Kind::broken) {
-      const auto near = node.kind == Node::Kind::scalar ? closest(node.text, words) : "";
-      reading.problems.add(node.place, path,
-                           node.kind == Node::Kind::null     ? "is empty"
-                           : node.kind == Node::Kind::scalar ? describe(node) + " is not known here"
-                                                             : "is " + describe(node),
-                           near.empty() ? "needs " + allowed : "did you mean " + near + "? Needs " + allowed);
-    }
-  };
-  p.write = [](const Scenario& s) {
-    const auto& division = s.scene.mechanics->division;
-    const DivisionPlaneKind& kind = kindOf(division.plane);
-    if (!kind.takesAxis) return Json(kind.name);
-    return Json{{kind.name, {division.axis.x, division.axis.y, division.axis.z}}};
   };
   return p;
 }

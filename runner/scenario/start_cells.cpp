@@ -1,8 +1,6 @@
 // The list of cells that a scenario begins with.
 #include <algorithm>
 
-#include "base/did_you_mean.h"
-#include "files/text.h"
 #include "scenario/value_types.h"
 
 namespace morula::scenario {
@@ -23,7 +21,7 @@ class CellReader {
 
   StartCell read() {
     StartCell cell;
-    checkKeys();
+    refuseUnknown(node_, path_, keys, reading_.problems);
     if (!node_.find("at"))
       reading_.problems.add(node_.place, path_ + ".at", "is missing", "needs its centre, as at: [0, 0, 0]");
     triple("at", {}, "three numbers [length], as [0, 0, 0]", cell.at);
@@ -36,15 +34,6 @@ class CellReader {
   }
 
  private:
-  void checkKeys() {
-    for (const auto& member : node_.members) {
-      if (member.key.empty() || std::find(keys.begin(), keys.end(), member.key) != keys.end()) continue;
-      const auto near = closest(member.key, keys);
-      reading_.problems.add(member.place, path_ + "." + member.key, "unknown key",
-                            near.empty() ? "known here: " + join(keys) : "did you mean " + near + "?");
-    }
-  }
-
   void triple(const char* key, const Range& range, const char* allowed, Vector& value) {
     const auto* member = node_.find(key);
     if (!member) return;
@@ -69,7 +58,7 @@ class CellReader {
       if (std::find(names.begin(), names.end(), *name) != names.end())
         reading_.problems.add(item.place, path, "'" + *name + "' is given twice", "keep one");
       names.push_back(*name);
-      reading_.substances.push_back({*name, item.place, path});
+      reading_.substances.push_back({*name, item.place, path + "." + *name});
     }
     std::sort(names.begin(), names.end());
     return names;

@@ -5,19 +5,32 @@ namespace morula::scenario {
 
 namespace {
 
-/// Calls `read` for each member of a map whose keys are substances.
+/// Calls `read` for each member of a map whose keys are substances, or also patterns.
 template <class Read>
-void readPerSubstance(const Node& node, const std::string& path, const std::string& allowed, Reading& reading,
-                      Read read) {
+void readPerSubstance(const Node& node, const std::string& path, const std::string& allowed, bool patterns,
+                      Reading& reading, Read read) {
   if (node.kind != Node::Kind::map) return refuse(node, path, allowed, reading.problems);
   for (const auto& member : node.members) {
     if (member.key.empty()) continue;
-    reading.substances.push_back({member.key, member.place, path});
+    const bool isPattern = patterns && member.key.ends_with('*');
+    reading.substances.push_back({member.key, member.place, path + "." + member.key, isPattern});
     read(member, path + "." + member.key);
   }
 }
 
 }  // namespace
+
+std::optional<std::string> readPattern(const Node& node, const std::string& path, Reading& reading) {
+  const std::string allowed = "a substance, or the beginning of some and '*', in quotes";
+  const auto name = readText(node, path, allowed, reading.problems);
+  if (!name) return {};
+  if (name->empty() || name->find_first_of("* ") < name->size() - 1) {
+    reading.problems.add(node.place, path, describe(node) + " is no substance", "needs " + allowed);
+    return {};
+  }
+  reading.substances.push_back({*name, node.place, path, name->ends_with('*')});
+  return name;
+}
 
 Parameter timePerSubstance(std::string path, std::string meaning,
                            Field<std::map<std::string, double>> field) {
@@ -28,7 +41,7 @@ Parameter timePerSubstance(std::string path, std::string meaning,
   p.meaning = std::move(meaning);
   p.schema = {{"type", "object"}, {"additionalProperties", numberSchema(positive)}};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    readPerSubstance(node, path, allowed, reading, [&](const Member& member, const std::string& at) {
+    readPerSubstance(node, path, allowed, true, reading, [&](const Member& member, const std::string& at) {
       const auto value =
           readReal(member.value, positive, at, numberAllowed(positive, "time"), reading.problems);
       if (value) field(s)[member.key] = *value;
@@ -48,7 +61,7 @@ Parameter colourPerSubstance(std::string path, std::string meaning,
   p.schema = {{"type", "object"},
               {"additionalProperties", {{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}}}};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    readPerSubstance(node, path, allowed, reading, [&](const Member& member, const std::string& at) {
+    readPerSubstance(node, path, allowed, true, reading, [&](const Member& member, const std::string& at) {
       const std::string form = "a colour '#rrggbb', in quotes because '#' begins a comment";
       const auto value = readText(member.value, at, form, reading.problems);
       if (!value) return;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/did_you_mean.h"
+#include "files/text.h"
+
 namespace morula::scenario {
 
 namespace {
@@ -43,6 +46,29 @@ void refuse(const Node& node, const std::string& path, const std::string& allowe
   if (node.kind == Node::Kind::broken) return;
   problems.add(node.place, path, node.kind == Node::Kind::null ? "is empty" : "is " + describe(node),
                "needs " + allowed);
+}
+
+void refuseUnknown(const Node& node, const std::string& path, const std::vector<std::string>& keys,
+                   Problems& problems) {
+  for (const auto& member : node.members) {
+    if (member.key.empty() || std::find(keys.begin(), keys.end(), member.key) != keys.end()) continue;
+    const std::string meant = closest(member.key, keys);
+    problems.add(member.place, path + "." + member.key, "unknown key",
+                 meant.empty() ? "known here: " + join(keys) : "did you mean " + meant + "?");
+  }
+}
+
+const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
+                       const std::string& allowed, Problems& problems) {
+  const Member* found = nullptr;
+  refuseUnknown(node, path, keys, problems);
+  for (const auto& member : node.members) {
+    if (std::find(keys.begin(), keys.end(), member.key) == keys.end()) continue;
+    if (found) problems.add(member.place, path + "." + member.key, "is one too many", "needs " + allowed);
+    else found = &member;
+  }
+  if (node.members.empty()) problems.add(node.place, path, "is empty", "needs " + allowed);
+  return found;
 }
 
 bool expectEntries(const Node& node, const std::string& path, const std::string& allowed,

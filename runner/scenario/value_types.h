@@ -89,13 +89,15 @@ Parameter becauseText();
 
 // For the kinds themselves.
 
-/// Reads a map that has exactly one key, of those that are known; null and a problem otherwise.
-const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
-                       const std::string& allowed, Problems& problems);
-
 /// Says that the node is empty or of another kind than is allowed; nothing where it could not be read at all,
 /// which has been said.
 void refuse(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
+/// Reads a map that has exactly one key, of those that are known; null and a problem otherwise.
+const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
+                       const std::string& allowed, Problems& problems);
+/// Says which keys of a map are not among those that are known.
+void refuseUnknown(const Node& node, const std::string& path, const std::vector<std::string>& keys,
+                   Problems& problems);
 /// True for a list with an entry at least; says what is wrong with anything else.
 bool expectEntries(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
 std::string numberAllowed(const Range& range, const std::string& unit);
@@ -112,5 +114,8 @@ std::optional<Vector> readTriple(const Node& node, const Range& range, const std
 /// Texts may be quoted, and may look like numbers.
 std::optional<std::string> readText(const Node& node, const std::string& path, const std::string& allowed,
                                     Problems& problems);
+
+/// A substance, or the beginning of some and '*'; that the DNA knows one is checked later.
+std::optional<std::string> readPattern(const Node& node, const std::string& path, Reading& reading);
 
 }  // namespace morula::scenario

@@ -78,18 +78,26 @@ inline auto fields(ShellParameters& a) {
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
 }
 inline auto fields(PhysicsParameters& a) {
-  auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching, drag,
-         growth, shell] = a;
-  return std::tie(coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure, shapeMatching,
-                  drag, growth, shell);
+  auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
+         shapeMatching, drag, growth, shell] = a;
+  return std::tie(coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
+                  shapeMatching, drag, growth, shell);
 }
 inline auto fields(ContactParameters& a) {
   auto& [law, stiffness, damping, friction, slipSpeed, radius] = a;
   return std::tie(law, stiffness, damping, friction, slipSpeed, radius);
 }
+inline auto fields(PlaneChoice& a) {
+  auto& [plane, axis, substance] = a;
+  return std::tie(plane, axis, substance);
+}
+inline auto fields(DivisionRule& a) {
+  auto& [of, plane, share, tilt] = a;
+  return std::tie(of, plane, share, tilt);
+}
 inline auto fields(DivisionParameters& a) {
-  auto& [plane, axis] = a;
-  return std::tie(plane, axis);
+  auto& [otherwise, rules] = a;
+  return std::tie(otherwise, rules);
 }
 inline auto fields(ConnectionParameters& a) {
   auto& [make, onDivision, strength, releaseDistance] = a;

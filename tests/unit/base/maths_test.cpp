@@ -91,3 +91,55 @@ TEST_CASE("The natural logarithm, over all numbers above 0") {
   CHECK(std::isnan(naturalLog(-1)));
   CHECK(std::isnan(naturalLog(std::nan(""))));
 }
+
+TEST_CASE("The exponential function, over its whole range") {
+  double worst = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const double a = -708 + 1417 * randomUnit({3, {}, 0, Purpose::test}, static_cast<std::uint32_t>(i));
+    const long double truth = std::exp(static_cast<long double>(a));
+    worst = std::max(worst, static_cast<double>(std::abs(exponential(a) - truth) / truth));
+  }
+  for (int i = 0; i < 50'000; ++i) {
+    const double a = 2 * randomUnit({4, {}, 0, Purpose::test}, static_cast<std::uint32_t>(i)) - 1;
+    const long double truth = std::exp(static_cast<long double>(a));
+    worst = std::max(worst, static_cast<double>(std::abs(exponential(a) - truth) / truth));
+  }
+  CHECK(worst < 3e-16);
+  CHECK(worst > 0);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  CHECK(exponential(0) == 1);
+  CHECK(exponential(-0.0) == 1);
+  CHECK(exponential(0x1p-60) == 1);
+  CHECK(exponential(709.78) == Approx(std::exp(709.78)).epsilon(1e-15));
+  CHECK(exponential(709.8) == infinity);
+  CHECK(exponential(infinity) == infinity);
+  for (double a = -708.5; a > -745; a -= 0.37)  // subnormal numbers have fewer digits
+    REQUIRE(std::abs(exponential(a) - std::exp(a)) <= 2 * std::numeric_limits<double>::denorm_min());
+  CHECK(exponential(-746) == 0);
+  CHECK(exponential(-infinity) == 0);
+  CHECK(std::isnan(exponential(std::nan(""))));
+}
+
+TEST_CASE("Sine and cosine, in all four quarters and beside their zeros") {
+  double worst = 0;
+  const auto compare = [&](double angle) {
+    const auto [sine, cosine] = sineAndCosine(angle);
+    const auto exact = static_cast<long double>(angle);
+    worst = std::max(worst, static_cast<double>(std::abs((sine - std::sin(exact)) / std::sin(exact))));
+    worst = std::max(worst, static_cast<double>(std::abs((cosine - std::cos(exact)) / std::cos(exact))));
+  };
+  for (const double range : {1.0, 7.0, 1000.0, 1e5})
+    for (int i = 0; i < 50'000; ++i) {
+      const double u = randomUnit({5, {}, 0, Purpose::test}, static_cast<std::uint32_t>(i));
+      compare(range * (2 * u - 1));
+    }
+  for (int quarter = -1000; quarter <= 1000; ++quarter)
+    if (quarter != 0) compare(quarter * 1.5707963267948966);
+  CHECK(worst < 5e-16);
+  CHECK(worst > 0);
+  CHECK(sineAndCosine(0).sine == 0);
+  CHECK(sineAndCosine(0).cosine == 1);
+  CHECK(sineAndCosine(1e-300).sine == 1e-300);
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -1e10})
+    CHECK((std::isnan(sineAndCosine(bad).sine) && std::isnan(sineAndCosine(bad).cosine)));
+}

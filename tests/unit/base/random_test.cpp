@@ -177,3 +177,33 @@ TEST_CASE("Random directions are uniform on the sphere") {
   for (const auto& counts : eighths)
     for (int n : counts) CHECK(std::abs(n - many / 8.0) < 5 * std::sqrt(many * 0.125 * 0.875));
 }
+
+TEST_CASE("Normal deviates have the shares of the bell curve, and none beyond three") {
+  constexpr int draws = 100'000;
+  // Φ at the bounds of eight classes, of the distribution cut at ±3.
+  const double bounds[] = {-3, -1.5, -1, -0.5, 0, 0.5, 1, 1.5, 3};
+  const auto below = [](double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); };
+  int count[8] = {};
+  double squares = 0;
+  for (int i = 0; i < draws; ++i) {
+    const double z = randomNormal(drawOfCell(i));
+    REQUIRE(std::abs(z) <= largestDeviate);
+    squares += z * z;
+    for (int k = 0; k < 8; ++k) count[k] += z >= bounds[k] && z < bounds[k + 1];
+  }
+  double chiSquare = 0;
+  for (int k = 0; k < 8; ++k) {
+    const double expected = draws * (below(bounds[k + 1]) - below(bounds[k])) / (below(3) - below(-3));
+    chiSquare += (count[k] - expected) * (count[k] - expected) / expected;
+  }
+  CHECK(chiSquare < 24.3);  // 7 degrees of freedom: exceeded once in a thousand
+  CHECK(std::sqrt(squares / draws) == Approx(0.98658).epsilon(0.01));
+}
+
+TEST_CASE("A normal deviate belongs to its draw and number") {
+  const Draw draw{20080617, CellPath::parse("ABBA"), 3, Purpose::test};
+  CHECK(randomNormal(draw) == randomNormal(draw, 0));
+  std::set<double> seen;
+  for (std::uint32_t number = 0; number < 100; ++number)
+    CHECK(seen.insert(randomNormal(draw, number)).second);
+}

@@ -10,8 +10,8 @@ TEST_CASE("overrides go through the same table") {
             .scene.mechanics->physics.shell->semiAxes[2] == 4);
   CHECK(read(everyPart, {parseOverride("summary=a: b # c")}).summary == "a: b # c");
   CHECK(read(everyPart, {{"seed", "9", "--seed"}}).scene.seed == 9);
-  CHECK(read(everyPart, {parseOverride("division.plane.axis=[1, 0, 0]")}).scene.mechanics->division.axis ==
-        Vector{1, 0, 0});
+  CHECK(read(everyPart, {parseOverride("division.plane.axis=[1, 0, 0]")})
+            .scene.mechanics->division.otherwise.axis == Vector{1, 0, 0});
 }
 
 TEST_CASE("overrides make the maps that are missing") {

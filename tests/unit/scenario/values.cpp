@@ -47,8 +47,8 @@ TEST_CASE("every key arrives in its field") {
   CHECK(scene.mechanics->contact->friction == 0.3);
   CHECK(scene.mechanics->contact->slipSpeed == 0.02);
   CHECK(scene.mechanics->contact->radius == 1.1);
-  CHECK(scene.mechanics->division.plane == DivisionPlane::axis);
-  CHECK(scene.mechanics->division.axis == Vector{0, 1, -1});
+  CHECK(scene.mechanics->division.otherwise.plane == DivisionPlane::axis);
+  CHECK(scene.mechanics->division.otherwise.axis == Vector{0, 1, -1});
   REQUIRE(scene.mechanics->connections);
   CHECK(scene.mechanics->connections->make == MakeConnections::byGene);
   CHECK(scene.mechanics->connections->onDivision == ConnectionsOnDivision::both);
@@ -106,7 +106,7 @@ TEST_CASE("what is not said has the defaults of the structs") {
   CHECK(m.contact->law == ContactParameters{}.law);
   CHECK(m.contact->stiffness == ContactParameters{}.stiffness);
   CHECK(m.contact->radius == ContactParameters{}.radius);
-  CHECK(m.division.plane == DivisionParameters{}.plane);
+  CHECK(m.division.otherwise == PlaneChoice{});
   CHECK(m.connections->make == ConnectionParameters{}.make);
   CHECK(m.connections->onDivision == ConnectionParameters{}.onDivision);
   CHECK(m.connections->strength == ConnectionParameters{}.strength);

@@ -187,7 +187,7 @@ TEST_CASE("A checkpoint of another scene is refused, and the message says what d
   differs("physics.mesh", [](Scene& s) { s.mechanics->mesh = scenes::scaled(makeIcosphere(1), 0.94); });
   differs("physics.contact", [](Scene& s) { s.mechanics->contact->friction = 0.2; });
   differs("physics.contact", [](Scene& s) { s.mechanics->contact.reset(); });
-  differs("division", [](Scene& s) { s.mechanics->division.plane = DivisionPlane::random; });
+  differs("division", [](Scene& s) { s.mechanics->division.otherwise.plane = DivisionPlane::random; });
   differs("connections", [](Scene& s) { s.mechanics->connections->releaseDistance.reset(); });
   differs("physics, physics.mesh, physics.contact, division, connections",
           [](Scene& s) { s.mechanics.reset(); });

@@ -80,7 +80,7 @@ TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
 TEST_CASE("A division keeps mass and momentum, and adhesion too") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 3);
   scene.mechanics->contact = scenes::pairContactWithFriction;
-  scene.mechanics->division.plane = DivisionPlane::random;
+  scene.mechanics->division.otherwise.plane = DivisionPlane::random;
   scene.mechanics->connections = ConnectionParameters{};
   World world = makeWorld(scene, {bestIsa(), 1});
   Bodies& b = *world.bodies;
@@ -121,7 +121,7 @@ TEST_CASE("Cells made by shape matching keep their momentum through collisions a
   scene.mechanics->physics.cell.model = CellModel::shapeMatching;
   scene.mechanics->physics.shapeMatching = {400, 0.5, 4};
   scene.mechanics->contact = scenes::pairContactWithFriction;
-  scene.mechanics->division.plane = DivisionPlane::random;
+  scene.mechanics->division.otherwise.plane = DivisionPlane::random;
   scene.mechanics->connections = ConnectionParameters{};
   scene.cells = {{.at = {-1, 0.1, 0}, .velocity = {0.5, 0, 0}},
                  {.at = {1, 0, 0}, .velocity = {-0.25, 0.1, 0}}};

@@ -33,7 +33,7 @@ std::vector<Variant> variants() {
   list.push_back({"spheres", plain});
   list.back().scene.mechanics->physics.cell.model = CellModel::sphere;
   list.back().scene.mechanics->physics.timeStep = 0x1p-6;
-  list.back().scene.mechanics->division.plane = DivisionPlane::random;
+  list.back().scene.mechanics->division.otherwise.plane = DivisionPlane::random;
   list.push_back({"coarsening", plain});
   Scene& coarsening = list.back().scene;
   coarsening.mechanics->mesh = scenes::scaled(makeIcosphere(2), 0.95);

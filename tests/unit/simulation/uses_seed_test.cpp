@@ -34,7 +34,7 @@ TEST_CASE("a scene says that it uses its seed exactly if another seed gives anot
       s.cycle.length = 0.0625;  // two cycles, and what they draw, are enough
       s.stop = {.cycles = 2, .time = {}, .cells = {}};
       if (!s.mechanics && plane != DivisionPlane::longest) continue;
-      if (s.mechanics) s.mechanics->division.plane = plane;
+      if (s.mechanics) s.mechanics->division.otherwise.plane = plane;
       if (s.mechanics && s.mechanics->physics.cell.model == CellModel::sphere &&
           plane == DivisionPlane::longest)
         continue;  // a sphere has none

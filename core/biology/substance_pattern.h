@@ -1,0 +1,17 @@
+#pragma once
+// Patterns that stand for substances: a name, or its beginning and '*'.
+#include <string_view>
+
+namespace morula {
+
+/// Whether the pattern stands for this substance.
+bool fits(std::string_view pattern, std::string_view substance);
+
+/// Whether the pattern stands for any of `substances`: names with single spaces between them, as
+/// CellContext::substances gives them.
+bool fitsAny(std::string_view pattern, std::string_view substances);
+
+/// Whether every substance that `narrow` stands for is one that `wide` stands for.
+bool includes(std::string_view wide, std::string_view narrow);
+
+}  // namespace morula
