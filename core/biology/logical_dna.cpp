@@ -28,8 +28,8 @@ struct State {
   StateId next = unknown;                                // after a cell cycle
   std::array<StateId, 2> daughter = {unknown, unknown};  // A, B
   // Where the DNA has senses; bit i: sense number i
-  std::uint64_t sensed = 0;                                     // whose substances it holds
-  std::uint64_t counted = 0;                                    // that its cell counts for [SenseParameters::of]
+  std::uint64_t sensed = 0;   // whose substances it holds
+  std::uint64_t counted = 0;  // that its cell counts for [SenseParameters::of]
   std::vector<std::pair<std::uint64_t, StateId>> nextOnSensing;  // after a cell cycle, by what is sensed then
 };
 

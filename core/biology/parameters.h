@@ -43,21 +43,21 @@ enum class SenseKind {  // its number is part of what a scenario means: new ones
 
 /// What a measured number must be; all that is given must hold.
 struct Threshold {
-  std::optional<double> below, above, atMost, atLeast;
+  std::optional<double> below = {}, above = {}, atMost = {}, atLeast = {};
   // Beside one of the others: once it holds, it goes on holding until the number has passed this on the other side.
-  std::optional<double> until;
+  std::optional<double> until = {};
 };
 
 /// One thing that cells perceive: at a cell's cycle the simulator inserts the substance if the condition holds, and
 /// takes it away if not, as it inserts A and B. sense.h says what each kind measures and which members it has.
 struct SenseParameters {
-  std::string substance;         // that is inserted
+  std::string substance = {};  // that is inserted
   SenseKind kind = SenseKind::volume;
-  Threshold is;                  // of kinds that compare a number
-  std::string of;                // the cells that count: that hold it, or one with this beginning before '*'; "": all
-  std::optional<double> number;  // the contact's area [length²], a distance or a range [length]
-  Vector axis{1, 0, 0};          // of `position`; any length but 0
-  bool lives = true;             // of `sister`, where `of` is "": whether she lives
+  Threshold is = {};    // of kinds that compare a number
+  std::string of = {};  // the cells that count: that hold it, or one with this beginning before '*'; "": all
+  std::optional<double> number = {};  // the contact's area [length²], a distance or a range [length]
+  Vector axis{1, 0, 0};               // of `position`; any length but 0
+  bool lives = true;                  // of `sister`, where `of` is "": whether she lives
 };
 
 }  // namespace morula

@@ -40,7 +40,7 @@ struct SenseKindRow {
   SenseOf of = {};
   SenseNumber number = {};
   bool takesAxis = false;
-  bool takesLives = false;  // `lives`, instead of `of`
+  bool takesLives = false;                                  // `lives`, instead of `of`
   double least = -std::numeric_limits<double>::infinity();  // what can be measured
   double most = std::numeric_limits<double>::infinity();
   /// The measured number; infinite where there is nothing that could be near.

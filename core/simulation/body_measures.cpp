@@ -136,7 +136,8 @@ double measureInvertedShare(const BodyShape& shape) {
 }
 
 double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
-  constexpr double within = 1e-6;  // the shell puts vertices onto itself to rounding, that of single precision too
+  constexpr double within =
+      1e-6;  // the shell puts vertices onto itself to rounding, that of single precision too
   if (shape.isBall) return 0;
   const double* a = shell.semiAxes;
   const auto isOnShell = [&](const Point& p) {
@@ -146,7 +147,8 @@ double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
   double all = 0, onShell = 0;
   for (const Face& face : shape.surface.faces) {
     const Point& corner = shape.surface.vertices[face[0]];
-    const double twice = norm(cross(shape.surface.vertices[face[1]] - corner, shape.surface.vertices[face[2]] - corner));
+    const double twice =
+        norm(cross(shape.surface.vertices[face[1]] - corner, shape.surface.vertices[face[2]] - corner));
     all += twice;
     for (int vertex : face)
       if (isOnShell(shape.surface.vertices[vertex])) onShell += twice / 3;

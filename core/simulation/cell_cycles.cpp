@@ -56,11 +56,12 @@ void decide(World& world, const Observation& now, std::vector<CellChange>& chang
 /// All cycles that are due at one time. False if no cell wanted one.
 bool runOneRound(World& world, double time) {
   std::vector<CellChange> changes = runDueCycles(world, time);
+  if (std::ranges::all_of(changes, [](CellChange c) { return c == CellChange::none; })) return false;
   const Observation now(world, time);
   decide(world, now, changes);
   connectByGene(world, now, changes);
   changePopulation(world, now, changes);
-  return std::any_of(changes.begin(), changes.end(), [](CellChange c) { return c != CellChange::none; });
+  return true;
 }
 
 /// [time] When the round after that of `time` is: when the next cycle is due, or for cells that did not want the one

@@ -148,8 +148,8 @@ std::span<const OtherCell> ObservedCell::otherCells() const {
     const int count = observation_.world.bodies ? static_cast<int>(observation_.world.cells.path.size()) : 0;
     for (int other = 0; other < count; ++other)
       if (other != number_)
-        others_->push_back({&observation_.cell(other),
-                            norm(observation_.centreOf(other) - observation_.centreOf(number_))});
+        others_->push_back(
+            {&observation_.cell(other), norm(observation_.centreOf(other) - observation_.centreOf(number_))});
   }
   return *others_;
 }

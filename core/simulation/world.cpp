@@ -60,7 +60,8 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   }
   if (scene.cycle.divisionSize)  // an egg may have to grow before its first cycle
     for (std::size_t i = 0; i < world.cells.path.size(); ++i)
-      world.cells.growth[i] = world.biology->wantsToGrow(ObservedCell(Observation(world), static_cast<int>(i)));
+      world.cells.growth[i] =
+          world.biology->wantsToGrow(ObservedCell(Observation(world), static_cast<int>(i)));
   try {
     beginWithBodies(world);
     checkNumbers(world);

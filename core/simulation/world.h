@@ -83,7 +83,7 @@ struct World {
   std::optional<Connections> connections;  // absent: nothing connects
   Lineage lineage;
   std::vector<TimeStepChange> timeSteps;
-  std::vector<DivisionRecord> divisions;  // of cells with bodies, in order of time and path
+  std::vector<DivisionRecord> divisions;             // of cells with bodies, in order of time and path
   std::optional<std::vector<BirthSize>> birthSizes;  // [cell]; absent: no division asks for them
 
   std::optional<BodyCopy> before;  // scratch of takeSteps

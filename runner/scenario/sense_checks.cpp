@@ -25,23 +25,27 @@ struct Lack {
 
 Lack findLack(SenseNeeds needs, const Scene& scene) {
   if (needs == SenseNeeds::nothing) return {};
-  if (!scene.mechanics) return {"is about bodies, and without physics there are none", "add a physics block, or remove this"};
+  if (!scene.mechanics)
+    return {"is about bodies, and without physics there are none", "add a physics block, or remove this"};
   const MechanicsScene& m = *scene.mechanics;
   const CellModelKind& model = kindOf(m.physics.cell.model);
   const std::string remove = ", or remove this", name = nameOf(m.physics.cell.model);
   switch (needs) {
     case SenseNeeds::membrane:
       if (!model.hasMembrane)
-        return {"cells of model " + name + " have no contents under pressure", "needs physics.cell.model shell" + remove};
+        return {"cells of model " + name + " have no contents under pressure",
+                "needs physics.cell.model shell" + remove};
       break;
     case SenseNeeds::shell:
       if (!m.physics.shell) return {"there is no shell to touch", "add a physics.shell" + remove};
       [[fallthrough]];
     case SenseNeeds::mesh:
-      if (!model.hasMesh) return {"a ball has no surface of its own", "needs another physics.cell.model" + remove};
+      if (!model.hasMesh)
+        return {"a ball has no surface of its own", "needs another physics.cell.model" + remove};
       break;
     case SenseNeeds::contact:
-      if (!m.contact) return {"without physics.contact no cells touch", "add 'contact: {}' to physics" + remove};
+      if (!m.contact)
+        return {"without physics.contact no cells touch", "add 'contact: {}' to physics" + remove};
       break;
     case SenseNeeds::connections:
       if (!m.connections) return {"nothing connects without connections", "add 'connections: {}'" + remove};
@@ -79,7 +83,8 @@ void checkSenses(const Scenario& scenario, Reading& reading, const Node& root) {
   }
   for (const SubstanceUse& use : reading.substances)
     if (use.path.starts_with("cells") &&
-        std::ranges::find(scenario.scene.senses, use.name, &SenseParameters::substance) != scenario.scene.senses.end())
+        std::ranges::find(scenario.scene.senses, use.name, &SenseParameters::substance) !=
+            scenario.scene.senses.end())
       reading.problems.add(use.place, use.path, "'" + use.name + "' is inserted for what a cell senses",
                            "remove it, or take another name");
 }
@@ -87,7 +92,8 @@ void checkSenses(const Scenario& scenario, Reading& reading, const Node& root) {
 void checkDivisionSize(const Scenario& scenario, Reading& reading, const Node& root) {
   if (scenario.scene.cycle.divisionSize && !scenario.scene.mechanics->physics.growth)
     reading.problems.add(placeOf(root, "division.size"), "division.size",
-                         "without physics.growth no cell grows to any size", "add 'growth: {}' to physics, or remove this");
+                         "without physics.growth no cell grows to any size",
+                         "add 'growth: {}' to physics, or remove this");
 }
 
 std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root) {

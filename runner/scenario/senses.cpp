@@ -51,7 +51,8 @@ class SenseReader {
     }
     const Member* given = readOnly(member.value, path_, namesOfKinds(), form, problems());
     if (!given) return {};
-    const auto row = std::ranges::find(senseKinds(), given->key, [](const SenseKindRow* r) { return r->name; });
+    const auto row =
+        std::ranges::find(senseKinds(), given->key, [](const SenseKindRow* r) { return r->name; });
     sense_.substance = member.key;
     sense_.kind = (*row)->kind;
     path_ += "." + given->key;
@@ -124,7 +125,8 @@ class SenseReader {
     bool good = true;
     for (const Bound& bound : bounds)
       if (const Member* member = node.find(bound.key)) {
-        sense_.is.*bound.value = readReal(member->value, {}, path_ + "." + bound.key, numberAllowed({}, row.unit), problems());
+        sense_.is.*bound.value =
+            readReal(member->value, {}, path_ + "." + bound.key, numberAllowed({}, row.unit), problems());
         good = good && sense_.is.*bound.value;
       }
     if (good) checkThreshold(row, node);
@@ -216,13 +218,20 @@ Json schemaOf(const SenseKindRow& row) {
 
 const char* nameOf(SenseNeeds needs) {
   switch (needs) {
-    case SenseNeeds::nothing: return "nothing";
-    case SenseNeeds::bodies: return "`physics`";
-    case SenseNeeds::membrane: return "`physics.cell.model: shell`";
-    case SenseNeeds::mesh: return "a `physics.cell.model` with meshes";
-    case SenseNeeds::contact: return "`physics.contact`";
-    case SenseNeeds::shell: return "`physics.shell`, cells with meshes";
-    case SenseNeeds::connections: return "`connections`";
+    case SenseNeeds::nothing:
+      return "nothing";
+    case SenseNeeds::bodies:
+      return "`physics`";
+    case SenseNeeds::membrane:
+      return "`physics.cell.model: shell`";
+    case SenseNeeds::mesh:
+      return "a `physics.cell.model` with meshes";
+    case SenseNeeds::contact:
+      return "`physics.contact`";
+    case SenseNeeds::shell:
+      return "`physics.shell`, cells with meshes";
+    case SenseNeeds::connections:
+      return "`connections`";
   }
   return "";
 }
@@ -242,7 +251,8 @@ Parameter senses() {
       if (member.key.empty()) continue;
       const std::string path = "senses." + member.key;
       if (isTaken(member.key))
-        reading.problems.add(member.place, path, "'" + member.key + "' is a substance that the simulator knows",
+        reading.problems.add(member.place, path,
+                             "'" + member.key + "' is a substance that the simulator knows",
                              "take another name");
       if (const auto sense = SenseReader(path, reading).read(member)) s.scene.senses.push_back(*sense);
     }
@@ -258,9 +268,12 @@ Parameter senses() {
 
 std::string sensesAsMarkdown() {
   std::string text =
-      "Each value is one condition, `{kind: {key: value}}`. Where a kind has a unit, or bounds, it measures a number: "
-      "`below`, `above`, `at-most` and `at-least` say when it is noted, and beside one of them `until` where it no "
-      "longer is once it was. `of`, `to` and `holds` name a substance, or the beginning of a name and `*`.\n\n"
+      "Each value is one condition, `{kind: {key: value}}`. Where a kind has a unit, or bounds, it measures "
+      "a number: "
+      "`below`, `above`, `at-most` and `at-least` say when it is noted, and beside one of them `until` where "
+      "it no "
+      "longer is once it was. `of`, `to` and `holds` name a substance, or the beginning of a name and "
+      "`*`.\n\n"
       "| kind | keys | unit | needs | what is perceived |\n|---|---|---|---|---|\n";
   for (const SenseKindRow* row : senseKinds()) {
     std::string keys;
@@ -272,8 +285,8 @@ std::string sensesAsMarkdown() {
     if (row->number.key) add(row->number.key, row->number.unit);
     if (row->takesAxis) add("axis");
     if (!row->threshold) keys += keys.empty() ? "bounds" : ", bounds";
-    text += "| `" + std::string(row->name) + "` | " + keys + " | " + row->unit + " | " + nameOf(row->needs) + " | " +
-            markdownCell(row->meaning) + " |\n";
+    text += "| `" + std::string(row->name) + "` | " + keys + " | " + row->unit + " | " + nameOf(row->needs) +
+            " | " + markdownCell(row->meaning) + " |\n";
   }
   return text;
 }

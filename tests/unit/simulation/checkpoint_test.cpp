@@ -17,6 +17,7 @@ std::vector<Scene> allScenes() {
   std::vector<Scene> scenes{scenes::life(),   scenes::packed(),     scenes::ellipsoid(),
                             scenes::thesis(), scenes::coarsening(), scenes::lineageOnly(scenes::eventful, 6)};
   scenes.push_back(scenes::spheres());
+  scenes.push_back(scenes::sensing());
   scenes.push_back(scenes::ellipsoid());
   scenes.back().mechanics->physics.integrator = Integrator::rungeKutta4;
   for (Scene byPositions : {scenes::ellipsoid(), scenes::coarsening()}) {
