@@ -10,7 +10,7 @@ namespace morula {
 namespace {
 
 const PhysicalUnit& bodyOf(const CellContext& cell) {
-  MORULA_CHECK(cell.physical(), "a sense of bodies in a scene without any is refused when it is read");
+  MORULA_CHECK(cell.physical(), "a cell without a body is not asked for it");
   return *cell.physical();
 }
 

@@ -259,8 +259,9 @@ StateId LogicalDna::nextOnSensing(StateId state, std::uint64_t sensed) const {
   return next;
 }
 
-/// True if it would divide, and is too small for it.
+/// True if it would divide, and is too small for it. Without a body it has no size to wait for.
 bool LogicalDna::waitsForSize(const CellContext& cell) const {
+  if (!cell.physical()) return false;
   const State& next = states_[nextState(cell)];
   if (!next.divides || next.dies) return false;
   const double begin = divisionSize_->rule == DivisionSize::Rule::adder ? cell.sizeAtBirth() : 0;

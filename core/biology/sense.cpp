@@ -32,6 +32,7 @@ bool holds(const Threshold& t, double value, bool before) {
 
 bool isSensed(const SenseParameters& sense, const CellContext& cell, const CountsCell& counts, bool before) {
   const SenseKindRow& row = kindOf(sense.kind);
+  if (row.needs != SenseNeeds::nothing && !cell.physical()) return false;
   return holds(row.threshold ? row.threshold(sense) : sense.is, row.measure(cell, sense, counts), before);
 }
 

@@ -56,7 +56,8 @@ const SenseKindRow& kindOf(SenseKind kind);
 /// Whether a number is noted. `before`: whether the last one was [Threshold::until].
 bool holds(const Threshold& threshold, double value, bool before);
 
-/// Whether a cell perceives this now. `before`: whether it did at its last cycle.
+/// Whether a cell perceives this now. `before`: whether it did at its last cycle. A cell without a body perceives
+/// nothing that is of bodies: so a lineage may be asked what genes alone make of a scene that has some.
 bool isSensed(const SenseParameters& sense, const CellContext& cell, const CountsCell& counts, bool before);
 
 // Rows, by file. Private to this room.

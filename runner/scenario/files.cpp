@@ -60,7 +60,7 @@ DnaSurroundings surroundingsOf(const Scenario& scenario, const Reading& reading)
     if (use.path.starts_with("cells")) around.given.insert(use.name);
     else around.read.push_back(use.name);
   }
-  for (const SenseParameters& sense : scenario.scene.senses) around.sensed.insert(sense.substance);
+  around.sensed = reading.senses;
   const auto& mechanics = scenario.scene.mechanics;
   if (!mechanics) return around;  // a lineage alone may be asked of a DNA that does more
   if (!mechanics->physics.growth)

@@ -3,6 +3,7 @@
 // resolved form.
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct Reading {
   std::vector<SubstanceUse> substances;
   DnaSource dna;
   std::vector<Place> startCells;  // where each of `cells` stands
+  std::set<std::string>
+      senses{};  // substances that `senses` names, whether or not their conditions could be read
 };
 
 enum class Decides {

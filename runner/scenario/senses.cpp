@@ -132,11 +132,20 @@ class SenseReader {
     if (good) checkThreshold(row, node);
   }
 
+  static bool hasUnknown(const SenseKindRow& row, const Node& node) {
+    const auto known = keysOf(row);
+    return std::ranges::any_of(node.members, [&](const Member& member) {
+      return std::ranges::find(known, member.key) == known.end();
+    });
+  }
+
   void checkThreshold(const SenseKindRow& row, const Node& node) {
     const auto& [below, above, atMost, atLeast, until] = sense_.is;
     const auto complain = [&](const std::string& wrong, const std::string& right) {
       problems().add(node.place, path_, wrong, right);
     };
+    if (!below && !above && !atMost && !atLeast && hasUnknown(row, node))
+      return;  // which may be meant to be one
     if (!below && !above && !atMost && !atLeast)
       return complain("says of no number that it is noted", "needs below, above, at-most or at-least");
     if (below && atMost) return complain("has two upper bounds", "give below or at-most");
@@ -250,6 +259,7 @@ Parameter senses() {
     for (const auto& member : node.members) {
       if (member.key.empty()) continue;
       const std::string path = "senses." + member.key;
+      reading.senses.insert(member.key);
       if (isTaken(member.key))
         reading.problems.add(member.place, path,
                              "'" + member.key + "' is a substance that the simulator knows",
@@ -268,10 +278,8 @@ Parameter senses() {
 
 std::string sensesAsMarkdown() {
   std::string text =
-      "Each value is one condition, `{kind: {key: value}}`. Where a kind has a unit, or bounds, it measures "
-      "a number: "
-      "`below`, `above`, `at-most` and `at-least` say when it is noted, and beside one of them `until` where "
-      "it no "
+      "Each value is one condition, `{kind: {key: value}}`. A kind with bounds measures a number: `below`, "
+      "`above`, `at-most` and `at-least` say when it is noted, and beside one of them `until` where it no "
       "longer is once it was. `of`, `to` and `holds` name a substance, or the beginning of a name and "
       "`*`.\n\n"
       "| kind | keys | unit | needs | what is perceived |\n|---|---|---|---|---|\n";

@@ -59,10 +59,8 @@ Parameter divisionSize() {
   p.allowed = "timer, {sizer: 0.8}, or {adder: 0.3}, with any number > 0";
   p.meaning =
       "The size at which a cell may divide, of its volume at rest over the egg's: when it is time (timer), "
-      "once it has "
-      "this size (sizer), or has gained so much since its birth (adder). A cell whose cycle is due, and "
-      "would make it "
-      "divide, waits for that; needs growth";
+      "once it has this size (sizer), or has gained so much since its birth (adder). A cell whose cycle is "
+      "due, and would make it divide, waits for that; needs growth";
   p.later = true;
   p.absent = "timer";
   Json forms = Json::array({{{"const", "timer"}}});
