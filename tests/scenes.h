@@ -53,6 +53,13 @@ inline Mesh cube() {
   return scaled(m, 0.55);
 }
 
+/// DNA whose genes read what the simulator inserts.
+inline Dna dnaThatSenses(const std::string& text, std::set<std::string> sensed) {
+  DnaSurroundings around;
+  around.sensed = std::move(sensed);
+  return parseDna(text, "test.dna", 1, 1, "", &around);
+}
+
 inline Scene lineageOnly(const std::string& dna, std::uint64_t cycles) {
   Scene s;
   s.name = "lineage-only";
@@ -209,6 +216,29 @@ inline Scene turning() {
   m.division.otherwise = {.plane = DivisionPlane::polarity, .axis = {1, 2, 3}, .substance = "a2"};
   m.division.chirality = Chirality{-30, 0.3};
   s.stop.time = 3.25;
+  s.stop.cycles.reset();
+  return s;
+}
+
+/// Cells that grow in a shell, divide by what they have gained, and stop while they are pressed or surrounded.
+inline Scene sensing() {
+  Scene s = withBodies(everybodyDivides, 9);
+  s.dna =
+      dnaThatSenses("START: a0, grow\ng1(a0|a0)\ng2(divide|a0, !crowded, !pressed)\ng3(grow|a0, !pressed)\n",
+                    {"crowded", "pressed"});
+  s.name = "sensing";
+  PhysicsParameters& p = s.mechanics->physics;
+  p.drag = 1;
+  p.growth = GrowthParameters{0.2, 1.2};
+  p.shell = ShellParameters{{1.2, 1, 1}};
+  s.mechanics->contact = pairContact;
+  s.cycle.length = 0.5;
+  s.cycle.divisionSize = DivisionSize{DivisionSize::Rule::adder, 0.1};
+  SenseParameters crowded{"crowded", SenseKind::neighbours}, pressed{"pressed", SenseKind::volume};
+  crowded.is = {.atLeast = 5, .until = 4};
+  pressed.is = {.below = 0.95, .until = 0.98};
+  s.senses = {crowded, pressed};
+  s.stop.time = 4;
   s.stop.cycles.reset();
   return s;
 }

@@ -21,6 +21,12 @@ struct Neighbour {
   double area;  // [length²] of the contact, as ContactArea
 };
 
+/// Another living cell.
+struct OtherCell {
+  const CellContext* cell;
+  double distance;  // [length] of the two centres: the means of their vertices
+};
+
 class CellContext {
  public:
   virtual ~CellContext() = default;
@@ -45,10 +51,22 @@ class CellContext {
   virtual const CellContext* sister() const { return nullptr; }
   /// How its mother was cut; null for a cell that no division made, and in a lineage-only scene.
   virtual const DivisionRecord* motherDivision() const { return nullptr; }
+  /// The cells that it is connected to, by path; none in a scene without connections.
+  virtual std::span<const CellContext* const> connected() const { return {}; }
+  /// All other living cells, by path; none in a lineage-only scene.
+  virtual std::span<const OtherCell> otherCells() const { return {}; }
+  /// [1] The share of its surface that lies on the shell: a vertex there stands for a third of the area of its
+  /// faces; 0 without a shell, and of a ball, which touches it in a point.
+  virtual double shellShare() const { return 0; }
+  /// [1] Its largest over its second largest extent, as the measure elongation; 1 of a ball.
+  virtual double elongation() const { return 1; }
+  /// [1] Its volume at rest over the egg's: what divisions and growth have made of it.
+  virtual double size() const { return 1; }
+  /// [1] That of its birth, or of the start. Known only where cells divide by what they have gained
+  /// (DivisionSize::Rule::adder); 0 elsewhere.
+  virtual double sizeAtBirth() const { return 0; }
 
   // What division planes ask for besides
-  /// The cells at the other ends of its connections, by path; none in a scene without connections.
-  virtual std::span<const CellContext* const> connected() const { return {}; }
   /// [length] Semi-axes along x, y and z of the shell, which has its centre at the origin; absent: no shell.
   virtual std::optional<Vector> shell() const { return {}; }
   /// [length] The centre of the volume of all cells; in a lineage-only scene the origin.

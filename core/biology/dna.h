@@ -40,6 +40,7 @@ struct DnaSurroundings {
   std::vector<std::string> read;  // by colours, cycle lengths …; a name, or its beginning and '*'
   /// Acting substances without effect in this scene; why, and what would be right: "needs x; add x".
   std::map<std::string, std::string> inert;
+  std::set<std::string> sensed;  // that the simulator inserts for what cells perceive
 };
 
 /// Reads DNA in the syntax above. `file` and `path` only name the place in messages; `firstLine` and

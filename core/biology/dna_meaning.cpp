@@ -34,7 +34,10 @@ std::set<std::string> inputsOfAllGenes(const Lines& lines) {
 
 bool isAsymmetry(const std::string& name) { return name == substance::a || name == substance::b; }
 
-void checkStart(const Lines& lines, Diagnostics& diagnostics) {
+/// What the simulator inserts for a sense comes from nobody else.
+const char* const sensedOnly = " is inserted for what a cell senses (senses); take another name";
+
+void checkStart(const Lines& lines, const std::set<std::string>& sensed, Diagnostics& diagnostics) {
   if (!lines.hasStartLine)
     diagnostics.add(lines.begin, "no START line; name the egg's substances, for example START: a0");
   std::map<std::string, Place> seen;
@@ -52,6 +55,7 @@ void checkStart(const Lines& lines, Diagnostics& diagnostics) {
                       quoted(word.text) +
                           " acts when a gene produces it; START a substance and a gene such as g1(" +
                           word.text + "|a0)");
+    else if (sensed.contains(word.text)) diagnostics.add(word.place, quoted(word.text) + sensedOnly);
   }
 }
 
@@ -76,12 +80,13 @@ void checkNames(const Lines& lines, Diagnostics& diagnostics) {
   }
 }
 
-void checkProduct(const Word& product, Diagnostics& diagnostics) {
+void checkProduct(const Word& product, const std::set<std::string>& sensed, Diagnostics& diagnostics) {
   if (product.text == "START")
     diagnostics.add(product.place, "START cannot be a substance; take another name");
   else if (isAsymmetry(product.text))
     diagnostics.add(product.place, "no gene produces " + quoted(product.text) +
                                        ": daughters get it at a division; take another name");
+  else if (sensed.contains(product.text)) diagnostics.add(product.place, quoted(product.text) + sensedOnly);
 }
 
 void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Diagnostics& diagnostics) {
@@ -139,15 +144,17 @@ void checkRepressors(const GeneLine& gene, const std::set<std::string>& possible
 }  // namespace
 
 void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Diagnostics& diagnostics) {
-  checkStart(lines, diagnostics);
+  const std::set<std::string> sensed = surroundings ? surroundings->sensed : std::set<std::string>{};
+  checkStart(lines, sensed, diagnostics);
   checkNames(lines, diagnostics);
   std::set<std::string> possible = possibleSubstances(lines);
   if (surroundings) possible.insert(surroundings->given.begin(), surroundings->given.end());
+  possible.insert(sensed.begin(), sensed.end());
   const std::set<std::string> read = inputsOfAllGenes(lines);
   // Without all of START everything would seem unproduced: one diagnostic is enough.
   if (!lines.hasStartLine || !lines.isStartReadable) possible.insert(read.begin(), read.end());
   for (const GeneLine& gene : lines.genes) {
-    checkProduct(gene.product, diagnostics);
+    checkProduct(gene.product, sensed, diagnostics);
     checkInputs(gene, possible, diagnostics);
     checkRepressors(gene, possible, diagnostics);
   }

@@ -7,6 +7,8 @@
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
+#include "biology/sense.h"
+#include "biology/substance_pattern.h"
 #include "biology/substances.h"
 
 namespace morula {
@@ -25,6 +27,18 @@ struct State {
   double growth = 0, connecting = 0;
   StateId next = unknown;                                // after a cell cycle
   std::array<StateId, 2> daughter = {unknown, unknown};  // A, B
+  // Where the DNA has senses; bit i: sense number i
+  std::uint64_t sensed = 0;   // whose substances it holds
+  std::uint64_t counted = 0;  // that its cell counts for [SenseParameters::of]
+  std::vector<std::pair<std::uint64_t, StateId>> nextOnSensing;  // after a cell cycle, by what is sensed then
+};
+
+constexpr std::size_t mostSenses = 64;
+
+/// One sense, and the substance that the simulator inserts for it.
+struct Sense {
+  SenseParameters parameters;
+  SubstanceId substance;
 };
 
 /// One gene, as seen from the input that it waits for: active if the other inputs are there too, and no
@@ -37,11 +51,14 @@ struct WaitingGene {
 
 class LogicalDna final : public BiologicalUnit {
  public:
-  LogicalDna(const Dna& dna, const CycleParameters& cycle);
+  LogicalDna(const Dna& dna, const CycleParameters& cycle, std::span<const SenseParameters> senses);
 
   StateId startState() const override { return start_; }
   double cycleLength(StateId state) const override { return states_[state].cycleLength; }
-  StateId runCellCycle(const CellContext& cell) override;
+  bool wantsToRunCellCycle(const CellContext& cell) const override {
+    return BiologicalUnit::wantsToRunCellCycle(cell) && !(divisionSize_ && waitsForSize(cell));
+  }
+  StateId runCellCycle(const CellContext& cell) override { return nextState(cell); }
   bool wantsToDivide(const CellContext& cell) const override { return states_[cell.state].divides; }
   bool wantsToDie(const CellContext& cell) const override { return states_[cell.state].dies; }
   double wantsToGrow(const CellContext& cell) const override { return states_[cell.state].growth; }
@@ -51,49 +68,85 @@ class LogicalDna final : public BiologicalUnit {
   StateId stateOf(const std::string& description) override;
 
  private:
-  StateId intern(Substances substances);
-  Substances runGenes(const Substances& present);
-  void readPace(const Dna& dna, const CycleParameters& cycle);
+  StateId intern(Substances substances) const;
+  Substances runGenes(const Substances& present) const;
+  StateId nextState(const CellContext& cell) const;
+  std::uint64_t sense(const CellContext& cell) const;
+  StateId nextOnSensing(StateId state, std::uint64_t sensed) const;
+  Substances withoutSensed(const Substances& substances) const;
+  bool waitsForSize(const CellContext& cell) const;
+  double cycleLengthOf(const Substances& substances, bool isNewborn) const;
+  void readPace(const CycleParameters& cycle);
+  std::vector<double> paceBySubstance(const std::map<std::string, double>& lengths) const;
   void readGenes(const Dna& dna);
+  void readSenses(const Dna& dna, std::span<const SenseParameters> senses);
 
   std::vector<std::string> names_;
-  std::vector<double> pace_;  // cycle length by substance; infinite where it says nothing
-  double length_;             // cycle length of all other states
+  std::vector<double> pace_;       // cycle length by substance; infinite where it says nothing
+  std::vector<double> firstPace_;  // that of newborns, by what their genes will make; empty: none is given
+  double length_;                  // cycle length of all other states
+  std::optional<DivisionSize> divisionSize_;
+  std::vector<Sense> senses_;
   std::vector<std::vector<WaitingGene>> waiting_;  // by the substance that they wait for
-  std::vector<bool> isPresent_;                    // by substance; all false between calls
+  mutable std::vector<bool> isPresent_;            // by substance; all false between calls
   // The substances that act; `unknown` for those that this DNA does not mention.
   SubstanceId divide_, die_, a_, b_, grow_, shrink_, connect_, release_;
 
-  std::vector<State> states_;
-  std::map<Substances, StateId> ids_;
+  // Filled when a state is first met, whoever asks.
+  mutable std::vector<State> states_;
+  mutable std::map<Substances, StateId> ids_;
   StateId start_ = 0;
 };
 
-LogicalDna::LogicalDna(const Dna& dna, const CycleParameters& cycle)
-    : names_(dna.substances), length_(cycle.length), isPresent_(dna.substances.size(), false) {
+LogicalDna::LogicalDna(const Dna& dna, const CycleParameters& cycle, std::span<const SenseParameters> senses)
+    : names_(dna.substances),
+      length_(cycle.length),
+      divisionSize_(cycle.divisionSize),
+      isPresent_(dna.substances.size(), false) {
   const auto find = [&](const std::string& name) { return findSubstance(dna, name).value_or(unknown); };
   divide_ = find(substance::divide), die_ = find(substance::die);
   a_ = find(substance::a), b_ = find(substance::b);
   grow_ = find(substance::grow), shrink_ = find(substance::shrink);
   connect_ = find(substance::connect), release_ = find(substance::release);
   MORULA_CHECK(a_ != unknown && b_ != unknown, "DNA comes from parseDna, which knows A and B");
-  readPace(dna, cycle);
+  readPace(cycle);
   readGenes(dna);
+  readSenses(dna, senses);
   start_ = intern(dna.start);
 }
 
-void LogicalDna::readPace(const Dna& dna, const CycleParameters& cycle) {
+void LogicalDna::readPace(const CycleParameters& cycle) {
   MORULA_CHECK(cycle.length > 0, "time between cell cycles");
-  pace_.assign(names_.size(), std::numeric_limits<double>::infinity());
-  for (const auto& [name, length] : cycle.perSubstance) {
+  pace_ = paceBySubstance(cycle.perSubstance);
+  if (!cycle.atBirth.empty()) firstPace_ = paceBySubstance(cycle.atBirth);
+}
+
+/// [substance] The shortest of those whose names or patterns fit.
+std::vector<double> LogicalDna::paceBySubstance(const std::map<std::string, double>& lengths) const {
+  std::vector<double> pace(names_.size(), std::numeric_limits<double>::infinity());
+  for (const auto& [pattern, length] : lengths) {
     MORULA_CHECK(length > 0, "time between cell cycles");
-    const auto id = findSubstance(dna, name);
-    if (!id) {
-      const std::string meant = closest(name, names_);
-      throw InputError("cycle: the DNA has no substance '" + name + "'; " +
-                       (meant.empty() ? "name one that it produces" : "did you mean '" + meant + "'?"));
-    }
-    pace_[*id] = length;
+    bool isMeant = false;
+    for (std::size_t s = 0; s < names_.size(); ++s)
+      if (standsFor(pattern, names_[s])) pace[s] = std::min(pace[s], length), isMeant = true;
+    if (isMeant) continue;
+    const std::string meant = closest(pattern, names_);
+    throw InputError("cycle: the DNA has no substance '" + pattern + "'; " +
+                     (meant.empty() ? "name one that it produces" : "did you mean '" + meant + "'?"));
+  }
+  return pace;
+}
+
+void LogicalDna::readSenses(const Dna& dna, std::span<const SenseParameters> senses) {
+  if (senses.size() > mostSenses)
+    throw InputError("senses: " + std::to_string(senses.size()) + " of them; give at most " +
+                     std::to_string(mostSenses));
+  for (const SenseParameters& parameters : senses) {
+    const auto id = findSubstance(dna, parameters.substance);
+    if (!id)
+      throw InputError("senses: no gene reads '" + parameters.substance +
+                       "'; write a gene that does, or remove this");
+    senses_.push_back({parameters, *id});
   }
 }
 
@@ -112,27 +165,40 @@ void LogicalDna::readGenes(const Dna& dna) {
   }
 }
 
-StateId LogicalDna::intern(Substances substances) {
+double LogicalDna::cycleLengthOf(const Substances& substances, bool isNewborn) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double length = infinity;
+  if (isNewborn && !firstPace_.empty())
+    for (SubstanceId s : runGenes(withoutSensed(substances))) length = std::min(length, firstPace_[s]);
+  if (length < infinity) return length;
+  for (SubstanceId s : substances) length = std::min(length, pace_[s]);
+  return length < infinity ? length : length_;
+}
+
+StateId LogicalDna::intern(Substances substances) const {
   const auto [place, isNew] = ids_.try_emplace(substances, static_cast<StateId>(states_.size()));
   if (!isNew) return place->second;
   const auto has = [&](SubstanceId s) { return std::ranges::binary_search(substances, s); };
   State state;
-  state.cycleLength = std::numeric_limits<double>::infinity();
-  for (SubstanceId s : substances) state.cycleLength = std::min(state.cycleLength, pace_[s]);
-  if (state.cycleLength == std::numeric_limits<double>::infinity()) state.cycleLength = length_;
   // A daughter inherits `divide` with the rest of its mother's state. It is a command that has been obeyed:
   // only what the daughter's own next cycle produces counts.
   const bool isNewborn = has(a_) || has(b_);
+  state.cycleLength = cycleLengthOf(substances, isNewborn);
   state.divides = has(divide_) && !isNewborn;
   state.dies = has(die_);
   state.growth = has(grow_) - has(shrink_);
   state.connecting = has(connect_) - has(release_);
+  for (std::size_t i = 0; i < senses_.size(); ++i) {
+    const auto counts = [&](SubstanceId s) { return standsFor(senses_[i].parameters.of, names_[s]); };
+    state.sensed |= std::uint64_t{has(senses_[i].substance)} << i;
+    state.counted |= std::uint64_t{std::ranges::any_of(substances, counts)} << i;
+  }
   state.substances = std::move(substances);
   states_.push_back(std::move(state));
   return place->second;
 }
 
-Substances LogicalDna::runGenes(const Substances& present) {
+Substances LogicalDna::runGenes(const Substances& present) const {
   Substances products;
   for (SubstanceId s : present) isPresent_[s] = true;
   const auto isThere = [&](SubstanceId s) -> bool { return isPresent_[s]; };
@@ -146,12 +212,60 @@ Substances LogicalDna::runGenes(const Substances& present) {
   return products;
 }
 
-StateId LogicalDna::runCellCycle(const CellContext& cell) {
+StateId LogicalDna::nextState(const CellContext& cell) const {
+  if (!senses_.empty()) return nextOnSensing(cell.state, sense(cell));
   if (states_[cell.state].next == unknown) {
     const StateId next = intern(runGenes(states_[cell.state].substances));  // may move states_
     states_[cell.state].next = next;
   }
   return states_[cell.state].next;
+}
+
+/// What the cell perceives now. Its state tells what it did at its last cycle, or its mother at hers.
+std::uint64_t LogicalDna::sense(const CellContext& cell) const {
+  std::uint64_t sensed = 0;
+  for (std::size_t i = 0; i < senses_.size(); ++i) {
+    const SenseParameters& sense = senses_[i].parameters;
+    const auto counts = [&](const CellContext& other) {
+      return sense.of.empty() || (states_[other.state].counted >> i & 1);
+    };
+    const bool before = states_[cell.state].sensed >> i & 1;
+    sensed |= std::uint64_t{isSensed(sense, cell, counts, before)} << i;
+  }
+  return sensed;
+}
+
+Substances LogicalDna::withoutSensed(const Substances& substances) const {
+  Substances rest = substances;
+  for (const Sense& sense : senses_) std::erase(rest, sense.substance);
+  return rest;
+}
+
+StateId LogicalDna::nextOnSensing(StateId state, std::uint64_t sensed) const {
+  for (const auto& [then, next] : states_[state].nextOnSensing)
+    if (then == sensed) return next;
+  const auto insertSensed = [&](Substances& substances) {
+    for (std::size_t i = 0; i < senses_.size(); ++i)
+      if (sensed >> i & 1) substances.push_back(senses_[i].substance);
+    std::ranges::sort(substances);
+    substances.erase(std::unique(substances.begin(), substances.end()), substances.end());
+  };
+  Substances present = withoutSensed(states_[state].substances);
+  insertSensed(present);
+  Substances products = runGenes(present);
+  insertSensed(products);
+  const StateId next = intern(std::move(products));  // may move states_
+  states_[state].nextOnSensing.emplace_back(sensed, next);
+  return next;
+}
+
+/// True if it would divide, and is too small for it. Without a body it has no size to wait for.
+bool LogicalDna::waitsForSize(const CellContext& cell) const {
+  if (!cell.physical()) return false;
+  const State& next = states_[nextState(cell)];
+  if (!next.divides || next.dies) return false;
+  const double begin = divisionSize_->rule == DivisionSize::Rule::adder ? cell.sizeAtBirth() : 0;
+  return cell.size() - begin < divisionSize_->size;
 }
 
 StateId LogicalDna::daughterState(StateId mother, bool b) {
@@ -188,8 +302,9 @@ StateId LogicalDna::stateOf(const std::string& description) {
 
 }  // namespace
 
-std::unique_ptr<BiologicalUnit> makeLogicalDna(const Dna& dna, const CycleParameters& cycle) {
-  return std::make_unique<LogicalDna>(dna, cycle);
+std::unique_ptr<BiologicalUnit> makeLogicalDna(const Dna& dna, const CycleParameters& cycle,
+                                               std::span<const SenseParameters> senses) {
+  return std::make_unique<LogicalDna>(dna, cycle, senses);
 }
 
 }  // namespace morula

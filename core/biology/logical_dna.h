@@ -11,7 +11,14 @@
 //
 // Compiled: each gene is looked up by its rarest input only, and the successor of each state is computed once and
 // kept, so that a cell cycle is a table look-up however many genes there are.
+//
+// With senses a cycle reads the state as it is without what was sensed before, and with what is sensed now; the next
+// state holds the genes' products and what is sensed now. So a state shows what its cell perceived at its last cycle,
+// daughters inherit that until their own first cycle, and the successor of a state depends on what is sensed, too:
+//
+//   {a1, touched} → cycle, nothing touches it → genes run on {a1}; → cycle, crowded → genes run on {a1, crowded}
 #include <memory>
+#include <span>
 
 #include "biology/biological_unit.h"
 #include "biology/dna.h"
@@ -20,8 +27,9 @@
 namespace morula {
 
 /// Ids of states are given in the order in which states are first met: compare and store states by
-/// `describe`, not by id, across runs. Not for several threads at once. Throws InputError if `cycle` names a
-/// substance that the DNA does not.
-std::unique_ptr<BiologicalUnit> makeLogicalDna(const Dna& dna, const CycleParameters& cycle);
+/// `describe`, not by id, across runs. Not for several threads at once. Throws InputError if `cycle` or a sense
+/// names a substance that the DNA does not, and for more than 64 senses.
+std::unique_ptr<BiologicalUnit> makeLogicalDna(const Dna& dna, const CycleParameters& cycle,
+                                               std::span<const SenseParameters> senses = {});
 
 }  // namespace morula

@@ -1,13 +1,63 @@
 #pragma once
-// What a scenario may say about the pace of biology.
+// What a scenario may say about the pace of biology, and about what cells perceive.
 #include <map>
+#include <optional>
 #include <string>
+
+#include "base/vec3.h"
 
 namespace morula {
 
+/// The size at which a cell may divide, of its volume at rest over the egg's.
+struct DivisionSize {
+  enum class Rule { sizer, adder };  // its number is part of what a scenario means
+  Rule rule = Rule::sizer;           // the size itself, or what it has gained since the cell's birth
+  double size = 1;                   // [1]
+};
+
 struct CycleParameters {
-  double length = 1;                           // [time] between cell cycles
-  std::map<std::string, double> perSubstance;  // [time] for cells that hold the substance; the shortest wins
+  double length = 1;  // [time] between cell cycles
+  // [time] for cells that hold the substance, or one with this beginning before '*'; the shortest wins
+  std::map<std::string, double> perSubstance;
+  // [time] from birth to the first cycle, for a newborn whose genes will make this substance (or one with this
+  // beginning before '*') of what she is born with; the shortest wins, and goes before perSubstance
+  std::map<std::string, double> atBirth;
+  std::optional<DivisionSize> divisionSize;  // absent: cells divide when it is time, of whatever size
+};
+
+enum class SenseKind {  // its number is part of what a scenario means: new ones stand behind the others
+  volume,
+  pressure,
+  age,
+  elongation,
+  shell,
+  position,
+  neighbours,
+  contact,
+  majority,
+  near,
+  diffusion,
+  connected,
+  sister,
+};
+
+/// What a measured number must be; all that is given must hold.
+struct Threshold {
+  std::optional<double> below = {}, above = {}, atMost = {}, atLeast = {};
+  // Beside one of the others: once it holds, it goes on holding until the number has passed this on the other side.
+  std::optional<double> until = {};
+};
+
+/// One thing that cells perceive: at a cell's cycle the simulator inserts the substance if the condition holds, and
+/// takes it away if not, as it inserts A and B. sense.h says what each kind measures and which members it has.
+struct SenseParameters {
+  std::string substance = {};  // that is inserted
+  SenseKind kind = SenseKind::volume;
+  Threshold is = {};    // of kinds that compare a number
+  std::string of = {};  // the cells that count: that hold it, or one with this beginning before '*'; "": all
+  std::optional<double> number = {};  // the contact's area [length²], a distance or a range [length]
+  Vector axis{1, 0, 0};               // of `position`; any length but 0
+  bool lives = true;                  // of `sister`, where `of` is "": whether she lives
 };
 
 }  // namespace morula

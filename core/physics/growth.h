@@ -9,4 +9,12 @@ namespace morula {
 /// momentum grows with the mass.
 void grow(Bodies& bodies, int slot, double rate, double timeStep);
 
+/// [1] A cell's volume at rest over the egg's: k_p over the egg's with fluid under pressure, otherwise the cube of its
+/// rest scale.
+double sizeAtRest(const Bodies& bodies, int slot);
+
+/// As `grow` with a rate > 0, but not beyond this size (sizeAtRest): the last step is as long as is missing. A cell
+/// that is as large, or larger, stays as it is.
+void growUntil(Bodies& bodies, int slot, double rate, double timeStep, double size);
+
 }  // namespace morula

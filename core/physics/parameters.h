@@ -67,6 +67,8 @@ struct ShapeMatchingParameters {
 /// How fast a cell grows or shrinks while its biology wants to.
 struct GrowthParameters {
   double rate = 0.1;  // [1/time] relative change of k_p and mass; lengths follow with a third of it
+  std::optional<double> until =
+      {};  // [1] volume at rest over the egg's at which growth stops; absent: it goes on
 };
 
 struct ShellParameters {

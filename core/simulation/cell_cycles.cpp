@@ -31,8 +31,8 @@ std::vector<CellChange> runDueCycles(World& world, double time) {
   }
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (changes[i] == CellChange::none) continue;
-    // When it was due: rounding to steps does not pile up.
-    cells.lastCycle[i] = nextCycleOf(world, i);
+    // When it was due: rounding to steps does not pile up. A cell that has waited begins anew now.
+    cells.lastCycle[i] = std::max(time, nextCycleOf(world, i));
     world.lineage.entries[cells.entry[i]].state = next[i];
   }
   cells.state = std::move(next);
@@ -54,19 +54,25 @@ void decide(World& world, const Observation& now, std::vector<CellChange>& chang
   }
 }
 
-/// All cycles that are due at one time. False if there was none.
+/// All cycles that are due at one time. False if no cell wanted one.
 bool runOneRound(World& world, double time) {
   std::vector<CellChange> changes = runDueCycles(world, time);
+  if (std::ranges::all_of(changes, [](CellChange c) { return c == CellChange::none; })) return false;
   const Observation now(world, time);
   decide(world, now, changes);
   connectNeighbours(world, now, changes);
   changePopulation(world, now, changes);
-  return std::any_of(changes.begin(), changes.end(), [](CellChange c) { return c != CellChange::none; });
+  return true;
 }
 
-double findNextCycle(const World& world) {
+/// [time] When the round after that of `time` is: when the next cycle is due, or for cells that did not want the one
+/// that was due, the clock's time; `time` itself if these are all and have been asked then.
+double findNextRound(const World& world, double time) {
   double next = INFINITY;
-  for (std::size_t i = 0; i < world.cells.path.size(); ++i) next = std::min(next, nextCycleOf(world, i));
+  for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
+    const double due = nextCycleOf(world, i);
+    next = std::min(next, due > time ? due : std::max(time, world.clock.time));
+  }
   return next;
 }
 
@@ -83,15 +89,20 @@ double nextCycleOf(const World& world, std::size_t cell) {
          paceOf(world, cells.path[cell]) * world.biology->cycleLength(cells.state[cell]);
 }
 
-void runCellCycles(World& world, double until) {
+void runCellCycles(World& world, double before, double until) {
   Clock& clock = world.clock;
   if (!(clock.nextCycle <= until)) return;
-  for (bool some = true; some && clock.nextCycle <= until && !hasEnoughCells(world);) {
-    some = runOneRound(world, clock.nextCycle);
-    clock.nextCycle = findNextCycle(world);
+  // Only cells that wait have a next cycle in the past.
+  double time = clock.nextCycle > before ? clock.nextCycle : findNextRound(world, before);
+  bool some = false, isOver = false;
+  while (!isOver && time <= until && !hasEnoughCells(world)) {
+    some = runOneRound(world, time) || some;
+    clock.nextCycle = findNextRound(world, time);
+    isOver = !(clock.nextCycle > time);
+    time = clock.nextCycle;
   }
   sortByAdhesion(world);
-  if (world.bodies && world.model.mechanics->physics.growth) {
+  if (some && world.bodies && world.model.mechanics->physics.growth) {
     if (world.contacts) setInfluenceRadii(*world.contacts, *world.bodies);
     chooseTimeStep(world);  // cells that shrink get lighter: an automatic step must follow
   }

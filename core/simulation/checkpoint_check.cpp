@@ -63,6 +63,10 @@ void checkSavedState(const SavedState& s, const World& world) {
     for (double a : *radii) demand(isPositive(a), "a cell's influence radius");
   if (world.polarities) checkPolarities(*read.polarities);
   if (world.connections) checkConnections(read.connections->history, read.cells.path);
+  if (world.birthSizes) {
+    demand(read.birthSizes->size() == read.cells.path.size(), "a cell's size at birth");
+    for (const BirthSize& birth : *read.birthSizes) demand(isPositive(birth.size), "a cell's size at birth");
+  }
 }
 
 }  // namespace morula

@@ -80,6 +80,7 @@ struct PartHasher {
   void operator()(const char*, const std::vector<TimeStepChange>&) {}
   void operator()(const char*, const std::vector<DivisionRecord>&) {}
   void operator()(const char*, const std::vector<PolarityRecord>&) {}
+  void operator()(const char*, const std::vector<BirthSize>&) {}
   void operator()(const char*, const Contacts&) {}
 
   template <class Record>

@@ -65,7 +65,7 @@ void takeSteps(World& world, std::uint64_t most) {
   }
   clock.time = timeAfter(clock, steps);
   clock.step += steps;
-  runCellCycles(world, dueUntil(world, before));
+  runCellCycles(world, before, dueUntil(world, before));
 }
 
 }  // namespace morula

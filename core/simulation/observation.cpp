@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "division/principal_axis.h"
 #include "mesh/measures.h"
+#include "physics/growth.h"
 #include "simulation/body_measures.h"
 #include "simulation/stages.h"
 
@@ -76,6 +78,12 @@ const DivisionRecord* Observation::divisionOf(const CellPath& mother) const {
   }
   const auto at = std::ranges::lower_bound(divisionByPath_, mother, {}, pathOf);
   return at != divisionByPath_.end() && all[*at].path == mother ? &all[*at] : nullptr;
+}
+
+const Point& Observation::centreOf(int number) const {
+  if (centres_.empty())
+    for (int slot : world.bodies->slots) centres_.push_back(measureCentre(*world.bodies, slot));
+  return centres_[number];
 }
 
 BodyUnit::BodyUnit(const Observation& observation, int slot)
@@ -169,6 +177,38 @@ const Vector* ObservedCell::inheritedPolarity() const {
     if (at != all.end() && at->path == cell) return &at->direction;
   }
   return nullptr;
+}
+
+std::span<const OtherCell> ObservedCell::otherCells() const {
+  if (!others_) {
+    others_.emplace();
+    const int count = observation_.world.bodies ? static_cast<int>(observation_.world.cells.path.size()) : 0;
+    for (int other = 0; other < count; ++other)
+      if (other != number_)
+        others_->push_back(
+            {&observation_.cell(other), norm(observation_.centreOf(other) - observation_.centreOf(number_))});
+  }
+  return *others_;
+}
+
+double ObservedCell::shellShare() const {
+  if (!observation_.world.bodies || !observation_.world.bodies->parameters.shell) return 0;
+  return measureShellShare(physical()->getShape(), *observation_.world.bodies->parameters.shell);
+}
+
+double ObservedCell::elongation() const {
+  if (!observation_.world.bodies) return 1;
+  const BodyShape& shape = physical()->getShape();
+  return shape.isBall ? 1 : extentRatio(shape.surface.vertices);
+}
+
+double ObservedCell::size() const {
+  return observation_.world.bodies ? sizeAtRest(*observation_.world.bodies, slot()) : 1;
+}
+
+double ObservedCell::sizeAtBirth() const {
+  const auto& sizes = observation_.world.birthSizes;
+  return sizes ? (*sizes)[number_].size : 0;
 }
 
 }  // namespace morula

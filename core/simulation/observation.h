@@ -46,6 +46,8 @@ class Observation {
   Point organismCentre() const;
   /// Null if no division made daughters of this cell.
   const DivisionRecord* divisionOf(const CellPath& mother) const;
+  /// [length] The mean of a cell's vertices; the world has bodies.
+  const Point& centreOf(int number) const;
 
   /// How often something was measured, so far.
   struct Counts {
@@ -64,6 +66,7 @@ class Observation {
   mutable std::vector<double> meshVolumes_;            // [meshLevel]
   mutable std::vector<std::uint32_t> divisionByPath_;  // places in world.divisions
   mutable std::optional<Point> organismCentre_;
+  mutable std::vector<Point> centres_;                 // [cell]; empty: not measured
 };
 
 /// A body as an observation sees it.
@@ -97,6 +100,11 @@ class ObservedCell final : public CellContext {
   std::optional<Vector> shell() const override;
   Point organismCentre() const override;
   const Vector* inheritedPolarity() const override;
+  std::span<const OtherCell> otherCells() const override;
+  double shellShare() const override;
+  double elongation() const override;
+  double size() const override;
+  double sizeAtBirth() const override;
 
   /// Its number among the living, and where its body is, if it has one.
   int number() const { return number_; }
@@ -108,6 +116,7 @@ class ObservedCell final : public CellContext {
   mutable std::optional<BodyUnit> body_;
   mutable std::optional<std::vector<Neighbour>> neighbours_;
   mutable std::optional<std::vector<const CellContext*>> connected_;
+  mutable std::optional<std::vector<OtherCell>> others_;
 };
 
 }  // namespace morula

@@ -8,6 +8,7 @@
 #include "division/cut.h"
 #include "division/place_plane.h"
 #include "division/principal_axis.h"
+#include "physics/growth.h"
 #include "simulation/memory.h"
 #include "simulation/stages.h"
 
@@ -88,6 +89,7 @@ Point centreOfBody(const Body& body) { return measureCentroid(body.position); }
 struct Population {
   Cells cells;
   std::vector<Body> bodies;
+  std::vector<BirthSize> birthSizes;  // 0 of newborns; empty where no division asks for them
 };
 
 void add(Population& p, const CellPath& path, StateId state, double lastCycle, double growth,
@@ -113,6 +115,7 @@ void addDaughter(World& world, Population& next, std::size_t mother, bool b) {
   const CellPath path = cells.path[mother].daughter(b);
   add(next, path, state, cells.lastCycle[mother], cells.growth[mother],
       static_cast<std::uint32_t>(world.lineage.entries.size()));
+  if (world.birthSizes) next.birthSizes.push_back({});
   world.lineage.entries.push_back({path, world.clock.time, 0, world.clock.step, 0, Fate::alive, state});
 }
 
@@ -209,6 +212,7 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
     } else {
       const Cells& c = world.cells;
       add(next, c.path[i], c.state[i], c.lastCycle[i], c.growth[i], c.entry[i]);
+      if (world.birthSizes) next.birthSizes.push_back((*world.birthSizes)[i]);
       if (world.bodies) next.bodies.push_back(takeBody(*world.bodies, world.bodies->slots[i]));
     }
   }
@@ -217,6 +221,12 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
   world.cells = std::move(next.cells);
   if (!world.bodies) return;
   setBodies(*world.bodies, next.bodies);
+  if (world.birthSizes) {
+    world.birthSizes = std::move(next.birthSizes);
+    for (std::size_t i = 0; i < world.birthSizes->size(); ++i)
+      if (double& size = (*world.birthSizes)[i].size; size == 0)
+        size = sizeAtRest(*world.bodies, world.bodies->slots[i]);
+  }
   beginWithBodies(world);
 }
 

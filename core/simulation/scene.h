@@ -44,6 +44,7 @@ struct Scene {
   std::optional<MechanicsScene> mechanics;  // absent: lineage only
   std::vector<StartCell> cells;             // that live at time 0; none: one egg at the origin
   VariationParameters variation;            // what the seed changes besides
+  std::vector<SenseParameters> senses;      // by substance, each once
 };
 
 }  // namespace morula

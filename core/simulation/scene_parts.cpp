@@ -35,9 +35,26 @@ void addPart(Hasher& h, const Dna& dna) {
 }
 
 void addPart(Hasher& h, const CycleParameters& cycle) {
-  const auto& [length, perSubstance] = cycle;
+  const auto& [length, perSubstance, atBirth, divisionSize] = cycle;
   h.field("cycle").add(length).add(std::uint64_t{perSubstance.size()});
   for (const auto& [name, own] : perSubstance) h.add(name).add(own);
+  if (!atBirth.empty()) {
+    h.field("at birth").add(std::uint64_t{atBirth.size()});
+    for (const auto& [name, own] : atBirth) h.add(name).add(own);
+  }
+  if (divisionSize) {
+    const auto& [rule, size] = *divisionSize;
+    h.field("division size").add(number(rule)).add(size);
+  }
+}
+
+void addPart(Hasher& h, const std::vector<SenseParameters>& senses) {
+  h.field("senses").add(std::uint64_t{senses.size()});
+  for (const auto& [substance, kind, is, of, amount, axis, lives] : senses) {
+    h.add(substance).add(number(kind)).add(of).add(axis.x).add(axis.y).add(axis.z).add(lives);
+    const auto& [below, above, atMost, atLeast, until] = is;
+    for (const auto* one : {&below, &above, &atMost, &atLeast, &until, &amount}) add(h, *one);
+  }
 }
 
 void addPart(Hasher& h, const std::uint64_t& seed) { h.field("seed").add(seed); }
@@ -60,8 +77,9 @@ void addPart(Hasher& h, const PhysicsParameters& physics) {
   }
   const auto& [constant, outside] = pressure;
   h.field("pressure").add(constant).add(outside);
-  const auto& [rate] = growth.value_or(GrowthParameters{.rate = 0});
+  const auto& [rate, until] = growth.value_or(GrowthParameters{.rate = 0, .until = {}});
   h.field("growth").add(growth.has_value()).add(rate);
+  if (until) h.field("until").add(*until);
   h.field("shell").add(shell.has_value());
   if (shell) {
     const auto& [semiAxes] = *shell;
@@ -157,7 +175,7 @@ void addPart(Hasher& h, const VariationParameters& variation) {
 }  // namespace
 
 std::vector<ScenePart> hashSceneParts(const Scene& scene) {
-  const auto& [title, seed, dna, cycle, stop, mechanics, cells, variation] = scene;
+  const auto& [title, seed, dna, cycle, stop, mechanics, cells, variation, senses] = scene;
   std::vector<ScenePart> parts;
   const auto add = [&]<class Part>(const char* name, const Part* part) {
     Hasher h;
@@ -178,6 +196,7 @@ std::vector<ScenePart> hashSceneParts(const Scene& scene) {
   VariationParameters onTheWay = variation;
   onTheWay.start = 0;  // as the start cells: how a state came about does not decide how it goes on
   if (onTheWay != VariationParameters{}) add("variation", &onTheWay);
+  if (!senses.empty()) add("senses", &senses);
   return parts;
 }
 

@@ -56,8 +56,10 @@ void sortByAdhesion(World& world);
 
 /// Runs the cell cycles that are due until then [time], and the deaths, divisions and connections that follow
 /// from them. Cycles run in the order in which they are due, and those that are due at the same time
-/// together; none runs after the one that gives the scene as many cells as it stops at.
-void runCellCycles(World& world, double until);
+/// together; none runs after the one that gives the scene as many cells as it stops at. A cell that does not want
+/// its cycle yet is asked again in each step, together with those whose cycles are due at the step's end. `before`:
+/// the clock's time before this step.
+void runCellCycles(World& world, double before, double until);
 
 /// [1] A cell's cycle lengths over those of its state: 1 ± variation.cycle.
 double paceOf(const World& world, const CellPath& path);

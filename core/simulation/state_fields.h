@@ -99,6 +99,12 @@ void visitFields(T& polarity, auto&& visit) {
   visit(Field{"direction", "", Use::saved}, direction);
 }
 
+template <IsA<BirthSize> T>
+void visitFields(T& birth, auto&& visit) {
+  auto& [size] = birth;
+  visit(Field{"size", "", Use::saved}, size);
+}
+
 template <IsA<ConnectionRecord> T>
 void visitFields(T& connection, auto&& visit) {
   auto& [a, b, made, released, cause] = connection;
@@ -157,7 +163,7 @@ void visitBody(const Bodies& bodies, int slot, auto&& visit) {
 template <IsA<World> W>
 void visitState(W& world, auto&& visit) {
   auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts,
-         connections, lineage, timeSteps, divisions, polarities, before, motility, swirls] = world;
+         connections, lineage, timeSteps, divisions, birthSizes, polarities, before, motility, swirls] = world;
   visit("clock", clock);
   visit("cells", cells);
   visit("lineage", lineage.entries);
@@ -169,6 +175,7 @@ void visitState(W& world, auto&& visit) {
   if (polarities) visit("polarities", *polarities);
   if (contacts) visit("contacts", *contacts);
   if (connections) visit("connections", connections->history);
+  if (birthSizes) visit("birth sizes", *birthSizes);
 }
 
 }  // namespace morula

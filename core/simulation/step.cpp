@@ -56,7 +56,7 @@ void step(World& world) {
     ++clock.step;
     clock.time = clock.nextCycle;
   }
-  runCellCycles(world, dueUntil(world, before));
+  runCellCycles(world, before, dueUntil(world, before));
 }
 
 namespace {
@@ -124,9 +124,12 @@ void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
 void growCells(World& world, double timeStep) {
   const auto& growth = world.model.mechanics->physics.growth;
   if (!growth) return;
-  for (std::size_t i = 0; i < world.cells.growth.size(); ++i)
-    if (world.cells.growth[i] != 0)
-      grow(*world.bodies, world.bodies->slots[i], growth->rate * world.cells.growth[i], timeStep);
+  for (std::size_t i = 0; i < world.cells.growth.size(); ++i) {
+    const double rate = growth->rate * world.cells.growth[i];
+    const int slot = world.bodies->slots[i];
+    if (rate > 0 && growth->until) growUntil(*world.bodies, slot, rate, timeStep, *growth->until);
+    else if (rate != 0) grow(*world.bodies, slot, rate, timeStep);
+  }
 }
 
 }  // namespace morula

@@ -131,6 +131,8 @@ ShortestCycle shortestCycle(const Scene& scene) {
   ShortestCycle shortest{cycle.length, "cycle.length"};
   for (const auto& [substance, length] : cycle.perSubstance)
     if (length < shortest.length) shortest = {length, "cycle.per-substance." + substance};
+  for (const auto& [substance, length] : cycle.atBirth)
+    if (length < shortest.length) shortest = {length, "cycle.at-birth." + substance};
   shortest.length *= 1 - largestDeviate * scene.variation.cycle;
   return shortest;
 }
@@ -176,7 +178,8 @@ double timeStepLimit(const World& world) {
 void refuseEndlessPace(const Scene& scene) {
   const ShortestCycle shortest = shortestCycle(scene);
   double longest = scene.cycle.length;
-  for (const auto& [substance, length] : scene.cycle.perSubstance) longest = std::max(longest, length);
+  for (const auto* lengths : {&scene.cycle.perSubstance, &scene.cycle.atBirth})
+    for (const auto& [substance, length] : *lengths) longest = std::max(longest, length);
   const double until = std::max(longest, plannedEnd(scene).value_or(0));
   if (until <= mostCycles * shortest.length) return;
   throw InputError(shortest.key + " " + exactText(shortest.length) + " is too short for a time of " +

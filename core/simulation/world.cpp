@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "biology/logical_dna.h"
 #include "biology/substances.h"
+#include "physics/growth.h"
 #include "simulation/memory.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
@@ -32,7 +33,7 @@ int cellNumber(const Cells& cells, const CellPath& path) {
 }
 
 World makeWorld(const Scene& scene, const Execution& execution) {
-  return makeWorld(scene, makeLogicalDna(scene.dna, scene.cycle), execution);
+  return makeWorld(scene, makeLogicalDna(scene.dna, scene.cycle, scene.senses), execution);
 }
 
 World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution) {
@@ -56,6 +57,14 @@ World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, con
   setStages(world, execution.isa);
   requireMemoryForStart(world);
   setBodies(*world.bodies, makeStartBodies(*world.bodies, placeStart(scene, world.cells.path)));
+  if (scene.cycle.divisionSize && scene.cycle.divisionSize->rule == DivisionSize::Rule::adder) {
+    world.birthSizes.emplace();
+    for (int slot : world.bodies->slots) world.birthSizes->push_back({sizeAtRest(*world.bodies, slot)});
+  }
+  if (scene.cycle.divisionSize)  // an egg may have to grow before its first cycle
+    for (std::size_t i = 0; i < world.cells.path.size(); ++i)
+      world.cells.growth[i] =
+          world.biology->wantsToGrow(ObservedCell(Observation(world), static_cast<int>(i)));
   try {
     beginWithBodies(world);
     checkNumbers(world);

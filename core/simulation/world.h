@@ -63,6 +63,11 @@ struct TimeStepChange {
   double timeStep = 0;
 };
 
+/// What is kept of a living cell's beginning where its division asks for it (DivisionSize::Rule::adder).
+struct BirthSize {
+  double size = 0;  // [1] CellContext::sizeAtBirth
+};
+
 struct World {
   // Constant
   Scene model;
@@ -81,6 +86,7 @@ struct World {
   Lineage lineage;
   std::vector<TimeStepChange> timeSteps;
   std::vector<DivisionRecord> divisions;                  // of cells with bodies, in order of time and path
+  std::optional<std::vector<BirthSize>> birthSizes;       // [cell]; absent: no division asks for them
   std::optional<std::vector<PolarityRecord>> polarities;  // by path; absent: no division plane keeps any
 
   std::optional<BodyCopy> before;            // scratch of takeSteps

@@ -111,6 +111,7 @@ class Comparison {
   void operator()(const char*, const std::vector<TimeStepChange>&) {}
   void operator()(const char*, const std::vector<DivisionRecord>&) {}
   void operator()(const char*, const std::vector<PolarityRecord>&) {}
+  void operator()(const char*, const std::vector<BirthSize>&) {}
   void operator()(const char*, const Contacts&) {}
 
   std::optional<StateDifference> first() const {

@@ -145,8 +145,11 @@ std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
   const auto& mechanics = scenario.scene.mechanics;
   std::vector<Part> parts;
   const std::size_t genes = scenario.scene.dna.genes.size();
-  parts.push_back(
-      {"biology", true, fmt::format("{} gene{}", genes, genes == 1 ? "" : "s"), why.of({"dna.file", "dna"})});
+  const std::size_t senses = scenario.scene.senses.size();
+  parts.push_back({"biology", true,
+                   fmt::format("{} gene{}", genes, genes == 1 ? "" : "s") +
+                       (senses > 0 ? fmt::format(", {} sense{}", senses, senses == 1 ? "" : "s") : ""),
+                   why.of({"dna.file", "dna"})});
   addBodies(parts, scenario, why);
   addContact(parts, scenario, ask, why);
   parts.push_back(mechanics && mechanics->connections ? Part{"connections", true, "", why.of({"connections"})}

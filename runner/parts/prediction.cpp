@@ -164,6 +164,8 @@ void predictBodies(Costs& costs, Prediction& f, const Scenario& scenario, const 
   costs["samples"].bytes = recordBytes(sums, world);
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(ChainLink);
   warnOfTimeSteps(f, trial);
+  if (!scenario.scene.senses.empty() || scenario.scene.cycle.divisionSize)
+    f.remarks.push_back("what cells sense, or wait for, is not foreseen: divisions are those of the genes alone");
   if (scenario.scene.mechanics->physics.growth)
     f.remarks.push_back("what growth does to the time step is not foreseen beyond the rehearsal");
 }

@@ -7,12 +7,36 @@
 #include "biology/substances.h"
 #include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
+#include "scenario/scene_checks.h"
 #include "scenario/value_types.h"
 #include "simulation/start_variation.h"
 #include "simulation/world.h"
 #include "yaml/numbers.h"
 
 namespace morula::scenario {
+
+namespace {
+
+/// The parameter's value, or that of the innermost map that is given; `whole`: whether it is the parameter's.
+const Node& innermost(const Node& root, const std::string& path, bool& whole) {
+  const Node* node = &root;
+  for (std::size_t begin = 0; begin < path.size();) {
+    const auto end = std::min(path.find('.', begin), path.size());
+    const auto* member = node->find(path.substr(begin, end - begin));
+    whole = member != nullptr;
+    if (!member) break;
+    node = &member->value;
+    begin = end + 1;
+  }
+  return *node;
+}
+
+}  // namespace
+
+Place placeOf(const Node& root, const std::string& path) {
+  bool whole = true;
+  return innermost(root, path, whole).place;
+}
 
 namespace {
 
@@ -34,20 +58,6 @@ void checkSubstances(const Dna& dna, Reading& reading) {
     reading.problems.add(use.place, use.path, "the DNA has no substance '" + use.name + "'",
                          near.empty() ? "needs a name that occurs in the DNA" : "did you mean " + near + "?");
   }
-}
-
-/// The parameter's value, or that of the innermost map that is given; `whole`: whether it is the parameter's.
-const Node& innermost(const Node& root, const std::string& path, bool& whole) {
-  const Node* node = &root;
-  for (std::size_t begin = 0; begin < path.size();) {
-    const auto end = std::min(path.find('.', begin), path.size());
-    const auto* member = node->find(path.substr(begin, end - begin));
-    whole = member != nullptr;
-    if (!member) break;
-    node = &member->value;
-    begin = end + 1;
-  }
-  return *node;
 }
 
 /// The parameter's value, or else null.
@@ -315,8 +325,10 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkAdhesion(scenario, reading, root);
     checkMotility(mechanics->physics, reading, root);
     checkBullet(scenario, reading, root);
+    checkDivisionSize(scenario, reading, root);
   }
   checkVariation(scenario, reading, root);
+  checkSenses(scenario, reading, root);
   checkInterval("record.every", scenario.record.every, 1e7, "samples", scenario, reading, root);
   checkInterval("record.pictures", scenario.record.pictures, 1e5, "pictures", scenario, reading, root);
   if (scenario.record.pictures && !scenario.scene.mechanics)

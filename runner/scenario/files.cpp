@@ -60,6 +60,7 @@ DnaSurroundings surroundingsOf(const Scenario& scenario, const Reading& reading)
     if (use.path.starts_with("cells")) around.given.insert(use.name);
     else around.read.push_back(use.name);
   }
+  around.sensed = reading.senses;
   const auto& mechanics = scenario.scene.mechanics;
   if (!mechanics) return around;  // a lineage alone may be asked of a DNA that does more
   if (!mechanics->physics.growth)

@@ -3,6 +3,7 @@
 // resolved form.
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ struct Reading {
   std::vector<NameUse> names{};
   std::optional<std::pair<std::string, Place>> namesFile{};
   std::vector<Place> rules{};     // where each of `division.rules` stands
+  std::set<std::string>
+      senses{};  // substances that `senses` names, whether or not their conditions could be read
 };
 
 enum class Decides {
@@ -83,6 +86,9 @@ struct Section {
   bool later = false;                     // as of a parameter: with nothing in it no part of the meaning
   std::function<void(Scenario&)> make{};  // called when the section is given
   std::function<bool(const Scenario&)> exists{};  // absent: always
+  // Of a section whose keys are the user's own, such as substances: all of them, as one map.
+  std::optional<Parameter> entries{};
+  std::string details{};  // Markdown that stands below the section's meaning
 
   std::string key() const { return path.substr(path.rfind('.') + 1); }
   std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }

@@ -116,7 +116,11 @@ std::vector<Section> sections() {
        .later = true,
        .exists = [](const Scenario& s) { return s.scene.variation != VariationParameters{}; }},
       {.path = "senses",
-       .meaning = "What cells may know of themselves and their neighbours. Takes no keys yet"},
+       .meaning =
+           "What cells perceive. The keys are substances: at a cell's cycle the simulator inserts one if its "
+           "condition holds, as it inserts A and B, and takes it away if not",
+       .entries = senses(),
+       .details = sensesAsMarkdown()},
       {.path = "record", .meaning = "What is written down while the scene runs"},
       {.path = "names",
        .meaning =
@@ -184,6 +188,11 @@ std::vector<Parameter> parameters() {
       real("cycle.length", "time", positive, "Time between a cell's cycles", AT(scene.cycle.length)),
       timePerSubstance("cycle.per-substance", "The same for cells that hold a substance; the shortest wins",
                        AT(scene.cycle.perSubstance)),
+      later(timePerSubstance(
+          "cycle.at-birth",
+          "From birth to the first cycle, by a substance that the newborn's genes will make; the "
+          "shortest wins, and goes before per-substance",
+          AT(scene.cycle.atBirth))),
 
       optionalNatural("stop.cycles", {1, 1'000'000'000}, "no limit",
                       "When so many times cycle.length have passed", AT(scene.stop.cycles)),
@@ -244,6 +253,9 @@ std::vector<Parameter> parameters() {
 
       real("physics.growth.rate", "1/time", positive,
            "Relative change of mass and k_p; lengths follow with a third", PHYSICS(growth->rate)),
+      later(optionalReal("physics.growth.until", "", positive, "", "growth goes on",
+                         "Volume at rest over the egg's at which a cell stops growing",
+                         PHYSICS(growth->until))),
 
       shellSphere(),
       shellEllipsoid(),
@@ -275,6 +287,7 @@ std::vector<Parameter> parameters() {
       real("division.chirality.time", "time", positive, "In which the turning falls to 1/e",
            MECHANICS(division.chirality->time)),
       later(divisionRules()),
+      divisionSize(),
 
       makeConnections(),
       choice("connections.on-division", MECHANICS(connections->onDivision)),

@@ -52,6 +52,7 @@ class TableReader {
       return;
     }
     if (section.make) section.make(scenario_);
+    if (section.entries) return section.entries->read(scenario_, node, reading_);
     checkKeys(section, node);
     for (const auto* parameter : parameterTable().parametersOf(section.path)) {
       const auto* member = node.find(parameter->key());

@@ -10,6 +10,7 @@ bool exists(const Section& section, const Scenario& scenario) {
 }
 
 Json resolveSection(const Section& section, const Scenario& scenario) {
+  if (section.entries) return section.entries->write(scenario);
   Json map = Json::object();
   for (const auto* parameter : parameterTable().parametersOf(section.path))
     if (auto value = parameter->write(scenario); !value.is_null()) map[parameter->key()] = std::move(value);
@@ -21,6 +22,7 @@ Json resolveSection(const Section& section, const Scenario& scenario) {
 /// What decides results. What joined the format later counts only where it is used, so that a new parameter
 /// leaves the hashes of all scenarios as they are.
 Json meaningOf(const Section& section, const Scenario& scenario, const Scenario& defaults) {
+  if (section.entries) return section.entries->write(scenario);
   Json map = Json::object();
   for (const auto* parameter : parameterTable().parametersOf(section.path)) {
     if (parameter->decides == Decides::presentation) continue;

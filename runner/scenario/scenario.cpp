@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "files/read_file.h"
-#include "scenario/parameter.h"
+#include "scenario/scene_checks.h"
 
 namespace morula {
 
@@ -66,6 +66,7 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
   problems.throwIfAny();
 
   result.warnings = result.scene.dna.warnings;
+  for (std::string& warning : sizeWarnings(result, root)) result.warnings.push_back(std::move(warning));
   notePlaces(root, "", result);
   result.resolved = writeJson(resolve(result));
   result.meaning = hashMeaning(result);

@@ -26,6 +26,10 @@ Json sectionSchema(const Section& section, const Scenario& defaults) {
   Json schema{
       {"type", "object"},
       {"description", section.meaning + (section.absent.empty() ? "" : "; absent: " + section.absent)}};
+  if (section.entries) {
+    schema.update(section.entries->schema);
+    return schema;
+  }
   Json properties = Json::object(), required = Json::array(), needs = Json::object();
   for (const auto* p : table.parametersOf(section.path)) {
     properties[p->key()] = parameterSchema(*p, defaults);
@@ -71,6 +75,7 @@ std::string sectionMarkdown(const Section& section, const Scenario& defaults) {
   if (section.members == Section::Members::exactlyOne) text += " Exactly one of:";
   if (section.members == Section::Members::atLeastOne) text += " At least one of:";
   text += "\n";
+  if (!section.details.empty()) text += "\n" + section.details;
   if (const auto parameters = table.parametersOf(section.path); !parameters.empty()) {
     text += "\n| key | value | unit | default | meaning |\n|---|---|---|---|---|\n";
     for (const auto* p : parameters) {

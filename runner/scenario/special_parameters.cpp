@@ -53,6 +53,43 @@ Parameter dna() {
   return p;
 }
 
+Parameter divisionSize() {
+  Parameter p;
+  p.path = "division.size";
+  p.allowed = "timer, {sizer: 0.8}, or {adder: 0.3}, with any number > 0";
+  p.meaning =
+      "The size at which a cell may divide, of its volume at rest over the egg's: when it is time (timer), "
+      "once it has this size (sizer), or has gained so much since its birth (adder). A cell whose cycle is "
+      "due, and would make it divide, waits for that; needs growth";
+  p.later = true;
+  p.absent = "timer";
+  Json forms = Json::array({{{"const", "timer"}}});
+  for (const char* rule : {"sizer", "adder"})
+    forms.push_back({{"type", "object"},
+                     {"properties", {{rule, numberSchema(positive)}}},
+                     {"required", {rule}},
+                     {"additionalProperties", false}});
+  p.schema = {{"oneOf", forms}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    if (node.kind == Node::Kind::scalar && node.text == "timer") return;
+    if (node.kind != Node::Kind::map) return refuse(node, path, allowed, reading.problems);
+    const Member* given = readOnly(node, path, {"sizer", "adder"}, allowed, reading.problems);
+    if (!given) return;
+    const auto size = readReal(given->value, positive, path + "." + given->key, numberAllowed(positive, ""),
+                               reading.problems);
+    const bool sizer = given->key == "sizer";
+    if (size)
+      s.scene.cycle.divisionSize =
+          DivisionSize{sizer ? DivisionSize::Rule::sizer : DivisionSize::Rule::adder, *size};
+  };
+  p.write = [](const Scenario& s) {
+    const auto& size = s.scene.cycle.divisionSize;
+    if (!size) return Json();
+    return Json{{size->rule == DivisionSize::Rule::sizer ? "sizer" : "adder", size->size}};
+  };
+  return p;
+}
+
 Parameter timeStep() {
   Parameter p;
   p.path = "physics.time_step";

@@ -37,11 +37,11 @@ Parameter timePerSubstance(std::string path, std::string meaning,
   Parameter p;
   p.path = std::move(path);
   p.unit = "time";
-  p.allowed = "a map of substances to numbers > 0 [time]";
+  p.allowed = "a map of substances, or beginnings of names and '*', to numbers > 0 [time]";
   p.meaning = std::move(meaning);
   p.schema = {{"type", "object"}, {"additionalProperties", numberSchema(positive)}};
   p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
-    readPerSubstance(node, path, allowed, false, reading, [&](const Member& member, const std::string& at) {
+    readPerSubstance(node, path, allowed, true, reading, [&](const Member& member, const std::string& at) {
       const auto value =
           readReal(member.value, positive, at, numberAllowed(positive, "time"), reading.problems);
       if (value) field(s)[member.key] = *value;

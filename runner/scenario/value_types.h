@@ -90,6 +90,11 @@ std::string planesAllowed(bool ofSpheres = false);
 Parameter startCells();
 Parameter adhesion();
 Parameter makeConnections();
+/// What a section `senses` holds, and the tables that explain it.
+Parameter senses();
+std::string sensesAsMarkdown();
+/// division.size.
+Parameter divisionSize();
 Parameter saneEnd();
 Parameter nameOfEgg();
 Parameter namesOfDaughters();

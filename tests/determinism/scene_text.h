@@ -33,9 +33,21 @@ inline auto fields(Dna& a) {
   auto& [substances, start, genes, source, warnings] = a;
   return std::tie(substances, start, genes, source, warnings);
 }
+inline auto fields(DivisionSize& a) {
+  auto& [rule, size] = a;
+  return std::tie(rule, size);
+}
 inline auto fields(CycleParameters& a) {
-  auto& [length, perSubstance] = a;
-  return std::tie(length, perSubstance);
+  auto& [length, perSubstance, atBirth, divisionSize] = a;
+  return std::tie(length, perSubstance, atBirth, divisionSize);
+}
+inline auto fields(Threshold& a) {
+  auto& [below, above, atMost, atLeast, until] = a;
+  return std::tie(below, above, atMost, atLeast, until);
+}
+inline auto fields(SenseParameters& a) {
+  auto& [substance, kind, is, of, number, axis, lives] = a;
+  return std::tie(substance, kind, is, of, number, axis, lives);
 }
 inline auto fields(StopParameters& a) {
   auto& [cycles, time, cells] = a;
@@ -58,8 +70,8 @@ inline auto fields(PressureParameters& a) {
   return std::tie(constant, outside);
 }
 inline auto fields(GrowthParameters& a) {
-  auto& [rate] = a;
-  return std::tie(rate);
+  auto& [rate, until] = a;
+  return std::tie(rate, until);
 }
 inline auto fields(MotilityParameters& a) {
   auto& [speed, persistence] = a;
@@ -128,8 +140,8 @@ inline auto fields(VariationParameters& a) {
   return std::tie(cycle, share, start, tilt, adhesion);
 }
 inline auto fields(Scene& a) {
-  auto& [name, seed, dna, cycle, stop, mechanics, cells, variation] = a;
-  return std::tie(name, seed, dna, cycle, stop, mechanics, cells, variation);
+  auto& [name, seed, dna, cycle, stop, mechanics, cells, variation, senses] = a;
+  return std::tie(name, seed, dna, cycle, stop, mechanics, cells, variation, senses);
 }
 
 struct Writer {

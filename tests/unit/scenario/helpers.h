@@ -31,6 +31,7 @@ colours: {a0: '#102030', a*: '#ABCDEF'}
 cycle:
   length: 2
   per-substance: {a0: 1.5}
+  at-birth: {a0: 1.25}
 stop: {cycles: 3, time: 9.5, cells: 4}
 physics:
   time_step: 0.001953125
@@ -40,11 +41,12 @@ physics:
   cell: {model: shell, radius: 0.5, mass: 2}
   membrane: {stiffness: 41, damping: 0.5, production: 1.2}
   pressure: {constant: 5, outside: 1.25}
-  growth: {rate: 0.2}
+  growth: {rate: 0.2, until: 1.5}
   shell: {ellipsoid: [3, 2, 1]}
   contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, slip-speed: 0.02, radius: 1.1}
 division:
   plane: {axis: [0, 1, -1]}
+  size: {adder: 0.25}
   rules: [{of: [a1, 'div*'], axis: [1, 0, 2], share: 0.4, tilt: 10}, {of: a1, plane: random}]
 variation: {cycle: 0.1, share: 0.05, start: 0.125, tilt: 5}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5}

@@ -19,6 +19,10 @@ TEST_CASE("every key arrives in its field") {
   CHECK(scene.dna.genes.size() == 2);
   CHECK(scene.cycle.length == 2);
   CHECK(scene.cycle.perSubstance == std::map<std::string, double>{{"a0", 1.5}});
+  CHECK(scene.cycle.atBirth == std::map<std::string, double>{{"a0", 1.25}});
+  REQUIRE(scene.cycle.divisionSize);
+  CHECK(scene.cycle.divisionSize->rule == DivisionSize::Rule::adder);
+  CHECK(scene.cycle.divisionSize->size == 0.25);
   CHECK(scene.stop.cycles == 3u);
   CHECK(scene.stop.time == 9.5);
   CHECK(scene.stop.cells == 4u);
@@ -36,6 +40,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(physics.pressure.outside == 1.25);
   REQUIRE(physics.growth);
   CHECK(physics.growth->rate == 0.2);
+  CHECK(physics.growth->until == 1.5);
   REQUIRE(physics.shell);
   CHECK(physics.shell->semiAxes[0] == 3);
   CHECK(physics.shell->semiAxes[1] == 2);

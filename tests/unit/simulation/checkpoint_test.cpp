@@ -18,6 +18,7 @@ std::vector<Scene> allScenes() {
                             scenes::thesis(), scenes::coarsening(), scenes::lineageOnly(scenes::eventful, 6)};
   scenes.push_back(scenes::spheres());
   scenes.push_back(scenes::sticky());
+  scenes.push_back(scenes::sensing());
   scenes.push_back(scenes::ellipsoid());
   scenes.back().mechanics->physics.integrator = Integrator::rungeKutta4;
   for (Scene byPositions : {scenes::ellipsoid(), scenes::coarsening()}) {

@@ -1,0 +1,50 @@
+// What a cell perceives of others from afar.
+#include <algorithm>
+#include <limits>
+
+#include "base/maths.h"
+#include "biology/sense.h"
+
+namespace morula {
+
+namespace {
+
+/// [length] To the nearest of them; infinite without any.
+double nearest(const CellContext& cell, const SenseParameters&, const CountsCell& counts) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const OtherCell& other : cell.otherCells())
+    if (counts(*other.cell)) distance = std::min(distance, other.distance);
+  return distance;
+}
+
+/// [1/length] The concentration c of what each of them releases at a rate of 4π D, where it diffuses with D and decays
+/// with the rate k, once it no longer changes: D ∇²c = k c around a point gives c = e^(−r/λ)/r, with λ = √(D/k) the
+/// range [Yukawa's potential; e.g. Wartlick, Kicheva & González-Gaitán 2009]. Infinite at r = 0.
+double concentration(const CellContext& cell, const SenseParameters& sense, const CountsCell& counts) {
+  double sum = 0;
+  for (const OtherCell& other : cell.otherCells())
+    if (counts(*other.cell)) sum += exponential(-other.distance / *sense.number) / other.distance;
+  return sum;
+}
+
+Threshold distanceAtMost(const SenseParameters& sense) { return {.atMost = sense.number}; }
+
+// clang-format off
+constexpr SenseKindRow rows[] = {
+    {.kind = SenseKind::near, .name = "near",
+     .meaning = "The centre of a cell that holds `of` lies within this `distance` of its own",
+     .needs = SenseNeeds::bodies, .of = {"of", true}, .number = {"distance", "length", true},
+     .measure = nearest, .threshold = distanceAtMost},
+    {.kind = SenseKind::diffusion, .name = "diffusion",
+     .meaning = "What cells that hold `of` release, where it diffuses and decays with this `range`: the sum of "
+                "e^(−r/range)/r over these cells, its own share not counted, r between centres",
+     .unit = "1/length", .needs = SenseNeeds::bodies, .of = {"of", true}, .number = {"range", "length", true},
+     .least = 0, .measure = concentration},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const SenseKindRow> distantSenses() { return rows; }
+
+}  // namespace morula

@@ -1,0 +1,68 @@
+#pragma once
+// What a cell can perceive of itself and of others, kind by kind: one row for each in a table. To add one: its value in
+// SenseKind (parameters.h), and its row in a file such as neighbour_senses.cpp.
+//
+// A kind measures one number of a cell, and a condition (Threshold) says of which numbers the cell takes note.
+#include <functional>
+#include <limits>
+#include <span>
+
+#include "biology/cell_context.h"
+#include "biology/parameters.h"
+
+namespace morula {
+
+/// Whether a cell is one of those that SenseParameters::of asks for.
+using CountsCell = std::function<bool(const CellContext&)>;
+
+/// A part of a scene without which a kind of sense has nothing to measure.
+enum class SenseNeeds { nothing, bodies, membrane, mesh, contact, shell, connections };
+
+/// What the word in SenseParameters::of is called in a scenario, and whether it must be given.
+struct SenseOf {
+  const char* key = nullptr;  // null: this kind has none
+  bool required = false;
+};
+
+/// SenseParameters::number.
+struct SenseNumber {
+  const char* key = nullptr;
+  const char* unit = "";
+  bool required = false;
+};
+
+struct SenseKindRow {
+  SenseKind kind;
+  const char* name;     // as scenarios spell it
+  const char* meaning;  // what is measured, or for kinds without a threshold what is perceived
+  const char* unit = "";
+  SenseNeeds needs = SenseNeeds::nothing;
+  SenseOf of = {};
+  SenseNumber number = {};
+  bool takesAxis = false;
+  bool takesLives = false;                                  // `lives`, instead of `of`
+  double least = -std::numeric_limits<double>::infinity();  // what can be measured
+  double most = std::numeric_limits<double>::infinity();
+  /// The measured number; infinite where there is nothing that could be near.
+  double (*measure)(const CellContext& cell, const SenseParameters& sense, const CountsCell& counts);
+  /// What the number must be, of kinds whose condition the scenario does not spell; null: SenseParameters::is.
+  Threshold (*threshold)(const SenseParameters& sense) = nullptr;
+};
+
+/// All of them, in the order in which people should meet them.
+std::span<const SenseKindRow* const> senseKinds();
+const SenseKindRow& kindOf(SenseKind kind);
+
+/// Whether a number is noted. `before`: whether the last one was [Threshold::until].
+bool holds(const Threshold& threshold, double value, bool before);
+
+/// Whether a cell perceives this now. `before`: whether it did at its last cycle. A cell without a body perceives
+/// nothing that is of bodies: so a lineage may be asked what genes alone make of a scene that has some.
+bool isSensed(const SenseParameters& sense, const CellContext& cell, const CountsCell& counts, bool before);
+
+// Rows, by file. Private to this room.
+std::span<const SenseKindRow> bodySenses();
+std::span<const SenseKindRow> neighbourSenses();
+std::span<const SenseKindRow> distantSenses();
+
+}  // namespace morula

@@ -1,0 +1,18 @@
+#pragma once
+// Checks across parameters that have files of their own. Private to this room.
+#include "scenario/value_types.h"
+
+namespace morula::scenario {
+
+/// The place of a parameter's value, or of the innermost map that is given.
+Place placeOf(const Node& root, const std::string& path);
+
+/// Senses that no gene reads, that lack a part of the scene, or that start cells hold already.
+void checkSenses(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// A size at division that cells without growth are to reach.
+void checkDivisionSize(const Scenario& scenario, Reading& reading, const Node& root);
+/// A size that nothing can reach: "file:line:column: path: what; what would be right".
+std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root);
+
+}  // namespace morula::scenario

@@ -1,0 +1,118 @@
+// Senses and the size at division, held against the scene and its genes.
+#include <algorithm>
+
+#include "base/did_you_mean.h"
+#include "biology/sense.h"
+#include "biology/substances.h"
+#include "physics/cell_model.h"
+#include "scenario/scene_checks.h"
+
+namespace morula::scenario {
+
+namespace {
+
+bool isRead(const Dna& dna, const std::string& name) {
+  const auto id = findSubstance(dna, name);
+  return id && std::ranges::any_of(dna.genes, [&](const Gene& gene) {
+           return std::ranges::binary_search(gene.inputs, *id) ||
+                  std::ranges::binary_search(gene.repressors, *id);
+         });
+}
+
+struct Lack {
+  std::string wrong, right;  // both empty: nothing is lacking
+};
+
+Lack findLack(SenseNeeds needs, const Scene& scene) {
+  if (needs == SenseNeeds::nothing) return {};
+  if (!scene.mechanics)
+    return {"is about bodies, and without physics there are none", "add a physics block, or remove this"};
+  const MechanicsScene& m = *scene.mechanics;
+  const CellModelKind& model = kindOf(m.physics.cell.model);
+  const std::string remove = ", or remove this", name = nameOf(m.physics.cell.model);
+  switch (needs) {
+    case SenseNeeds::membrane:
+      if (!model.hasMembrane)
+        return {"cells of model " + name + " have no contents under pressure",
+                "needs physics.cell.model shell" + remove};
+      break;
+    case SenseNeeds::shell:
+      if (!m.physics.shell) return {"there is no shell to touch", "add a physics.shell" + remove};
+      [[fallthrough]];
+    case SenseNeeds::mesh:
+      if (!model.hasMesh)
+        return {"a ball has no surface of its own", "needs another physics.cell.model" + remove};
+      break;
+    case SenseNeeds::contact:
+      if (!m.contact)
+        return {"without physics.contact no cells touch", "add 'contact: {}' to physics" + remove};
+      break;
+    case SenseNeeds::connections:
+      if (!m.connections) return {"nothing connects without connections", "add 'connections: {}'" + remove};
+      break;
+    case SenseNeeds::nothing:
+    case SenseNeeds::bodies:
+      break;
+  }
+  return {};
+}
+
+bool canHold(const Scenario& scenario, const std::string& name) {
+  const Dna& dna = scenario.scene.dna;
+  const auto id = findSubstance(dna, name);
+  if (id && (std::ranges::find(dna.start, *id) != dna.start.end() ||
+             std::ranges::find(dna.genes, *id, &Gene::product) != dna.genes.end()))
+    return true;
+  return std::ranges::any_of(scenario.scene.cells, [&](const StartCell& cell) {
+    return cell.substances && std::ranges::find(*cell.substances, name) != cell.substances->end();
+  });
+}
+
+}  // namespace
+
+void checkSenses(const Scenario& scenario, Reading& reading, const Node& root) {
+  const Dna& dna = scenario.scene.dna;
+  for (const SenseParameters& sense : scenario.scene.senses) {
+    const SenseKindRow& row = kindOf(sense.kind);
+    const std::string path = "senses." + sense.substance, kindPath = path + "." + row.name;
+    const auto [wrong, right] = findLack(row.needs, scenario.scene);
+    if (!wrong.empty()) reading.problems.add(placeOf(root, kindPath), kindPath, wrong, right);
+    if (dna.substances.empty() || isRead(dna, sense.substance)) continue;  // empty: it could not be read
+    reading.problems.add(placeOf(root, path), path, "no gene reads '" + sense.substance + "'",
+                         "write a gene that does, as g9(a1|a0, " + sense.substance + "), or remove this");
+  }
+  for (const SubstanceUse& use : reading.substances)
+    if (use.path.starts_with("cells") &&
+        std::ranges::find(scenario.scene.senses, use.name, &SenseParameters::substance) !=
+            scenario.scene.senses.end())
+      reading.problems.add(use.place, use.path, "'" + use.name + "' is inserted for what a cell senses",
+                           "remove it, or take another name");
+}
+
+void checkDivisionSize(const Scenario& scenario, Reading& reading, const Node& root) {
+  if (scenario.scene.cycle.divisionSize && !scenario.scene.mechanics->physics.growth)
+    reading.problems.add(placeOf(root, "division.size"), "division.size",
+                         "without physics.growth no cell grows to any size",
+                         "add 'growth: {}' to physics, or remove this");
+}
+
+std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root) {
+  const auto& size = scenario.scene.cycle.divisionSize;
+  if (!size) return {};
+  std::vector<std::string> warnings;
+  const auto warn = [&](const std::string& text) {
+    warnings.push_back(placeText(scenario.file, placeOf(root, "division.size")) + ": division.size: " + text);
+  };
+  double largest = scenario.scene.cells.empty() ? 1 : 0;
+  for (const StartCell& cell : scenario.scene.cells)
+    largest = std::max(largest, cell.scale * cell.scale * cell.scale);
+  const double most = std::max(largest, scenario.scene.mechanics->physics.growth->until.value_or(INFINITY));
+  if (!canHold(scenario, substance::grow))
+    warn("no gene produces 'grow', so cells come to no size; write a gene such as g9(grow|a0)");
+  else if (size->size > most)
+    warn("cells grow until " + exactText(most) + ", so none ever divides at " + exactText(size->size) +
+         "; raise physics.growth.until");
+  return warnings;
+}
+
+}  // namespace morula::scenario
