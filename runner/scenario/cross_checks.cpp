@@ -67,15 +67,6 @@ const Node* given(const Node& root, const std::string& path) {
   return whole ? &node : nullptr;
 }
 
-}  // namespace
-
-Place placeOf(const Node& root, const std::string& path) {
-  bool whole = true;
-  return innermost(root, path, whole).place;
-}
-
-namespace {
-
 /// [1] How far out the egg's shape reaches, in its radii. An icosphere counts as the sphere that it stands
 /// for: its vertices lie a little farther out, and the shell puts them onto itself in the first step.
 double reachOf(const Scenario& scenario) {

@@ -4,9 +4,6 @@
 
 namespace morula::scenario {
 
-/// The place of a parameter's value, or of the innermost map that is given.
-Place placeOf(const Node& root, const std::string& path);
-
 /// Senses that no gene reads, that lack a part of the scene, or that start cells hold already.
 void checkSenses(const Scenario& scenario, Reading& reading, const Node& root);
 
