@@ -233,10 +233,10 @@ inline Scene sensing() {
   p.shell = ShellParameters{{1.2, 1, 1}};
   s.mechanics->contact = pairContact;
   s.cycle.length = 0.5;
-  s.cycle.divisionSize = DivisionSize{DivisionSize::Rule::adder, 0.1};
+  s.cycle.divisionSize = DivisionSize{DivisionSize::Rule::adder, 0.05};
   SenseParameters crowded{"crowded", SenseKind::neighbours}, pressed{"pressed", SenseKind::volume};
   crowded.is = {.atLeast = 5, .until = 4};
-  pressed.is = {.below = 0.95, .until = 0.98};
+  pressed.is = {.below = 0.8, .until = 0.95};
   s.senses = {crowded, pressed};
   s.stop.time = 4;
   s.stop.cycles.reset();

@@ -57,7 +57,7 @@ class SenseReader {
     sense_.kind = (*row)->kind;
     path_ += "." + given->key;
     if (given->value.kind != Node::Kind::map) {
-      refuse(given->value, path_, "a map of " + join(keysOf(**row)), problems());
+      refuse(given->value, path_, "a map with " + join(keysOf(**row)), problems());
       return {};
     }
     readKeys(**row, given->value);

@@ -298,7 +298,7 @@ TEST_CASE("A newborn's first cycle is as long as what she becomes says; later on
 }
 
 TEST_CASE("A cell that would divide waits for its size, or for what it is to gain; others do not") {
-  const Dna dna = parseDna("START: a\ng1(divide|a)\ng2(a|b)\n", "f");
+  const Dna dna = parseDna("START: a, b\ng1(divide|a)\ng2(a|b)\n", "f");
   CycleParameters cycle;
   KnownCell cell;
   cell.time = 1, cell.ownSize = 0.75, cell.bornWith = 0.5;

@@ -162,7 +162,10 @@ TEST_CASE("An early or a late cell's waiting does not move the others' cycles") 
   runToEnd(world);
   int divided = 0;
   for (const LineageEntry& e : world.lineage.entries)
-    if (e.fate == Fate::divided && e.born < e.ended) ++divided, CHECK(e.ended == 0x1p-4);
+    if (e.fate == Fate::divided && e.born < e.ended) {
+      ++divided;
+      CHECK(e.ended == 0x1p-4);
+    }
   CHECK(divided == 1);
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)
     CHECK(world.cells.lastCycle[i] == (world.cells.path[i].letter(0) ? 0x1p-4 : 0));  // B was the third

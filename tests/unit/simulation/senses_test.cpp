@@ -104,7 +104,7 @@ TEST_CASE("A cell on the shell perceives the share of its surface that lies ther
   World world = makeWorld(scene);
   while (world.clock.time < 0.5) step(world);
   // The egg fills it: where the membrane presses outwards all vertices lie on it.
-  CHECK(ObservedCell(Observation(world), 0).shellShare() == 1);
+  CHECK(ObservedCell(Observation(world), 0).shellShare() == Approx(1));
   // Of an octahedron's eight faces, each vertex stands for a sixth of the area.
   BodyShape octahedron{};
   octahedron.surface.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
