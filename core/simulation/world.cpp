@@ -97,9 +97,9 @@ bool usesSeed(const Scene& scene) {
     return scene.dna.substances[gene.product] == substance::divide;
   };
   if (!scene.mechanics || std::ranges::none_of(scene.dna.genes, divides)) return false;
-  const auto& [otherwise, rules] = scene.mechanics->division;
-  return v.share > 0 || v.tilt > 0 || kindOf(otherwise.plane).usesSeed ||
-         std::ranges::any_of(rules, [](const DivisionRule& rule) {
+  const DivisionParameters& division = scene.mechanics->division;
+  return v.share > 0 || v.tilt > 0 || kindOf(division.otherwise.plane).usesSeed ||
+         std::ranges::any_of(division.rules, [](const DivisionRule& rule) {
            return rule.tilt.value_or(0) > 0 || (rule.plane && kindOf(rule.plane->plane).usesSeed);
          });
 }
