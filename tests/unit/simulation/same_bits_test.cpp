@@ -17,6 +17,7 @@ std::vector<Scene> allScenes() {
       scenes::coarsening()};
   scenes.push_back(scenes::spheres());
   scenes.push_back(scenes::turning());
+  scenes.push_back(scenes::varied());
   for (Scene single : {scenes::packed(), scenes::thesis(), ring, scenes::spheres()}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;
