@@ -243,4 +243,20 @@ inline Scene sensing() {
   return s;
 }
 
+/// Cells that divide by rules, unequally and askew, and each at a pace of its own.
+inline Scene varied() {
+  Scene s = withBodies(uniqueFour, 4);
+  s.name = "varied";
+  s.seed = 5;
+  s.cycle.length = 0.5;
+  s.mechanics->physics.shell = ShellParameters{{1.2, 1.1, 1}};
+  s.mechanics->physics.drag = 5;
+  s.mechanics->contact = pairContact;
+  s.mechanics->division.rules = {
+      {.of = {"a1"}, .plane = {{DivisionPlane::axis, {-1, 0, 0.5}}}, .share = 0.6, .tilt = 15.0},
+      {.of = {"a2", "div*"}, .plane = {{DivisionPlane::random}}}};
+  s.variation = {.cycle = 0.1, .share = 0.04, .start = 0.05, .tilt = 8};
+  return s;
+}
+
 }  // namespace morula::scenes

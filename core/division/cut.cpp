@@ -9,7 +9,9 @@
 namespace morula {
 
 CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFactor) {
-  constexpr double least = 0.1 - 1e-9;  // a daughter that is to get a tenth may miss it by rounding
+  // What was placed for a share may miss it a little; a plane through the middle that gives one daughter so little
+  // cuts off what never was one piece.
+  const double least = cut.share ? 0.05 : 0.1;
   CutResult result;
   Body &a = result.daughters.a, &b = result.daughters.b;
   a = b = mother;
@@ -23,12 +25,13 @@ CutResult cutBody(const Body& mother, Faces faces, const Cut& cut, double areaFa
         "its plane would cut its volume into " + numberText(volumeA) + " and " + numberText(volumeB);
     return result;
   }
-  const double shareA = volumeA / volume;
+  const double shareA = cut.share.value_or(volumeA / volume);
   a.mass = mother.mass * shareA;
   b.mass = mother.mass - a.mass;
   a.pressureConstant = mother.pressureConstant * shareA;
   b.pressureConstant = mother.pressureConstant - a.pressureConstant;
-  const double rootA = cubeRoot(volumeA), rootB = cubeRoot(volumeB);
+  const double rootA = cubeRoot(cut.share ? shareA : volumeA),
+               rootB = cubeRoot(cut.share ? 1 - shareA : volumeB);
   const double surfaceShareA = rootA * rootA / (rootA * rootA + rootB * rootB);
   a.restScale = mother.restScale * std::sqrt(areaFactor * surfaceShareA);
   b.restScale = mother.restScale * std::sqrt(areaFactor * (1 - surfaceShareA));

@@ -132,10 +132,12 @@ void addRecord(std::vector<Part>& parts, const Scenario& scenario, const RunAsk&
 
 std::string describeDivision(const DivisionParameters& division) {
   const std::size_t rules = division.rules.size();
+  const char* turning = longestChirality(division) > 0 ? "; daughters turn against each other" : "";
   return std::string("across ") + kindOf(division.otherwise.plane).meaning +
          (rules == 0   ? ""
           : rules == 1 ? ", unless 1 rule says otherwise"
-                       : fmt::format(", unless one of {} rules says otherwise", rules));
+                       : fmt::format(", unless one of {} rules says otherwise", rules)) +
+         turning;
 }
 
 }  // namespace

@@ -96,13 +96,12 @@ class DivisionCheck {
                               [&](const std::string& s) { return isMeant(s) && canHold(s); }))
         continue;
       reading_.problems.add(place, path, "no cell that divides holds '" + pattern + "': " + whyNever(pattern),
-                            "needs substances that genes produce");
+                            "needs a substance that cells hold when they divide");
       return;
     }
     for (std::size_t before = 0; before < i; ++before)
-      if (takesAllOf(division_.rules[before], rule)) {
-        reading_.problems.add(place, path,
-                              "rule " + std::to_string(before + 1) + " before it takes all its cells",
+      if (!division_.rules[before].of.empty() && takesAllOf(division_.rules[before], rule)) {
+        reading_.problems.add(place, path, pathOf(before) + " takes all its cells before it",
                               "put this rule before that one, or remove it");
         return;
       }

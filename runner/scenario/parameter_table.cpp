@@ -21,6 +21,11 @@ bool hasRestShape(const Scenario& s) {
   return s.scene.mechanics && kindOf(s.scene.mechanics->physics.cell.model).hasRestShape;
 }
 
+/// Also where `physics` stands there and could not be read, which has been said.
+void makeMechanics(Scenario& s) {
+  if (!s.scene.mechanics) s.scene.mechanics.emplace();
+}
+
 std::vector<Section> sections() {
   using enum Section::Members;
   return {
@@ -33,10 +38,7 @@ std::vector<Section> sections() {
       {.path = "physics",
        .meaning = "The mechanics of cells. Units are the scene's own: a length, a mass, a time",
        .absent = "lineage only: cells have no bodies",
-       .make =
-           [](Scenario& s) {
-             if (!s.scene.mechanics) s.scene.mechanics.emplace();
-           },
+       .make = makeMechanics,
        .exists = [](const Scenario& s) { return s.scene.mechanics.has_value(); }},
       {.path = "physics.mesh",
        .meaning = "The egg's surface; without coarsen every cell keeps its connectivity",
@@ -82,6 +84,7 @@ std::vector<Section> sections() {
       {.path = "division",
        .meaning = "Where cells divide",
        .needs = "physics",
+       .make = makeMechanics,
        .exists = [](const Scenario& s) { return s.scene.mechanics.has_value(); }},
       {.path = "division.chirality",
        .meaning =
@@ -95,7 +98,11 @@ std::vector<Section> sections() {
        .meaning = "Cells that hold on to one another [Nilsson 2008, §4.4.3]",
        .absent = "no cell holds another",
        .needs = "physics",
-       .make = [](Scenario& s) { s.scene.mechanics->connections.emplace(); },
+       .make =
+           [](Scenario& s) {
+             makeMechanics(s);
+             s.scene.mechanics->connections.emplace();
+           },
        .exists = [](const Scenario& s) { return s.scene.mechanics && s.scene.mechanics->connections; }},
       {.path = "connections.spring",
        .meaning = "Connections pull and push along the centres, instead of pulling with one strength",

@@ -6,11 +6,6 @@ namespace morula::scenario {
 
 namespace {
 
-const Node* inside(const Node* node, std::string_view key) {
-  const Member* member = node ? node->find(key) : nullptr;
-  return member ? &member->value : nullptr;
-}
-
 /// What is wrong, and what would be right.
 using Refuse = std::function<void(const std::string& wrong, const std::string& right)>;
 
@@ -35,9 +30,10 @@ void checkPlane(const PlaneChoice& choice, const MechanicsScene& m, const Refuse
 /// Where the value could not be read, that has been said.
 bool hasNoDrag(const MechanicsScene& m, const Node& root) {
   if (m.physics.drag > 0) return false;
-  const Node* given = inside(inside(&root, "physics"), "drag");
+  const Member* physics = root.find("physics");
+  const Member* drag = physics ? physics->value.find("drag") : nullptr;
   Problems said("");
-  return !given || readReal(*given, notNegative, "", "", said);
+  return !drag || readReal(drag->value, notNegative, "", "", said);
 }
 
 void checkChirality(const Chirality& chirality, bool mayBeNone, const MechanicsScene& m, const Node& root,
@@ -54,29 +50,23 @@ void checkChirality(const Chirality& chirality, bool mayBeNone, const MechanicsS
 
 void checkPlanes(const Scenario& scenario, Reading& reading, const Node& root) {
   const MechanicsScene& m = *scenario.scene.mechanics;
-  const Node* division = inside(&root, "division");
-  // Of defaults, the section is the place, or the file.
-  const auto refusing = [&](const Node* part, std::initializer_list<const char*> keys, std::string path) {
-    const Node* place = part ? part : &root;
-    for (const char* key : keys)
-      if (const Node* inner = inside(part, key)) place = inner;
+  const DivisionParameters& division = m.division;
+  const auto at = [&](const Place& place, const std::string& path) {
     return [&reading, place, path](const std::string& wrong, const std::string& right) {
-      reading.problems.add(place->place, path, wrong, right);
+      reading.problems.add(place, path, wrong, right);
     };
   };
-  checkPlane(m.division.otherwise, m, refusing(division, {"plane"}, "division.plane"));
-  if (m.division.chirality)
-    checkChirality(*m.division.chirality, false, m, root,
-                   refusing(division, {"chirality"}, "division.chirality"));
-  const Node* rules = inside(division, "rules");
-  for (std::size_t i = 0; i < m.division.rules.size(); ++i) {
-    const DivisionRule& rule = m.division.rules[i];
-    const Node* node = rules && i < rules->items.size() ? &rules->items[i] : nullptr;
+  const auto ofAll = [&](const std::string& path) { return at(placeOf(root, path), path); };
+  checkPlane(division.otherwise, m, ofAll("division.plane"));
+  if (division.chirality) checkChirality(*division.chirality, false, m, root, ofAll("division.chirality"));
+  if (reading.rules.size() != division.rules.size()) return;  // some could not be read, which has been said
+  for (std::size_t i = 0; i < division.rules.size(); ++i) {
+    const DivisionRule& rule = division.rules[i];
     const std::string path = "division.rules[" + std::to_string(i) + "]";
-    if (rule.plane) checkPlane(*rule.plane, m, refusing(node, {"axis", "plane"}, path + ".plane"));
+    if (rule.plane) checkPlane(*rule.plane, m, at(reading.rules[i], path + ".plane"));
     if (rule.chirality)
-      checkChirality(*rule.chirality, m.division.chirality.has_value(), m, root,
-                     refusing(node, {"chirality"}, path + ".chirality"));
+      checkChirality(*rule.chirality, division.chirality.has_value(), m, root,
+                     at(reading.rules[i], path + ".chirality"));
   }
 }
 

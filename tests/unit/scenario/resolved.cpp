@@ -62,7 +62,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
   const auto [meaning, parts] = meaningAndParts(read(everyPart));
   const std::vector<std::pair<std::string, std::string>> changes = {
       {"seed", "8"},
-      {"dna", "START: a0, connect"},
+      {"dna", "START: a0, connect\ng1(a1|a0)\ng2(divide|a0)\ng3(a0|a1)"},
       {"cycle.length", "1"},
       {"cycle.per-substance", "{a0: 1}"},
       {"cycle.at-birth", "{a0: 1}"},

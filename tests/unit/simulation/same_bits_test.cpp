@@ -23,6 +23,7 @@ std::vector<Scene> allScenes() {
   stickySpheres.mechanics->physics.motility = MotilityParameters{0.2, 0.3};
   scenes.push_back(stickySpheres);
   scenes.push_back(scenes::turning());
+  scenes.push_back(scenes::varied());
   for (Scene single : {scenes::packed(), scenes::thesis(), ring, scenes::spheres(), scenes::sticky(), stickySpheres}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;
