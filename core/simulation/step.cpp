@@ -90,7 +90,8 @@ void evaluateForces(World& world) { movePhysics(world, 0); }
 void moveAndEvaluate(World& world, std::size_t evaluation, double timeStep) {
   Bodies& bodies = *world.bodies;
   const int blocks = bodies.blockCount(), threads = world.execution.threads;
-  const bool isolated = !world.contacts && !world.connections && !world.motility;  // one pass while a block is in cache
+  const bool isolated =
+      !world.contacts && !world.connections && !world.motility;  // one pass while a block is in cache
 
   const auto stagesOf = [&](const BlockView& block) {
     const PhysicsStages& stages = world.stagesOfLanes[block.liveLanes - 1];

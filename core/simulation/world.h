@@ -81,7 +81,7 @@ struct World {
   std::vector<TimeStepChange> timeSteps;
   std::vector<DivisionRecord> divisions;  // of cells with bodies, in order of time and path
 
-  std::optional<BodyCopy> before;  // scratch of takeSteps
+  std::optional<BodyCopy> before;    // scratch of takeSteps
   std::optional<Motility> motility;  // of scenes with it; follows from the rest
 };
 

@@ -22,7 +22,8 @@ std::vector<Scene> allScenes() {
   stickySpheres.mechanics->contact->adhesion = AdhesionParameters{1, {}};
   stickySpheres.mechanics->physics.motility = MotilityParameters{0.2, 0.3};
   scenes.push_back(stickySpheres);
-  for (Scene single : {scenes::packed(), scenes::thesis(), ring, scenes::spheres(), scenes::sticky(), stickySpheres}) {
+  for (Scene single :
+       {scenes::packed(), scenes::thesis(), ring, scenes::spheres(), scenes::sticky(), stickySpheres}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;
     scenes.push_back(single);
