@@ -4,7 +4,7 @@
 
 namespace morula {
 
-bool standsFor(std::string_view pattern, std::string_view substance) {
+bool fits(std::string_view pattern, std::string_view substance) {
   if (!pattern.ends_with('*')) return pattern == substance;
   return substance.starts_with(pattern.substr(0, pattern.size() - 1));
 }
@@ -12,7 +12,7 @@ bool standsFor(std::string_view pattern, std::string_view substance) {
 bool fitsAny(std::string_view pattern, std::string_view substances) {
   while (!substances.empty()) {
     const std::size_t end = std::min(substances.find(' '), substances.size());
-    if (standsFor(pattern, substances.substr(0, end))) return true;
+    if (fits(pattern, substances.substr(0, end))) return true;
     substances.remove_prefix(std::min(end + 1, substances.size()));
   }
   return false;
@@ -20,8 +20,8 @@ bool fitsAny(std::string_view pattern, std::string_view substances) {
 
 bool includes(std::string_view wide, std::string_view narrow) {
   // A beginning stands for itself, too: "AB*" for AB.
-  return narrow.ends_with('*') ? wide.ends_with('*') && standsFor(wide, narrow.substr(0, narrow.size() - 1))
-                               : standsFor(wide, narrow);
+  return narrow.ends_with('*') ? wide.ends_with('*') && fits(wide, narrow.substr(0, narrow.size() - 1))
+                               : fits(wide, narrow);
 }
 
 }  // namespace morula

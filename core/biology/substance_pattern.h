@@ -5,7 +5,7 @@
 namespace morula {
 
 /// Whether the pattern stands for this substance.
-bool standsFor(std::string_view pattern, std::string_view substance);
+bool fits(std::string_view pattern, std::string_view substance);
 
 /// Whether the pattern stands for any of `substances`: names with single spaces between them, as
 /// CellContext::substances gives them.

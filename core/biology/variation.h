@@ -6,10 +6,10 @@ namespace morula {
 
 /// Standard deviations; 0: none.
 struct VariationParameters {
-  double cycle = 0;  // [1] of a cell's cycle lengths, over those of its state; one number for all its life
-  double share = 0;  // [1] of daughter A's share, about the given one or a half
-  double start = 0;  // [egg radii] of the places of the first cells, along x, y and z
-  double tilt = 0;   // [degree] of division axes whose rule gives none
+  double cycle = 0;     // [1] of a cell's cycle lengths, over those of its state; one number for all its life
+  double share = 0;     // [1] of daughter A's share, about the given one or a half
+  double start = 0;     // [egg radii] of the places of the first cells, along x, y and z
+  double tilt = 0;      // [degree] of division axes whose rule gives none
   double adhesion = 0;  // [1] of how strongly a cell sticks; two cells stick by the mean of their factors
   friend bool operator==(const VariationParameters&, const VariationParameters&) = default;
 };

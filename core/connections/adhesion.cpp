@@ -1,6 +1,5 @@
 // [Nilsson 2008, eq. 4.9] f_c = k_c v̂; with a spring k_c = k (|v| − rest).
 #include <algorithm>
-
 #include <numbers>
 
 #include "base/maths.h"
@@ -64,8 +63,8 @@ void addConnectionForces(Connections& c, const std::vector<CellPath>& paths, Bod
       const Vector between = scratch.centre[b] - scratch.centre[a];
       const double distance = norm(between);
       if (!(distance > 0)) continue;  // concentric: no direction, no force
-      const double pull = c.parameters.spring     ? springTension(*c.parameters.spring, bodies,
-                                                                  bodies.slots[a], bodies.slots[b], distance)
+      const double pull = c.parameters.spring ? springTension(*c.parameters.spring, bodies, bodies.slots[a],
+                                                              bodies.slots[b], distance)
                           : c.parameters.strength ? *c.parameters.strength
                                                   : std::min(part(a), part(b));
       const Vector share = (pull / (distance * vertices)) * between;

@@ -35,7 +35,8 @@ bool areConnected(const Connections& c, const CellPath& a, const CellPath& b) {
 void connect(Connections& c, const CellPath& a, const CellPath& b, double time) {
   MORULA_CHECK(a != b, "a cell cannot be connected to itself");
   if (areConnected(c, a, b)) return;
-  if (const auto& most = c.parameters.most; most && (countOf(c, a) >= *most || countOf(c, b) >= *most)) return;
+  if (const auto& most = c.parameters.most; most && (countOf(c, a) >= *most || countOf(c, b) >= *most))
+    return;
   const Pair pair = ordered(a, b);
   const auto at = place(c, pair) - c.active.begin();
   c.history.push_back({pair.first, pair.second, time});

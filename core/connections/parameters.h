@@ -53,11 +53,11 @@ struct ConnectionParameters {
   // connections of a cell together pull with at most `sharedStrength`, times its share of the egg.
   std::optional<double> strength;
   std::optional<double> releaseDistance;  // of the centres, in sums of the two cells' radii; released beyond
-  std::vector<ConnectedPair> pairs = {};         // of MakeConnections::pairs
-  std::optional<ConnectionSpring> spring = {};   // instead of a constant pull
-  std::optional<double> releaseTension = {};     // [force] with which a spring pulls; released above
-  std::optional<double> releaseAge = {};         // [time] since it was made; released then
-  std::optional<std::uint64_t> most = {};        // of a cell's connections: one more is not made
+  std::vector<ConnectedPair> pairs = {};  // of MakeConnections::pairs
+  std::optional<ConnectionSpring> spring = {};  // instead of a constant pull
+  std::optional<double> releaseTension = {};    // [force] with which a spring pulls; released above
+  std::optional<double> releaseAge = {};        // [time] since it was made; released then
+  std::optional<std::uint64_t> most = {};       // of a cell's connections: one more is not made
 };
 
 }  // namespace morula

@@ -8,7 +8,7 @@
 //   p(g) = n_i n_j S g ∫ (1 − (ρ² + g²)/R²)² 2πρ dρ = n_i n_j S g (πR²/3) (1 − g²/R²)³,   largest at g = 0.38 R
 //   W = ∫ p dg = n_i n_j S πR⁴/24     ⇒     S = (24/π) W a_i a_j/R⁴,   a = 1/n the area of a vertex at rest
 //
-// So W does not depend on the mesh nor on the cells' sizes. With radius 1 and equal cells S = 5.7 W.
+// So W does not depend on the mesh nor on the cells' sizes. With radius 1 and equal icospheres S = 5.5 W.
 #include <vector>
 
 #include "base/aligned.h"
@@ -34,8 +34,9 @@ struct Adhesion {
   AlignedVector<double> ofPairs;  // [as NeighbourList::indices] S [force/length]; of spheres [force]
   bool isCurrent = false;         // ofPairs
   // With each set of cells
-  std::vector<int> blockOfLine;       // [line]
-  std::vector<double> areaOverSquare;  // [mesh level] area of a vertex at rest over its influence radius squared
+  std::vector<int> blockOfLine;  // [line]
+  std::vector<double>
+      areaOverSquare;  // [mesh level] area of a vertex at rest over its influence radius squared
 };
 
 // Spheres attract each other over a gap of an eighth of the sum of their radii.

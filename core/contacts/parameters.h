@@ -28,14 +28,10 @@ struct AdhesionPair {
 struct AdhesionParameters {
   // W [force/length], which is energy per area: what it costs to part two flat surfaces, per area of contact,
   // whatever the mesh and the cells' size; of cells that no pair names. Higher: larger contacts, and from
-  // about a tenth of the contact stiffness on crumpled ones.
+  // about a fifth of the membrane's stiffness on crumpled ones.
   double strength = 0;
   std::vector<AdhesionPair> pairs;  // the first that fits two cells counts
 };
-
-// [1] Of the contact stiffness. With more, meshes fold where they touch; spheres, which nothing else keeps apart, slip
-// into each other by and by where many stick together (at 0.13 a heap of 32 did).
-constexpr double largestAdhesion = 1.0 / 6, largestSphereAdhesion = 0.1;
 
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;

@@ -63,7 +63,8 @@ void releaseConnections(World& world) {
               slotB = bodies.slots[cellNumber(world.cells, b)];
     const double distance = norm(measureCentre(bodies, slotA) - measureCentre(bodies, slotB));
     const char* cause = "";
-    if (releaseDistance && distance > *releaseDistance * (roundRadius(bodies, slotA) + roundRadius(bodies, slotB)))
+    if (releaseDistance &&
+        distance > *releaseDistance * (roundRadius(bodies, slotA) + roundRadius(bodies, slotB)))
       cause = "distance";
     else if (releaseTension &&
              springTension(*c.parameters.spring, bodies, slotA, slotB, distance) > *releaseTension)

@@ -44,7 +44,7 @@ double perVertex(const MechanicsScene& m) {
   double bytes = 3 * vector;                                              // place, velocity, acceleration
   bytes += 2 * sizeof(Vector);                                            // Body, while cells divide
   if (kindOf(m.physics.integrator).evaluations > 1) bytes += 4 * vector;  // Bodies::substeps
-  if (!m.contact && !m.connections && !m.physics.motility) bytes += 3 * vector;                  // BodyCopy
+  if (!m.contact && !m.connections && !m.physics.motility) bytes += 3 * vector;  // BodyCopy
   // Snapshot, NeighbourList::reference, PointTable, BlockLists.
   if (m.contact) bytes += sizeof(RowMemory) + vector + 6 * sizeof(double) + 4 * sizeof(std::int32_t);
   return bytes;

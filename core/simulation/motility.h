@@ -11,9 +11,9 @@ struct World;
 
 /// Which way cells crawl; kept, so that a steady step draws no numbers.
 struct Motility {
-  std::uint64_t interval = 0;      // of persistence, counted from time 0
-  std::vector<Vector> direction;   // [cell]
-  bool isCurrent = false;          // for the interval and the cells
+  std::uint64_t interval = 0;     // of persistence, counted from time 0
+  std::vector<Vector> direction;  // [cell]
+  bool isCurrent = false;         // for the interval and the cells
 };
 
 /// Adds the active force to all cells: m γ v₀ e, with which drag γ lets a cell alone crawl at v₀ along e. Each cell has

@@ -61,8 +61,7 @@ Heirs heirsOf(ConnectionsOnDivision policy, const CellPath& mother, const CellPa
   if (policy == ConnectionsOnDivision::nearest) {
     // To where the other cell was, which may divide, too: so it cannot matter which of the two comes first.
     const Point there = centreBefore(other);
-    isNearA =
-        norm(centreOf(mother.daughter(false)) - there) <= norm(centreOf(mother.daughter(true)) - there);
+    isNearA = norm(centreOf(mother.daughter(false)) - there) <= norm(centreOf(mother.daughter(true)) - there);
   } else {
     isNearA = dot(centreOf(other) - cut.point, cut.normal) >= 0;
   }

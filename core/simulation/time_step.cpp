@@ -28,7 +28,8 @@ struct Limit {
 /// Of all modes at once: stiffnesses add up, and a limit goes with 1/√stiffness, explicit Euler's with
 /// 1/stiffness.
 double combine(Integrator integrator, const Limit& l) {
-  if (kindOf(integrator).needsDrag) return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection);
+  if (kindOf(integrator).needsDrag)
+    return 1 / (1 / l.spring + 1 / l.pressure + 1 / l.contact + 1 / l.connection);
   const double least = std::min({l.spring, l.pressure, l.contact, l.connection});
   if (!(least < INFINITY)) return INFINITY;
   const double a = least / l.spring, b = least / l.pressure, c = least / l.contact,
@@ -65,18 +66,17 @@ Limit tightestLimit(const World& world, double& combined) {
   combined = INFINITY;
   const double held = connectionStiffness(world);
   // A vertex is either pushed or drawn by another: of the two slopes the steeper one counts.
-  const double contact =
-      world.contacts ? std::max(world.contacts->parameters.stiffness,
-                                adhesionStiffness(*world.contacts, *world.bodies))
-                     : 0;
+  const double contact = world.contacts ? std::max(world.contacts->parameters.stiffness,
+                                                   adhesionStiffness(*world.contacts, *world.bodies))
+                                        : 0;
   for (int cell = 0; cell < world.bodies->count; ++cell) {
     const int slot = world.bodies->slots[cell];
     const StabilityLimits own = measureLimits(*world.bodies, slot);
     Limit l{own.spring, own.pressure, INFINITY, connectionLimit(world, held, slot), cell};
     if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
-      l.contact = contactLimit(world.bodies->parameters.integrator, contact,
-                               world.contacts->parameters.damping, world.bodies->vertexMass[slot],
-                               world.bodies->parameters.drag);
+      l.contact =
+          contactLimit(world.bodies->parameters.integrator, contact, world.contacts->parameters.damping,
+                       world.bodies->vertexMass[slot], world.bodies->parameters.drag);
     const double all = combine(world.bodies->parameters.integrator, l);
     if (all < combined) combined = all, tightest = l;
   }

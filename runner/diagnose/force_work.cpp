@@ -97,6 +97,7 @@ std::vector<WorkMeter::Forces> WorkMeter::measure(World& world) const {
     all.push_back({"connections", addedForces(b, slot, [&] {
                      addConnectionForces(*world.connections, world.cells.path, b);
                    })});
+  if (world.motility) all.push_back({"crawling", addedForces(b, slot, [&] { addMotility(world); })});
   if (b.model().hasRestShape) {
     Forces shape{"its shape", {}};  // what is left of the whole
     for (int v = 0; v < b.vertexCount(slot); ++v) {

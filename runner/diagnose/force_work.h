@@ -8,8 +8,9 @@
 namespace morula {
 
 struct ForceWork {
-  std::string force;  // "springs", "contents", "outer pressure", "its shape", "contacts", "connections"
-  double work = 0;    // [force·length] on the cell's vertices; negative: it resisted
+  // "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
+  std::string force;
+  double work = 0;  // [force·length] on the cell's vertices; negative: it resisted
 };
 
 /// Sums up, step by step, the work Σ f·Δx of each force on the vertices of one cell: f the mean of the forces

@@ -70,8 +70,9 @@ std::vector<Section> sections() {
        .make = [](Scenario& s) { s.scene.mechanics->physics.shell.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics->physics.shell.has_value(); }},
       {.path = "physics.motility",
-       .meaning = "Cells crawl through the medium, each its own way, which turns now and then as the seed says; "
-                  "needs physics.drag",
+       .meaning =
+           "Cells crawl through the medium, each its own way, which turns now and then as the seed says; "
+           "needs physics.drag",
        .absent = "cells do not move on their own",
        .later = true,
        .make = [](Scenario& s) { s.scene.mechanics->physics.motility.emplace(); },
@@ -311,12 +312,14 @@ std::vector<Parameter> parameters() {
       optionalReal("connections.release-age", "time", positive, "", "never by age",
                    "Released so long after it was made; a daughter's is made at her birth",
                    MECHANICS(connections->releaseAge)),
-      optionalNatural("connections.most", {1, 1'000'000}, "any number",
-                      "Connections of a cell: one that would be one too many for either is not made. Those of a "
-                      "cell that divides pass on first, by the other cell's path, then comes that of the sisters",
-                      MECHANICS(connections->most)),
+      optionalNatural(
+          "connections.most", {1, 1'000'000}, "any number",
+          "Connections of a cell: one that would be one too many for either is not made. Those of a "
+          "cell that divides pass on first, by the other cell's path, then comes that of the sisters",
+          MECHANICS(connections->most)),
       real("connections.spring.stiffness", "force/length", positive,
-           "k of the tension k (d − rest (r₁ + r₂)), d the distance of the centres, r the radii of spheres with "
+           "k of the tension k (d − rest (r₁ + r₂)), d the distance of the centres, r the radii of spheres "
+           "with "
            "the cells' volumes",
            MECHANICS(connections->spring->stiffness)),
       real("connections.spring.rest", "", notNegative,
@@ -333,9 +336,10 @@ std::vector<Parameter> parameters() {
            AT(scene.variation.start)),
       real("variation.tilt", "degree", {0, 90}, "Of the axes of divisions whose rule gives no tilt",
            AT(scene.variation.tilt)),
-      later(real("variation.adhesion", "", {0, 0.3},
-                 "Of how strongly a cell sticks, over physics.contact.adhesion; two cells by the mean of both",
-                 AT(scene.variation.adhesion))),
+      later(
+          real("variation.adhesion", "", {0, 0.3},
+               "Of how strongly a cell sticks, over physics.contact.adhesion; two cells by the mean of both",
+               AT(scene.variation.adhesion))),
 
       optionalReal("record.every", "time", positive, "", "only start and end", "Time between samples",
                    AT(record.every)),

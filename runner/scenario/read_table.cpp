@@ -69,10 +69,10 @@ class TableReader {
       if (!member && child->required)
         missing(node, child->path, "needs at least one of " + join(keysOf(child->path)));
       if (!member) continue;
-      if (child->needs.empty() || given_(child->needs)) read(*child, member->value);
-      else
+      if (!child->needs.empty() && !given_(child->needs))
         reading_.problems.add(member->place, child->path, "makes no sense without " + child->needs,
                               "add '" + child->needs + ": {}' or remove this");
+      else if (child->needs.empty() || isThere(child->needs)) read(*child, member->value);
     }
   }
 
@@ -80,6 +80,12 @@ class TableReader {
   std::function<bool(const std::string&)> given_;
 
  private:
+  /// False for a section that is given and could not be read, which has been said: nothing may be put into it.
+  bool isThere(const std::string& path) const {
+    const Section* section = parameterTable().section(path);
+    return section && (!section->exists || section->exists(scenario_));
+  }
+
   void missing(const Node& node, const std::string& path, const std::string& right) {
     reading_.problems.add(node.place, path, "is missing", right);
   }

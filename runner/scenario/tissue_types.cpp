@@ -19,8 +19,10 @@ std::optional<Pair> readPair(const Node& node, const std::string& path, Reading&
     return {};
   }
   if (node.items.size() != 2) {
-    reading.problems.add(node.place, path, "has " + std::to_string(node.items.size()) + " entries",
-                         std::string("needs ") + pairForm);
+    reading.problems.add(
+        node.place, path,
+        "has " + std::to_string(node.items.size()) + (node.items.size() == 1 ? " entry" : " entries"),
+        std::string("needs ") + pairForm);
     return {};
   }
   const auto a = readPattern(node.items[0], path, reading), b = readPattern(node.items[1], path, reading);
@@ -46,10 +48,8 @@ bool refuseCovered(const Pair& pair, const std::vector<Pair>& before, const Plac
 }
 
 Json pairSchema() {
-  return {{"type", "array"},
-          {"items", {{"type", "string"}, {"minLength", 1}}},
-          {"minItems", 2},
-          {"maxItems", 2}};
+  return {
+      {"type", "array"}, {"items", {{"type", "string"}, {"minLength", 1}}}, {"minItems", 2}, {"maxItems", 2}};
 }
 
 const std::string strengthAllowed = numberAllowed(notNegative, "force/length");
@@ -63,12 +63,11 @@ std::optional<AdhesionPair> readAdhesionPair(const Node& node, const std::string
   }
   refuseUnknown(node, path, {"of", "strength"}, reading.problems);
   for (const char* key : {"of", "strength"})
-    if (!node.find(key))
-      reading.problems.add(node.place, path + "." + key, "is missing", "needs " + form);
+    if (!node.find(key)) reading.problems.add(node.place, path + "." + key, "is missing", "needs " + form);
   const Member *of = node.find("of"), *given = node.find("strength");
-  const auto strength = given ? readReal(given->value, notNegative, path + ".strength", strengthAllowed,
-                                         reading.problems)
-                              : std::nullopt;
+  const auto strength =
+      given ? readReal(given->value, notNegative, path + ".strength", strengthAllowed, reading.problems)
+            : std::nullopt;
   const auto pair = of ? readPair(of->value, path + ".of", reading) : std::nullopt;
   if (!pair || refuseCovered(*pair, before, of->value.place, path + ".of", reading.problems) || !strength)
     return {};
@@ -81,12 +80,12 @@ void readAdhesionMap(const Node& node, const std::string& path, const std::strin
   refuseUnknown(node, path, {"default", "pairs"}, reading.problems);
   if (node.members.empty()) reading.problems.add(node.place, path, "is empty", "needs " + allowed);
   if (const Member* member = node.find("default"))
-    if (const auto value = readReal(member->value, notNegative, path + ".default", strengthAllowed,
-                                    reading.problems))
+    if (const auto value =
+            readReal(member->value, notNegative, path + ".default", strengthAllowed, reading.problems))
       adhesion.strength = *value;
   const Member* pairs = node.find("pairs");
-  if (!pairs || !expectEntries(pairs->value, path + ".pairs", "a list of maps, as [{of: [red, red], strength: 2}]",
-                               reading.problems))
+  if (!pairs || !expectEntries(pairs->value, path + ".pairs",
+                               "a list of maps, as [{of: [red, red], strength: 2}]", reading.problems))
     return;
   std::vector<Pair> before;
   for (std::size_t i = 0; i < pairs->value.items.size(); ++i)
@@ -103,9 +102,11 @@ Parameter adhesion() {
   p.unit = "force/length";
   p.allowed = strengthAllowed + ", or {default: 0.5, pairs: [{of: [red, red], strength: 2}]}";
   p.meaning =
-      "Work that parts two cells, per area of contact [Steinberg 1963]: of all cells, or by pairs of substances "
-      "(the first pair that fits counts; a name may be the beginning of some and '*'), and default for the rest; "
-      "at most a sixth of stiffness, a tenth with spheres; law pair only";
+      "Work that parts two cells, per area of contact [Steinberg 1963]: of all cells, or by pairs of "
+      "substances "
+      "(the first pair that fits counts; a name may be the beginning of some and '*'), and default for the "
+      "rest; "
+      "at most a tenth of stiffness and a fifth of membrane.stiffness; law pair only";
   p.absent = "cells do not stick to each other";
   const Json strength = numberSchema(notNegative);
   p.schema = {{"oneOf", Json::array({strength,

@@ -125,7 +125,8 @@ inline auto fields(ConnectionSpring& a) {
 }
 inline auto fields(ConnectionParameters& a) {
   auto& [make, onDivision, strength, releaseDistance, pairs, spring, releaseTension, releaseAge, most] = a;
-  return std::tie(make, onDivision, strength, releaseDistance, pairs, spring, releaseTension, releaseAge, most);
+  return std::tie(make, onDivision, strength, releaseDistance, pairs, spring, releaseTension, releaseAge,
+                  most);
 }
 inline auto fields(MechanicsScene& a) {
   auto& [physics, mesh, coarser, contact, division, connections] = a;

@@ -42,6 +42,7 @@ physics:
   membrane: {stiffness: 41, damping: 0.5, production: 1.2}
   pressure: {constant: 5, outside: 1.25}
   growth: {rate: 0.2, until: 1.5}
+  motility: {speed: 0.2, persistence: 0.5}
   shell: {ellipsoid: [3, 2, 1]}
   contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, slip-speed: 0.02, radius: 1.1}
 division:
@@ -49,7 +50,7 @@ division:
   size: {adder: 0.25}
   rules: [{of: [a1, 'div*'], axis: [1, 0, 2], share: 0.4, tilt: 10}, {of: a1, plane: random}]
 variation: {cycle: 0.1, share: 0.05, start: 0.125, tilt: 5}
-connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5}
+connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5, release-age: 4, most: 3}
 senses: {}
 record: {every: 0.25, pictures: 0.5}
 names: {egg: P0, daughters: [l, r], cells: {A: AB}}

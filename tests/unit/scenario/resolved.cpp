@@ -93,6 +93,8 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
       {"physics.pressure.outside", "1"},
       {"physics.growth.rate", "0.1"},
       {"physics.growth.until", "1.25"},
+      {"physics.motility.speed", "0.1"},
+      {"physics.motility.persistence", "1"},
       {"physics.shell.ellipsoid", "[3, 2, 1.5]"},
       {"physics.contact.law", "pair"},
       {"physics.contact.stiffness", "40"},
@@ -127,6 +129,8 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
       {"division.size", "timer"},
       {"division.size", "{sizer: 0.25}"},
       {"division.size", "{adder: 0.5}"},
+      {"connections.release-age", "3"},
+      {"connections.most", "4"},
       {"connections.make", "both"},
       {"connections.on-division", "plane"},
       {"connections.strength", "0.5"},
@@ -152,9 +156,13 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
                                                         "physics.substeps",
                                                         "physics.precision",
                                                         "physics.cell.model",
-                                                        "physics.shell.sphere"}
+                                                        "physics.shell.sphere",
+                                                        "physics.contact.adhesion",  // tissues.cpp
+                                                        "connections.release-tension",
+                                                        "variation.adhesion"}
                                       .contains(p.path) ||
-                                  p.path.starts_with("physics.shape-matching");
+                                  p.path.starts_with("physics.shape-matching") ||
+                                  p.path.starts_with("connections.spring");
     if (p.decides == scenario::Decides::results && !isTriedElsewhere) CHECK(tried.contains(p.path));
   }
 }

@@ -49,8 +49,9 @@ TEST_CASE("The first pair that fits two cells counts, in either order; the defau
 }
 
 TEST_CASE("A cell sticks by what it holds after its cycle, with or without births") {
-  Scene scene = sticking("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1, A)\ng4(a3|a1, B)\ng5(a4|a2)\ng6(a5|a3)\n",
-                         {0, {{"a1", "a1", 1}, {"a2", "a3", 2}, {"a4", "a5", 3}}});
+  Scene scene =
+      sticking("START: a0\ng1(a1|a0)\ng2(divide|a0)\ng3(a2|a1, A)\ng4(a3|a1, B)\ng5(a4|a2)\ng6(a5|a3)\n",
+               {0, {{"a1", "a1", 1}, {"a2", "a3", 2}, {"a4", "a5", 3}}});
   World world = makeWorld(scene);
   std::vector<double> works;
   for (const double time : {1.5, 2.5, 3.5}) {

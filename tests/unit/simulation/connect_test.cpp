@@ -192,7 +192,7 @@ TEST_CASE("By gene: a cell acts at its own cell cycle only") {
   connectNeighbours(world, Observation(world), {cycled, none, none});
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
   connectNeighbours(world, Observation(world),
-                {none, none, dies});  // it is released by its death, not by its wish
+                    {none, none, dies});  // it is released by its death, not by its wish
   CHECK(pairsOf(world) == std::set<std::string>{"AB-BA"});
 }
 

@@ -24,7 +24,8 @@ std::vector<Scene> allScenes() {
   scenes.push_back(stickySpheres);
   scenes.push_back(scenes::turning());
   scenes.push_back(scenes::varied());
-  for (Scene single : {scenes::packed(), scenes::thesis(), ring, scenes::spheres(), scenes::sticky(), stickySpheres}) {
+  for (Scene single :
+       {scenes::packed(), scenes::thesis(), ring, scenes::spheres(), scenes::sticky(), stickySpheres}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;
     scenes.push_back(single);

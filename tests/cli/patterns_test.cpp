@@ -1,0 +1,91 @@
+// What the scenarios of patterns are about, counted in what a run leaves behind.
+#include <set>
+
+#include "catch.h"
+#include "launch.h"
+#include "store/database.h"
+
+using namespace morula::test;
+using morula::Database;
+
+namespace {
+
+/// [1] Of the run in a database, by a query for one number.
+double numberIn(const std::string& file, const std::string& sql) {
+  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+  morula::Statement statement(db, sql);
+  REQUIRE(statement.next());
+  return statement.real(0);
+}
+
+/// Runs a scenario into a database, and says where that is.
+std::string runInto(const TemporaryFolder& folder, const std::string& scenario,
+                    const std::vector<std::string>& options = {}) {
+  const std::string file = folder / "run.db";
+  std::vector<std::string> arguments{"run", "scenarios/patterns/" + scenario, "--no-pictures", "--db", file};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const auto run = launch(arguments);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  return file;
+}
+
+// [1] Of the last contact areas, the share between cells that both hold red, or both blue.
+const std::string shareWithin =
+    "WITH alive AS (SELECT path, state LIKE '%red%' AS red FROM cell WHERE fate = 'alive') "
+    "SELECT sum(area * (a.red = b.red)) / sum(area) FROM contact JOIN alive a ON a.path = contact.a "
+    "JOIN alive b ON b.path = contact.b WHERE time = (SELECT max(time) FROM contact)";
+
+/// [length] Mean distance from the mean of all cells, of those that hold red or do not.
+std::string distanceOf(bool red) {
+  return std::string(
+             "WITH last AS (SELECT s.*, state LIKE '%red%' AS red FROM cell_sample s JOIN cell USING "
+             "(path) ") +
+         "WHERE time = (SELECT max(time) FROM cell_sample)), "
+         "mid AS (SELECT avg(x) AS x, avg(y) AS y, avg(z) AS z FROM last) "
+         "SELECT avg(sqrt((last.x - mid.x) * (last.x - mid.x) + (last.y - mid.y) * (last.y - mid.y) + "
+         "(last.z - mid.z) * (last.z - mid.z))) FROM last, mid WHERE red = " +
+         (red ? "1" : "0");
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a cyst has sixteen cells and fifteen bridges: two cells with 4, two with 3, four with 2, eight with 1") {
+  const TemporaryFolder folder;
+  const std::string file = runInto(folder, "cyst.yaml");
+  const std::string ends =
+      "(SELECT a AS path FROM connection WHERE released IS NULL UNION ALL "
+      "SELECT b FROM connection WHERE released IS NULL)";
+  CHECK(numberIn(file, "SELECT count(*) FROM connection WHERE released IS NULL") == 15);
+  for (const auto& [bridges, cells] : {std::pair{1, 8}, {2, 4}, {3, 2}, {4, 2}})
+    CHECK(numberIn(file, "SELECT count(*) FROM (SELECT count(*) AS n FROM " + ends +
+                             " GROUP BY path) WHERE n = " + std::to_string(bridges)) == cells);
+  // Cells with a bridge between them lie side by side.
+  CHECK(numberIn(file,
+                 "SELECT count(*) FROM connection c JOIN contact k ON k.a = c.a AND k.b = c.b "
+                 "WHERE c.released IS NULL AND k.time = (SELECT max(time) FROM contact)") == 15);
+}
+
+TEST_CASE("pairs of cells touch over areas in the order of their adhesion") {
+  const TemporaryFolder folder;
+  const std::string file = runInto(folder, "sticky-pairs.yaml");
+  const auto area = [&](const std::string& a, const std::string& b) {
+    return numberIn(file, "SELECT area FROM contact WHERE time = 5 AND a = '" + a + "' AND b = '" + b + "'");
+  };
+  CHECK(area("AAA", "AAB") > 2 * area("AB", "BAA"));
+  CHECK(area("AB", "BAA") > 2 * area("BAB", "BB"));
+}
+
+TEST_CASE("tissues that differ in adhesion sort, the one that sticks more inside; equal ones do not") {
+  for (const std::string seed : {"2", "7"}) {
+    const TemporaryFolder folder, control;
+    const std::string sorted = runInto(folder, "sorting.yaml", {"--seed", seed});
+    CAPTURE(seed);
+    CHECK(numberIn(sorted, shareWithin) > 0.8);
+    CHECK(numberIn(sorted, distanceOf(true)) < numberIn(sorted, distanceOf(false)) - 0.2);
+    const std::string equal =
+        runInto(control, "sorting.yaml", {"--seed", seed, "--set", "physics.contact.adhesion=3"});
+    CHECK(numberIn(equal, shareWithin) < 0.6);
+  }
+}
