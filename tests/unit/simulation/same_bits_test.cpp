@@ -16,6 +16,7 @@ std::vector<Scene> allScenes() {
       scenes::packed(),    scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring,
       scenes::coarsening()};
   scenes.push_back(scenes::spheres());
+  scenes.push_back(scenes::sensing());
   for (Scene single : {scenes::packed(), scenes::thesis(), ring, scenes::spheres()}) {
     single.name += " in single precision";
     single.mechanics->physics.precision = Precision::binary32;
