@@ -92,8 +92,10 @@ double nextCycleOf(const World& world, std::size_t cell) {
 void runCellCycles(World& world, double before, double until) {
   Clock& clock = world.clock;
   if (!(clock.nextCycle <= until)) return;
-  // Only cells that wait have a next cycle in the past.
-  double time = clock.nextCycle > before ? clock.nextCycle : findNextRound(world, before);
+  // Cells that wait for a size have a next cycle in the past; so has a state that another stop has cut short, whose cycles
+  // still count from when they were due.
+  const bool someWait = world.model.cycle.divisionSize && clock.nextCycle <= before;
+  double time = someWait ? findNextRound(world, before) : clock.nextCycle;
   bool some = false, isOver = false;
   while (!isOver && time <= until && !hasEnoughCells(world)) {
     some = runOneRound(world, time) || some;

@@ -44,15 +44,11 @@ void draw(const Tree& tree, const LineageOptions& options) {
                options.picture);
 }
 
-/// What the genes alone prescribe: without bodies a thousand cells take a moment.
+/// What the genes prescribe: without bodies a thousand cells take a moment. Where cells sense, or wait for a size, bodies
+/// decide, too.
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-  if (scenario.scene.mechanics && (!scenario.scene.senses.empty() || scenario.scene.cycle.divisionSize))
-    tell(
-        "genes alone: without bodies cells sense none and wait for no size; a run's database has what they "
-        "do",
-        options.output.quiet);
-  scenario.scene.mechanics.reset();
+  if (scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize) scenario.scene.mechanics.reset();
   Progress progress(scenario.scene.name, options.output.quiet);
   auto run = simulate(makeScenarioWorld(scenario, {}), {.nameOf = scenario.names.function()}, progress);
   return {scenario.scene.name, run.end.time, std::move(run.results)};

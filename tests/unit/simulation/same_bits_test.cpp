@@ -16,6 +16,7 @@ std::vector<Scene> allScenes() {
       scenes::packed(),    scenes::ellipsoid(), scenes::thesis(), scenes::life(), mixed, ring,
       scenes::coarsening()};
   scenes.push_back(scenes::spheres());
+  scenes.push_back(scenes::sensing());
   scenes.push_back(scenes::sticky());
   Scene stickySpheres = scenes::spheres();
   stickySpheres.name = "sticky spheres";
