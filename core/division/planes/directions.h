@@ -20,8 +20,8 @@ Vector longestExtent(const CellContext& cell);
 Vector longestExtentAcross(const CellContext& cell, const Vector& normal);
 
 /// The unit vector along Σ area · (unit vector to the neighbour's centre), over the neighbours that hold a
-/// substance, or one that fits its beginning and '*'. Absent if there is none, or if they lie evenly around the cell: the sum is then less
-/// than 1e-6 of the areas, and rounding must not decide.
+/// substance, or one that fits its beginning and '*'. Absent if there is none, or if they lie evenly around
+/// the cell: the sum is then less than 1e-6 of the areas, and rounding must not decide.
 std::optional<Vector> contactDirection(const CellContext& cell, const std::string& substance);
 
 /// The unit vector from the inside of the organism to its outside, at the cell's centre: with a shell the

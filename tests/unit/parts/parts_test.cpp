@@ -108,9 +108,9 @@ TEST_CASE("Each part names the line that asks for it, or says that it is a defau
   CHECK(parts["contact"].why == "test.yaml:24:18: physics.contact.law");
   CHECK(parts["contact"].what == "the thesis' law");
   CHECK_FALSE(parts["friction"].engaged);  // the thesis' law has none, whatever its coefficient
-  CHECK(parts["connections"].why == "test.yaml:26:14: connections");
-  CHECK(parts["samples"].why == "test.yaml:28:17: record.every");
-  CHECK(parts["hashes"].why == "test.yaml:29:8: check");
+  CHECK(parts["connections"].why == "test.yaml:29:14: connections");
+  CHECK(parts["samples"].why == "test.yaml:31:17: record.every");
+  CHECK(parts["hashes"].why == "test.yaml:32:8: check");
   parts = byName(read(sceneOf(8), {{"physics.drag", "2", "--set physics.drag"}}));
   CHECK(parts["drag"].why == "--set physics.drag");
   CHECK(parts["springs"].why == "default");
