@@ -62,6 +62,7 @@ TEST_CASE("A pace is for life: a cell that does not divide keeps it") {
 TEST_CASE("Substances' own lengths vary as cycle.length does") {
   Scene scene = varied(0.1);
   scene.cycle.perSubstance = {{"a0", 0.25}};
+  scene.stop.cycles = 1;
   const World world = ranToEnd(scene);
   CHECK(birthsOf(world).at("A") ==
         Approx(0.25 * (1 + 0.1 * deviate(scene, {}, Purpose::cycleVariation))).epsilon(1e-14));
