@@ -128,7 +128,7 @@ std::vector<double> LogicalDna::paceBySubstance(const std::map<std::string, doub
     MORULA_CHECK(length > 0, "time between cell cycles");
     bool isMeant = false;
     for (std::size_t s = 0; s < names_.size(); ++s)
-      if (standsFor(pattern, names_[s])) pace[s] = std::min(pace[s], length), isMeant = true;
+      if (fits(pattern, names_[s])) pace[s] = std::min(pace[s], length), isMeant = true;
     if (isMeant) continue;
     const std::string meant = closest(pattern, names_);
     throw InputError("cycle: the DNA has no substance '" + pattern + "'; " +
@@ -189,7 +189,7 @@ StateId LogicalDna::intern(Substances substances) const {
   state.growth = has(grow_) - has(shrink_);
   state.connecting = has(connect_) - has(release_);
   for (std::size_t i = 0; i < senses_.size(); ++i) {
-    const auto counts = [&](SubstanceId s) { return standsFor(senses_[i].parameters.of, names_[s]); };
+    const auto counts = [&](SubstanceId s) { return fits(senses_[i].parameters.of, names_[s]); };
     state.sensed |= std::uint64_t{has(senses_[i].substance)} << i;
     state.counted |= std::uint64_t{std::ranges::any_of(substances, counts)} << i;
   }

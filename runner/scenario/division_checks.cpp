@@ -90,7 +90,7 @@ class DivisionCheck {
     const DivisionRule& rule = division_.rules[i];
     const std::string path = pathOf(i) + ".of";
     for (const std::string& pattern : rule.of) {
-      const auto isMeant = [&](const std::string& s) { return standsFor(pattern, s); };
+      const auto isMeant = [&](const std::string& s) { return fits(pattern, s); };
       if (std::ranges::none_of(scene_.dna.substances, isMeant)) return;  // unknown, which has been said
       if (std::ranges::any_of(scene_.dna.substances,
                               [&](const std::string& s) { return isMeant(s) && canHold(s); }))

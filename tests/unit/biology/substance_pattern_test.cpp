@@ -6,14 +6,14 @@
 using namespace morula;
 
 TEST_CASE("A pattern stands for its name, or for all names that begin like it") {
-  CHECK(standsFor("AB", "AB"));
-  CHECK_FALSE(standsFor("AB", "ABa"));
-  CHECK_FALSE(standsFor("AB", "A"));
-  CHECK(standsFor("AB*", "AB"));
-  CHECK(standsFor("AB*", "ABa"));
-  CHECK_FALSE(standsFor("AB*", "A"));
-  CHECK_FALSE(standsFor("AB*", "aAB"));
-  CHECK(standsFor("*", "AB"));
+  CHECK(fits("AB", "AB"));
+  CHECK_FALSE(fits("AB", "ABa"));
+  CHECK_FALSE(fits("AB", "A"));
+  CHECK(fits("AB*", "AB"));
+  CHECK(fits("AB*", "ABa"));
+  CHECK_FALSE(fits("AB*", "A"));
+  CHECK_FALSE(fits("AB*", "aAB"));
+  CHECK(fits("*", "AB"));
 }
 
 TEST_CASE("A pattern is looked for among all substances of a cell") {
