@@ -42,6 +42,11 @@ class CellContext {
   virtual const CellContext* sister() const { return nullptr; }
   /// How its mother was cut; null for a cell that no division made, and in a lineage-only scene.
   virtual const DivisionRecord* motherDivision() const { return nullptr; }
+  /// The same of its grandmother.
+  virtual const DivisionRecord* grandmotherDivision() const { return nullptr; }
+  /// [1] The share of its surface that lies on the shell: a vertex there stands for a third of the area of its
+  /// faces; 0 without a shell, and of a ball, which touches it in a point.
+  virtual double shellShare() const { return 0; }
 };
 
 }  // namespace morula

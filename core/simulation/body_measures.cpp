@@ -135,6 +135,27 @@ double measureInvertedShare(const BodyShape& shape) {
   return all > 0 ? inverted / all : 1;
 }
 
+double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
+  constexpr double within =
+      1e-6;  // the shell puts vertices onto itself to rounding, that of single precision too
+  if (shape.isBall) return 0;
+  const double* a = shell.semiAxes;
+  const auto isOnShell = [&](const Point& p) {
+    const Vector q{p.x / a[0], p.y / a[1], p.z / a[2]};
+    return std::sqrt(dot(q, q)) > 1 - within;
+  };
+  double all = 0, onShell = 0;
+  for (const Face& face : shape.surface.faces) {
+    const Point& corner = shape.surface.vertices[face[0]];
+    const double twice =
+        norm(cross(shape.surface.vertices[face[1]] - corner, shape.surface.vertices[face[2]] - corner));
+    all += twice;
+    for (int vertex : face)
+      if (isOnShell(shape.surface.vertices[vertex])) onShell += twice / 3;
+  }
+  return all > 0 ? onShell / all : 0;
+}
+
 double measureShellVolume(const Bodies& b) {
   const double* a = b.parameters.shell->semiAxes;
   return ballArea / 3 * a[0] * a[1] * a[2];

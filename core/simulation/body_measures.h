@@ -30,6 +30,10 @@ double measureExtent(const Bodies& bodies);
 /// [1] Share of a surface's area whose outer side is turned to the mean of its vertices.
 double measureInvertedShare(const BodyShape& shape);
 
+/// [1] The share of a surface that lies on the shell, to a millionth of its size: a vertex there stands for a third of
+/// the area of its faces. 0 of a ball, which touches it in a point.
+double measureShellShare(const BodyShape& shape, const ShellParameters& shell);
+
 /// [length³] What the scene's shell encloses.
 double measureShellVolume(const Bodies& bodies);
 

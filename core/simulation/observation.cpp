@@ -123,4 +123,13 @@ const DivisionRecord* ObservedCell::motherDivision() const {
   return path.isEgg() ? nullptr : observation_.divisionOf(path.mother());
 }
 
+const DivisionRecord* ObservedCell::grandmotherDivision() const {
+  return path.depth() < 2 ? nullptr : observation_.divisionOf(path.mother().mother());
+}
+
+double ObservedCell::shellShare() const {
+  if (!observation_.world.bodies || !observation_.world.bodies->parameters.shell) return 0;
+  return measureShellShare(physical()->getShape(), *observation_.world.bodies->parameters.shell);
+}
+
 }  // namespace morula

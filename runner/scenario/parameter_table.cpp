@@ -96,6 +96,13 @@ std::vector<Section> sections() {
       {.path = "check",
        .meaning = "What must hold of the run besides its golden file",
        .decides = Decides::presentation},
+      {.path = "check.reference",
+       .meaning = "What the organism is compared with, by measures that record.measures names",
+       .absent = "compared with nothing",
+       .members = atLeastOne,
+       .decides = Decides::presentation,
+       .make = [](Scenario& s) { s.check.reference.emplace(); },
+       .exists = [](const Scenario& s) { return s.check.reference.has_value(); }},
       {.path = "check.bullet",
        .meaning =
            "The same scene computed by Bullet, and how far apart the two may be at the end. Without "
@@ -214,6 +221,7 @@ std::vector<Parameter> parameters() {
 
       shellSphere(),
       shellEllipsoid(),
+      shellFill(),
 
       choice("physics.contact.law", MECHANICS(contact->law)),
       real("physics.contact.stiffness", "force/length", positive, "K of a vertex pair; law pair only",
@@ -244,6 +252,8 @@ std::vector<Parameter> parameters() {
                    AT(record.every)),
       presentation(optionalReal("record.pictures", "time", positive, "", "one picture, of the end",
                                 "Time between pictures of a sequence", AT(record.pictures))),
+      recordAtCells(),
+      recordMeasures(),
 
       nameOfEgg(),
       namesOfDaughters(),
@@ -276,6 +286,10 @@ std::vector<Parameter> parameters() {
             AT(check.fails)),
       saneEnd(),
       becauseText(),
+
+      referenceContacts(),
+      referencePositions(),
+      referenceFile(),
 
       presentation(oneOf(
           "check.bullet.baseline", {"b1", "b3"},

@@ -75,6 +75,7 @@ Parameter dna();
 Parameter timeStep();
 Parameter shellSphere();
 Parameter shellEllipsoid();
+Parameter shellFill();
 Parameter divisionPlane();
 /// What division.plane may be, in words.
 std::string planesAllowed(bool ofSpheres = false);
@@ -84,6 +85,11 @@ Parameter nameOfEgg();
 Parameter namesOfDaughters();
 Parameter namesOfCells();
 Parameter namesFile();
+Parameter referenceContacts();
+Parameter referencePositions();
+Parameter referenceFile();
+Parameter recordAtCells();
+Parameter recordMeasures();
 Parameter becauseText();
 
 // For the kinds themselves.
@@ -97,6 +103,8 @@ std::string numberAllowed(const Range& range, const std::string& unit);
 Json numberSchema(const Range& range);
 std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
                                const std::string& allowed, Problems& problems);
+std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& range, const std::string& path,
+                                         const std::string& allowed, Problems& problems);
 /// As many numbers as `count`.
 std::optional<std::vector<double>> readReals(const Node& node, std::size_t count, const Range& range,
                                              const std::string& path, const std::string& allowed,
