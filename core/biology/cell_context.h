@@ -51,6 +51,8 @@ class CellContext {
   virtual const CellContext* sister() const { return nullptr; }
   /// How its mother was cut; null for a cell that no division made, and in a lineage-only scene.
   virtual const DivisionRecord* motherDivision() const { return nullptr; }
+  /// The same of its grandmother.
+  virtual const DivisionRecord* grandmotherDivision() const { return nullptr; }
   /// The cells that it is connected to, by path; none in a scene without connections.
   virtual std::span<const CellContext* const> connected() const { return {}; }
   /// All other living cells, by path; none in a lineage-only scene.

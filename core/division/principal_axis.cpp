@@ -48,4 +48,12 @@ Vector principalAxis(std::span<const Point> points) {
   return {axis[0], axis[1], axis[2]};
 }
 
+Vector principalExtents(std::span<const Point> points) {
+  const Eigen::Vector3d values = solveCovariance(points, Eigen::EigenvaluesOnly).eigenvalues();  // rising
+  const auto extent = [&](double value) {  // rounding may leave a flat cloud's smallest below 0
+    return value > 0 ? std::sqrt(value / static_cast<double>(points.size())) : 0;
+  };
+  return {extent(values[2]), extent(values[1]), extent(values[0])};
+}
+
 }  // namespace morula

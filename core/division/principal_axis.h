@@ -21,4 +21,7 @@ Vector towardsOwnSide(const Vector& line);
 /// x, or to y where x is far from all of them.
 Vector principalAxis(std::span<const Point> points);
 
+/// [length] The extents along the three principal axes, root mean square distances from the mean, the largest first.
+Vector principalExtents(std::span<const Point> points);
+
 }  // namespace morula

@@ -1,138 +1,18 @@
-// The tables of measures. To add one: a row here.
+// How measures are taken. Their rows: measures_world.cpp, measures_cell.cpp, measures_pair.cpp.
 #include "simulation/measures.h"
 
 #include <algorithm>
 
 #include "base/error.h"
-#include "division/principal_axis.h"
-#include "mesh/measures.h"
-#include "simulation/body_measures.h"
+#include "physics/bodies.h"
 
 namespace morula {
 
 namespace {
 
-const Bodies& bodiesOf(const Observation& now) { return *now.world.bodies; }
-const BodyShape& shapeOf(const CellContext& cell) { return cell.physical()->getShape(); }
-
-/// Over all cells with a body.
-template <class Get>
-double sumOf(const Observation& now, const Get& get) {
-  double sum = 0;
-  for (int slot : bodiesOf(now).slots) sum += get(bodiesOf(now), slot);
-  return sum;
-}
-double volumeOf(const Bodies& b, int slot) { return b.volume[slot]; }
-double pressureOf(const Bodies& b, int slot) { return b.pressure[slot]; }
-
-using Value = std::optional<double>;
-using Now = const Observation&;
-using Cell = const CellContext&;
-
-// clang-format off
-constexpr WorldMeasure ofWorld[] = {
-    {.name = "cells", .meaning = "Cells that live", .needs = Needs::nothing, .isWhole = true,
-     .get = [](Now now) -> Value { return double(now.world.cells.path.size()); }},
-    {.name = "volume", .unit = "length³",
-     .meaning = "Of all cells, as the last evaluation of the forces found it [Nilsson 2008, eq. 4.4]",
-     .get = [](Now now) -> Value { return sumOf(now, volumeOf); }},
-    {.name = "kinetic_energy", .unit = "force·length",
-     .meaning = "½ Σ m v² over the vertices of all cells",
-     .get = [](Now now) -> Value { return sumOf(now, measureKineticEnergy); }},
-    {.name = "mean_pressure", .unit = "force/length²",
-     .meaning = "Inner minus outer pressure [Nilsson 2008, eq. 4.3], in the mean over the cells; absent without cells",
-     .get = [](Now now) -> Value {
-       const int count = bodiesOf(now).count;
-       return count > 0 ? Value(sumOf(now, pressureOf) / count) : Value();
-     }},
-    {.name = "shell_fill", .meaning = "Volume of all cells over the shell's", .needs = Needs::shell,
-     .get = [](Now now) -> Value { return sumOf(now, volumeOf) / measureShellVolume(bodiesOf(now)); }},
-    {.name = "outermost", .unit = "shell radii",
-     .meaning = "How far out the farthest vertex, or ball, reaches: 1 on the shell; absent without cells",
-     .needs = Needs::shell,
-     .get = [](Now now) -> Value {
-       Value most;
-       for (int slot : bodiesOf(now).slots) most = std::max(most.value_or(0), measureOutermost(bodiesOf(now), slot));
-       return most;
-     }},
-    {.name = "extent", .unit = "length",
-     .meaning = "The farthest that a vertex, or a ball's surface, is from the origin",
-     .taken = Taken::onDemand,
-     .get = [](Now now) -> Value { return measureExtent(bodiesOf(now)); }},
-    {.name = "energy", .unit = "force·length",
-     .meaning = "Of motion ½mv², membranes ½k_s(l−l₀)² and contents k_p (r−1−ln r), r = P₀V/k_p: 0 at rest; not what "
-                "contacts and connections hold",
-     .taken = Taken::onDemand,
-     .get = [](Now now) -> Value { return measureEnergy(bodiesOf(now)); }},
-    {.name = "momentum_x", .unit = "mass·length/time",
-     .meaning = "Σ m v over the vertices of all cells, along x",
-     .taken = Taken::onDemand,
-     .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).x; }},
-    {.name = "momentum_y", .unit = "mass·length/time", .meaning = "The same along y", .taken = Taken::onDemand,
-     .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).y; }},
-    {.name = "momentum_z", .unit = "mass·length/time", .meaning = "The same along z", .taken = Taken::onDemand,
-     .get = [](Now now) -> Value { return measureMomentum(bodiesOf(now)).z; }},
-    {.name = "mean_overlap",
-     .meaning = "Share of a cell's volume that lies in another cell too, in the mean over the cells, by 256 × 256 scan "
-                "lines",
-     .taken = Taken::onDemand,
-     .get = [](Now now) -> Value { return measureMeanOverlap(bodiesOf(now)); }},
-};
-
-constexpr CellMeasure ofCell[] = {
-    {.name = "volume", .unit = "length³",
-     .meaning = "What its surface encloses, by the divergence theorem [Nilsson 2008, eq. 4.4]",
-     .get = [](Cell cell) -> Value { return shapeOf(cell).volume; }},
-    {.name = "area", .unit = "length²", .meaning = "Of its surface",
-     .get = [](Cell cell) -> Value { return shapeOf(cell).area; }},
-    {.name = "pressure", .unit = "force/length²",
-     .meaning = "Inner minus outer [Nilsson 2008, eq. 4.3]; absent in models without contents under pressure",
-     .get = [](Cell cell) -> Value { return shapeOf(cell).pressure; }},
-    {.name = "x", .unit = "length", .meaning = "Of the mean of its vertices, which carry the mass",
-     .get = [](Cell cell) -> Value { return shapeOf(cell).centre.x; }},
-    {.name = "y", .unit = "length", .meaning = "The same along y",
-     .get = [](Cell cell) -> Value { return shapeOf(cell).centre.y; }},
-    {.name = "z", .unit = "length", .meaning = "The same along z",
-     .get = [](Cell cell) -> Value { return shapeOf(cell).centre.z; }},
-    {.name = "sphericity", .meaning = "π^(1/3) (6V)^(2/3) / A: 1 for a sphere [Wadell 1935]",
-     .get = [](Cell cell) -> Value {
-       const BodyShape& shape = shapeOf(cell);
-       return shape.isBall ? 1 : sphericity(shape.volume, shape.area);
-     }},
-    {.name = "elongation",
-     .meaning = "Largest over second largest extent, root mean square distances of its vertices from their mean along "
-                "the principal axes: 1 for a ball and a disc",
-     .get = [](Cell cell) -> Value {
-       const BodyShape& shape = shapeOf(cell);
-       return shape.isBall ? 1 : extentRatio(shape.surface.vertices);
-     }},
-    {.name = "neighbours", .meaning = "Cells that it touches; 0 where cells cannot touch", .needs = Needs::contact,
-     .isWhole = true,
-     .get = [](Cell cell) -> Value { return double(cell.neighbours().size()); }},
-    {.name = "volume_over_rest",
-     .meaning = "Volume over what it would be if nothing pressed on the cell: with contents under pressure its share of "
-                "the egg's, otherwise that of its mesh with its rest lengths",
-     .taken = Taken::onDemand,
-     .get = [](Cell cell) -> Value { return cell.physical()->getVolume() / cell.physical()->getRestVolume(); }},
-    {.name = "volume_over_mesh", .meaning = "Volume over that of its mesh with its rest lengths",
-     .taken = Taken::onDemand,
-     .get = [](Cell cell) -> Value { return cell.physical()->getVolume() / cell.physical()->getMeshVolume(); }},
-    {.name = "inverted", .meaning = "Share of its surface whose outer side is turned to the mean of its vertices",
-     .taken = Taken::onDemand,
-     .get = [](Cell cell) -> Value { return measureInvertedShare(shapeOf(cell)); }},
-};
-
-constexpr PairMeasure ofPair[] = {
-    {.name = "area", .unit = "length²",
-     .meaning = "Of the contact: the mean of what the vertices of either cell stand for that touch the other one; of two "
-                "balls the disc in which their surfaces meet",
-     .needs = Needs::contact,
-     .get = [](const Touch& touch) -> Value { return touch.area; }},
-};
-// clang-format on
-
-/// True if a world has what a measure needs.
-bool has(const World& world, Needs needs) {
+/// True if there is what a measure needs.
+bool has(const Observation& now, Needs needs) {
+  const World& world = now.world;
   switch (needs) {
     case Needs::nothing:
       return true;
@@ -141,35 +21,32 @@ bool has(const World& world, Needs needs) {
     case Needs::bodies:
     case Needs::contact:  // without contact no cells touch: 0, not unknown
       return world.bodies.has_value();
+    case Needs::referenceContacts:
+      return world.bodies && now.reference && !now.reference->contacts.empty();
+    case Needs::referencePositions:
+      return world.bodies && now.reference && !now.reference->positions.empty();
   }
   MORULA_CHECK(false, "a need that is not known");
 }
 
 template <class Of>
-void take(const World& world, const Of& of, Measured<Of>& into) {
+void take(const Observation& now, const Of& of, Measured<Of>& into) {
   const auto rows = sampledMeasures<Of>();
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (has(world, rows[i].needs)) into.values[i] = rows[i].get(of);
+    if (has(now, rows[i].needs)) into.values[i] = rows[i].get(of);
 }
 
 }  // namespace
 
 const char* name(Needs needs) {
-  constexpr const char* names[] = {"nothing", "bodies", "contact", "a shell"};
+  constexpr const char* names[] = {
+      "nothing", "bodies", "contact", "a shell", "check.reference.contacts", "check.reference.positions"};
   return names[static_cast<int>(needs)];
 }
 
-template <>
-std::span<const WorldMeasure> measures<Observation>() {
-  return ofWorld;
-}
-template <>
-std::span<const CellMeasure> measures<CellContext>() {
-  return ofCell;
-}
-template <>
-std::span<const PairMeasure> measures<Touch>() {
-  return ofPair;
+const char* name(Scope scope) {
+  constexpr const char* names[] = {"world", "cell", "pair"};
+  return names[static_cast<int>(scope)];
 }
 
 template <class Of>
@@ -215,7 +92,7 @@ WorldMeasures measureWorld(const Observation& now) {
   WorldMeasures m;
   m.time = now.time;
   m.step = now.world.clock.step;
-  take(now.world, now, m);
+  take(now, now, m);
   return m;
 }
 
@@ -227,7 +104,7 @@ std::vector<CellMeasures> measureCells(const Observation& now) {
     CellMeasures& m = all.emplace_back();
     m.path = cell.path;
     m.state = cell.state;
-    take<CellContext>(now.world, cell, m);
+    take<CellContext>(now, cell, m);
   }
   return all;
 }
@@ -239,9 +116,79 @@ std::vector<ContactMeasures> measureContacts(const Observation& now) {
     const Touch touch{now.cell(a), now.cell(b), area};
     m.a = touch.a.path;
     m.b = touch.b.path;
-    take(now.world, touch, m);
+    take(now, touch, m);
   }
   return all;
+}
+
+namespace {
+
+/// The row on demand that goes by this name; null if none does.
+template <class Of>
+const Measure<Of>* rowOnDemand(std::string_view name) {
+  for (const Measure<Of>& row : measures<Of>())
+    if (row.taken == Taken::onDemand && row.name == name) return &row;
+  return nullptr;
+}
+
+template <class Of>
+void describeRows(Scope scope, std::vector<MeasureOnDemand>& all) {
+  for (const Measure<Of>& row : measures<Of>())
+    if (row.taken == Taken::onDemand) all.push_back({scope, row.name, row.needs});
+}
+
+/// Of one thing: nothing if there is nothing to measure.
+template <class Of>
+void takeOne(const Observation& now, const Measure<Of>& row, Scope scope, const CellPath& a,
+             const CellPath& b, const Of& of, std::vector<TakenMeasure>& taken) {
+  if (!has(now, row.needs)) return;
+  if (const std::optional<double> value = row.get(of)) taken.push_back({scope, row.name, a, b, *value});
+}
+
+void takeOfCells(const Observation& now, const std::vector<const CellMeasure*>& rows,
+                 std::vector<TakenMeasure>& taken) {
+  if (rows.empty()) return;
+  for (int i = 0; i < static_cast<int>(now.world.cells.path.size()); ++i) {
+    const ObservedCell cell(now, i);  // so that only one shape is in memory at a time
+    for (const CellMeasure* row : rows)
+      takeOne<CellContext>(now, *row, Scope::cell, cell.path, {}, cell, taken);
+  }
+}
+
+void takeOfPairs(const Observation& now, const std::vector<const PairMeasure*>& rows,
+                 std::vector<TakenMeasure>& taken) {
+  if (rows.empty()) return;
+  for (const auto& [a, b, area] : now.contacts()) {
+    const Touch touch{now.cell(a), now.cell(b), area};
+    for (const PairMeasure* row : rows)
+      takeOne(now, *row, Scope::pair, touch.a.path, touch.b.path, touch, taken);
+  }
+}
+
+}  // namespace
+
+std::vector<MeasureOnDemand> measuresOnDemand() {
+  std::vector<MeasureOnDemand> all;
+  describeRows<Observation>(Scope::world, all);
+  describeRows<CellContext>(Scope::cell, all);
+  describeRows<Touch>(Scope::pair, all);
+  return all;
+}
+
+std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const std::string> names) {
+  std::vector<TakenMeasure> taken;
+  std::vector<const CellMeasure*> ofCells;
+  std::vector<const PairMeasure*> ofPairs;
+  for (const std::string& name : names) {
+    if (const auto* row = rowOnDemand<Observation>(name))
+      takeOne(now, *row, Scope::world, {}, {}, now, taken);
+    else if (const auto* ofCell = rowOnDemand<CellContext>(name)) ofCells.push_back(ofCell);
+    else if (const auto* ofPair = rowOnDemand<Touch>(name)) ofPairs.push_back(ofPair);
+    else MORULA_CHECK(false, "a measure on demand that no row names");
+  }
+  takeOfCells(now, ofCells, taken);
+  takeOfPairs(now, ofPairs, taken);
+  return taken;
 }
 
 Mesh cellMesh(const World& world, const CellPath& path) {

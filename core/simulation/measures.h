@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,12 +21,12 @@ struct Touch {
 };
 
 /// What a scene must have for a measure to be taken.
-enum class Needs { nothing, bodies, contact, shell };
+enum class Needs { nothing, bodies, contact, shell, referenceContacts, referencePositions };
 const char* name(Needs needs);
 
 enum class Taken {
   withSamples,  // at every sample
-  onDemand,     // where a check asks for it
+  onDemand,     // where a check or a scenario's record asks for it
 };
 
 template <class Of>
@@ -97,6 +98,30 @@ WorldMeasures measureWorld(const Observation& now);
 std::vector<CellMeasures> measureCells(const Observation& now);
 /// By (a, b); empty without contact.
 std::vector<ContactMeasures> measureContacts(const Observation& now);
+
+/// What a measure is of. Those on demand have names that are no other's, of whatever scope.
+enum class Scope { world, cell, pair };
+const char* name(Scope scope);
+
+struct MeasureOnDemand {
+  Scope scope;
+  const char* name;
+  Needs needs;
+};
+/// All rows on demand, of all tables.
+std::vector<MeasureOnDemand> measuresOnDemand();
+
+/// One value of a measure on demand.
+struct TakenMeasure {
+  Scope scope;
+  std::string name;
+  CellPath a, b;  // of a cell: a; of a pair: a < b
+  double value;
+  friend bool operator==(const TakenMeasure&, const TakenMeasure&) = default;
+};
+/// The values of the measures on demand of these names: of the world in the order of names, then cell by cell
+/// and pair by pair, by path. What there is not to measure has no value.
+std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const std::string> names);
 
 inline WorldMeasures measureWorld(const World& world) { return measureWorld(Observation(world)); }
 inline std::vector<CellMeasures> measureCells(const World& world) { return measureCells(Observation(world)); }

@@ -146,6 +146,10 @@ const DivisionRecord* ObservedCell::motherDivision() const {
   return path.isEgg() ? nullptr : observation_.divisionOf(path.mother());
 }
 
+const DivisionRecord* ObservedCell::grandmotherDivision() const {
+  return path.depth() < 2 ? nullptr : observation_.divisionOf(path.mother().mother());
+}
+
 std::span<const CellContext* const> ObservedCell::connected() const {
   if (!connected_) {
     connected_.emplace();

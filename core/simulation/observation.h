@@ -8,6 +8,7 @@
 
 #include "biology/cell_context.h"
 #include "biology/physical_unit.h"
+#include "simulation/reference.h"
 #include "simulation/world.h"
 
 namespace morula {
@@ -26,6 +27,7 @@ class Observation {
 
   const World& world;
   const double time;
+  const Reference* reference = nullptr;  // what some measures compare the world with; null: nothing
 
   /// A living cell by its number; it and what is measured of it are kept as long as this. To look at all cells
   /// one after the other make an ObservedCell of each: then only one shape is in memory at a time.
@@ -96,6 +98,7 @@ class ObservedCell final : public CellContext {
   std::span<const Neighbour> neighbours() const override;
   const CellContext* sister() const override;
   const DivisionRecord* motherDivision() const override;
+  const DivisionRecord* grandmotherDivision() const override;
   std::span<const CellContext* const> connected() const override;
   std::optional<Vector> shell() const override;
   Point organismCentre() const override;

@@ -24,10 +24,11 @@ CrateFile crateFile(const Document& d) {
   if (d.role == "diff")
     return {"program.diff", Role::about, "What the program's sources had that their commit had not", "",
             d.content,      {}};
-  const char* what = d.role == "dna"     ? "The genes that the scenario names"
-                     : d.role == "mesh"  ? "The egg's mesh that the scenario names"
-                     : d.role == "names" ? "The names of cells that the scenario names"
-                                         : "The scenario as it was read";
+  const char* what = d.role == "dna"         ? "The genes that the scenario names"
+                     : d.role == "mesh"      ? "The egg's mesh that the scenario names"
+                     : d.role == "names"     ? "The names of cells that the scenario names"
+                     : d.role == "reference" ? "What the scenario compares the organism with"
+                                             : "The scenario as it was read";
   // Role and path come from the database, which may be a stranger's.
   const std::string role = safeName(d.role, "document");
   return {role + "/" + safeName(d.path, role), Role::object, what, d.path, d.content, {}};

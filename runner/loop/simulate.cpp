@@ -69,7 +69,11 @@ bool wantsHashes(const Scenario& scenario, bool hasGolden) {
 }
 
 RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
-  RecordOptions record{scenario.record.every, {}, scenario.names.function()};
+  RecordOptions record{.every = scenario.record.every,
+                       .atCells = scenario.record.atCells,
+                       .measures = scenario.record.measures,
+                       .reference = scenario.check.reference,
+                       .nameOf = scenario.names.function()};
   if (hashes) record.hashEvery = scenario.scene.mechanics ? stepsPerHash : 1;
   return record;
 }

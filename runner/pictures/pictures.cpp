@@ -120,16 +120,28 @@ Drawing drawBesideBullet(const World& world, const std::vector<std::vector<Point
 }
 
 void FrameCollector::observe(const World& world) {
-  if (!every_ || !world.bodies || world.clock.time < static_cast<double>(next_) * *every_) return;
+  if (!every_ || !world.bodies) return;
+  const bool due = world.clock.time >= static_cast<double>(next_) * *every_;
+  if (!reaches(world.cells.path.size()) && !due) return;
   frames_.push_back(pictureOf(world, scenario_));
-  expectNext(world.clock.time);
+  if (due) expectNext(world.clock.time);
+}
+
+bool FrameCollector::reaches(std::size_t cells) {
+  const auto& numbers = scenario_.record.atCells;
+  const std::size_t before = reached_;
+  while (reached_ < numbers.size() && cells >= numbers[reached_]) ++reached_;
+  return reached_ > before;
 }
 
 void FrameCollector::expectNext(double time) { next_ = firstMultipleAfter(time, *every_); }
 
 void FrameCollector::resume(const World& world, const std::vector<std::string>& kept) {
   if (!every_ || !world.bodies) return;
-  for (const std::string& bytes : kept) frames_.push_back(pictureFrom(bytes, blankPicture(scenario_)));
+  for (const std::string& bytes : kept) {
+    frames_.push_back(pictureFrom(bytes, blankPicture(scenario_)));
+    reaches(frames_.back().cells.size());
+  }
   expectNext(world.clock.time);
 }
 

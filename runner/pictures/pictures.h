@@ -44,7 +44,7 @@ TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
 Drawing drawBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
                          const Scenario& scenario);
 
-/// Keeps the organism's shape at 0, every, 2·every, … for a sequence of pictures.
+/// Keeps the organism's shape at 0, every, 2·every, … and where record.at-cells asks, for a sequence of pictures.
 class FrameCollector {
  public:
   FrameCollector(const Scenario& scenario, std::optional<double> every)
@@ -56,10 +56,12 @@ class FrameCollector {
 
  private:
   void expectNext(double time);
+  bool reaches(std::size_t cells);
 
   const Scenario& scenario_;
   std::optional<double> every_;
-  std::uint64_t next_ = 0;  // number of the next due frame: due at time next_·every
+  std::uint64_t next_ = 0;   // number of the next due frame: due at time next_·every
+  std::size_t reached_ = 0;  // of record.atCells
   std::vector<OrganismPicture> frames_;
 };
 

@@ -55,7 +55,7 @@ Json sanityJson(const std::vector<CheckResult>& results) {
   return list;
 }
 
-/// As the last rows of the tables sample and cell_sample.
+/// As the last rows of the tables sample, cell_sample and measure.
 Json sampleJson(const Sample& sample) {
   Json json{{"time", sample.world.time}};
   addMeasures(json, sample.world);
@@ -65,6 +65,13 @@ Json sampleJson(const Sample& sample) {
     addMeasures(cell, c);
     json["cell_sample"].push_back(std::move(cell));
   }
+  json["measure"] = Json::array();
+  for (const TakenMeasure& m : sample.more)
+    json["measure"].push_back({{"scope", name(m.scope)},
+                               {"name", m.name},
+                               {"a", m.scope == Scope::world ? Json() : Json(m.a.text())},
+                               {"b", m.scope == Scope::pair ? Json(m.b.text()) : Json()},
+                               {"value", m.value}});
   return json;
 }
 

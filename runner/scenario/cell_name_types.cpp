@@ -135,33 +135,25 @@ Parameter namesFile() {
 
 void readCellNames(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
                    Reading& reading) {
-  constexpr const char* blanks = " \t\r";
   int number = 0, before = static_cast<int>(reading.problems.size());
-  for (std::string_view line : linesOf(text)) {
+  for (const std::string& line : linesOf(text)) {
     ++number;
-    line = line.substr(0, line.find('#'));
-    std::vector<std::string_view> found;
-    std::size_t first = line.npos;
-    for (std::size_t at = line.find_first_not_of(blanks); at < line.size();) {
-      const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
-      if (found.empty()) first = at;
-      found.push_back(line.substr(at, end - at));
-      at = line.find_first_not_of(blanks, end);
-    }
+    const auto found = wordsOf(line);
     if (found.empty()) continue;
-    NameUse use{
-        {}, place, "names.file", file + ":" + std::to_string(number) + ":" + std::to_string(first + 1)};
+    NameUse use{{},
+                place,
+                "names.file",
+                file + ":" + std::to_string(number) + ":" + std::to_string(line.find(found[0]) + 1)};
     const auto path = found[0] == "egg" ? std::optional(CellPath{}) : pathIn(found[0]);
     const std::string right = "needs a line 'PATH NAME', as 'AB ABp', or 'egg P0'";
     if (found.size() != 2)
       complain(use, found.size() == 1 ? "has a path and no name" : "goes on behind the name", right,
                reading.problems);
-    else if (!path)
-      complain(use, "'" + std::string(found[0]) + "' is not a cell's path", right, reading.problems);
+    else if (!path) complain(use, "'" + found[0] + "' is not a cell's path", right, reading.problems);
     else if (!isCellName(found[1]))
-      complain(use, "'" + std::string(found[1]) + "' is no name of a cell",
-               std::string("needs ") + nameAllowed, reading.problems);
-    else use.path = *path, give(use, std::string(found[1]), scenario, reading);
+      complain(use, "'" + found[1] + "' is no name of a cell", std::string("needs ") + nameAllowed,
+               reading.problems);
+    else use.path = *path, give(use, found[1], scenario, reading);
   }
   const bool isGood = static_cast<int>(reading.problems.size()) == before;
   if (isGood && std::ranges::none_of(reading.names, [](const NameUse& u) { return !u.inFile.empty(); }))

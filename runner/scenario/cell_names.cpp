@@ -89,8 +89,8 @@ CellPath cellCalled(const CellNames& names, std::string_view text, std::string_v
   const std::string near = closest(text, known);
   const std::string right =
       near.empty() ? "needs egg, or a path of the letters A and B, as AAB" : "did you mean " + near + "?";
-  throw InputError(std::string(where) + ": '" + std::string(text) + "' is no cell's " +
-                   (names.empty() ? "path" : "name or path") + "; " + right);
+  throw InputError((where.empty() ? "" : std::string(where) + ": ") + "'" + std::string(text) +
+                   "' is no cell's " + (names.empty() ? "path" : "name or path") + "; " + right);
 }
 
 std::string cellWords(const NameOf& nameOf, const CellPath& path) {

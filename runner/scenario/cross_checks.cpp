@@ -1,5 +1,8 @@
 // What the table cannot say: values that do not fit each other, the DNA or the start cells.
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
 
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
@@ -9,6 +12,7 @@
 #include "scenario/bullet_fit.h"
 #include "scenario/scene_checks.h"
 #include "scenario/value_types.h"
+#include "simulation/measures.h"
 #include "simulation/start_variation.h"
 #include "simulation/world.h"
 #include "yaml/numbers.h"
@@ -99,6 +103,23 @@ void checkStartCells(const Scenario& scenario, Reading& reading) {
     if (outermostSquare(scenario.scene.cells[i], mechanics.mesh, *mechanics.physics.shell) > 1 + rounding)
       reading.problems.add(reading.startCells[i], "cells[" + std::to_string(i) + "]",
                            "stands out of the shell", "move it inward, or make it or its stretch smaller");
+}
+
+/// An egg with the shell's shape is a polyhedron in it, and cannot fill as much as a smooth one.
+void checkFill(const Scenario& scenario, Reading& reading, const Node& root) {
+  const MechanicsScene& mechanics = *scenario.scene.mechanics;
+  if (!mechanics.physics.shell) return;
+  double farthest = mechanics.physics.cell.radius;
+  for (const Point& vertex : mechanics.mesh.vertices) farthest = std::max(farthest, norm(vertex));
+  const double reach =
+      farthest / mechanics.physics.cell.radius;  // of its vertices, over the sphere's of its volume
+  const double most = 1 / (reach * reach * reach);
+  if (*scenario.shellFill <= most) return;
+  reading.problems.add(
+      placeOf(root, "physics.shell.fill"), "physics.shell.fill",
+      exactText(*scenario.shellFill) +
+          " is more than the egg's mesh can fill without standing out of the shell",
+      "needs at most " + numberText(std::floor(1000 * most) / 1000) + ", or a finer physics.mesh");
 }
 
 /// Contents that nothing presses on have no volume at rest to measure their energy from.
@@ -304,14 +325,61 @@ void checkInterval(const std::string& path, std::optional<double> every, double 
                        "needs at least " + exactText(*end / most) + " [time]");
 }
 
+/// What record.measures asks for must be there to be measured, and what check.reference gives must be asked for.
+void checkMeasures(const Scenario& scenario, Reading& reading, const Node& root) {
+  const auto& mechanics = scenario.scene.mechanics;
+  const auto& reference = scenario.check.reference;
+  const auto lacks = [&](Needs needs) -> std::pair<bool, const char*> {
+    switch (needs) {
+      case Needs::nothing:
+        return {false, ""};
+      case Needs::bodies:
+        return {!mechanics, "bodies: add a physics block"};
+      case Needs::contact:
+        return {!mechanics || !mechanics->contact, "cells that touch: add 'contact: {}' to physics"};
+      case Needs::shell:
+        return {!mechanics || !mechanics->physics.shell, "a shell: add physics.shell"};
+      case Needs::referenceContacts:
+        return {!mechanics || !mechanics->contact || !reference || reference->contacts.empty(),
+                "bodies that touch and check.reference.contacts to compare with"};
+      case Needs::referencePositions:
+        return {!mechanics || !reference || reference->positions.size() < 3,
+                "bodies and check.reference.positions to compare with, three at least"};
+    }
+    return {false, ""};
+  };
+  std::set<Needs> asked;
+  for (const MeasureOnDemand& m : measuresOnDemand()) {
+    if (std::ranges::find(scenario.record.measures, m.name) == scenario.record.measures.end()) continue;
+    asked.insert(m.needs);
+    if (const auto [lacking, what] = lacks(m.needs); lacking)
+      reading.problems.add(placeOf(root, "record.measures"), "record.measures",
+                           std::string(m.name) + " would find nothing to measure",
+                           std::string("needs ") + what);
+  }
+  if (!reference) return;
+  for (const auto& [needs, key, given, by] :
+       {std::tuple(Needs::referenceContacts, "check.reference.contacts", !reference->contacts.empty(),
+                   "contact_jaccard or contact_f1"),
+        std::tuple(Needs::referencePositions, "check.reference.positions", !reference->positions.empty(),
+                   "position_rmsd or position_shape_rmsd")})
+    if (given && !asked.contains(needs))
+      reading.problems.add(placeOf(root, key), key, "no measure compares with it",
+                           std::string("name ") + by + " in record.measures, or remove it");
+}
+
 }  // namespace
 
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkSubstances(scenario.scene.dna, reading);
   checkCellNames(scenario, reading, root);
+  if (reading.problems.empty()) checkMeasures(scenario, reading, root);
   checkReason(scenario.check, reading, root);
   if (const auto& mechanics = scenario.scene.mechanics) {
-    if (scenario.scene.cells.empty()) checkShell(scenario, reading, root);
+    const bool isSphere = !kindOf(mechanics->physics.cell.model).hasMesh;
+    if (scenario.eggIsStretched || (scenario.shellFill && scenario.scene.cells.empty() && !isSphere))
+      checkFill(scenario, reading, root);
+    else if (scenario.scene.cells.empty()) checkShell(scenario, reading, root);
     else checkStartCells(scenario, reading);
     checkEnergy(scenario, reading, root);
     checkCoarsening(scenario, reading, root);

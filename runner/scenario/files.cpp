@@ -33,7 +33,10 @@ const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, cons
                                const Place& place, const Places& places, Problems& problems) {
   for (const auto& stored : places.stored)
     if (stored.role == role) return &scenario.files.emplace_back(stored);
-  const auto path = role == "dna" ? "dna.file" : role == "names" ? "names.file" : "physics.mesh.file";
+  const auto path = role == "dna"         ? "dna.file"
+                    : role == "names"     ? "names.file"
+                    : role == "reference" ? "check.reference.file"
+                                          : "physics.mesh.file";
   if (places.folder.empty()) {
     problems.add(place, path, "'" + name + "' is not stored with the scenario",
                  "a stored scenario reads no other files");
@@ -122,11 +125,20 @@ void readMesh(Scenario& scenario, const Node& root, Problems& problems, const Pl
 
 void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places) {
   readDna(scenario, reading, places);
-  if (scenario.scene.mechanics) readMesh(scenario, root, reading.problems, places);
+  if (scenario.scene.mechanics) {
+    readMesh(scenario, root, reading.problems, places);
+    fitShell(scenario);
+  }
   if (const auto& names = reading.namesFile)
     if (const auto* file =
             readNamedFile(scenario, "names", names->first, names->second, places, reading.problems))
       readCellNames(file->content, file->path, names->second, scenario, reading);
+  const NamedFile* reference = nullptr;
+  if (reading.reference && reading.reference->file) {
+    const Node& file = *reading.reference->file;
+    reference = readNamedFile(scenario, "reference", file.text, file.place, places, reading.problems);
+  }
+  readReference(reference, scenario, reading);
 }
 
 }  // namespace morula::scenario

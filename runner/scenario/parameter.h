@@ -36,6 +36,11 @@ struct NameUse {
   std::string inFile;  // "names.txt:3:1"; "": it stands in the scenario itself
 };
 
+/// What check.reference says, to be read once cells have their names.
+struct ReferenceSource {
+  std::optional<Node> contacts, positions, file;
+};
+
 /// What reading the values needs and leaves behind besides the Scenario.
 struct Reading {
   Problems& problems;
@@ -47,6 +52,7 @@ struct Reading {
   std::vector<Place> rules{};     // where each of `division.rules` stands
   std::set<std::string>
       senses{};  // substances that `senses` names, whether or not their conditions could be read
+  std::optional<ReferenceSource> reference{};
 };
 
 enum class Decides {
@@ -64,6 +70,7 @@ struct Parameter {
   Json schema{};         // JSON Schema of the value
   std::string absent{};  // for people: what holds if an optional value is not given
   std::string needs{};   // the key of a neighbour that it refines and makes no sense without
+  bool joins = false;    // where exactly one of its section is wanted, it may stand beside that one, or alone
   bool later = false;    // joined when there were goldens: at its default it is no part of the meaning
   std::function<void(Scenario&, const Node&, Reading&)> read{};
   std::function<Json(const Scenario&)> write{};  // null: not given
@@ -133,6 +140,12 @@ void readCellNames(const std::string& text, const std::string& file, const Place
                    Reading& reading);
 /// Cells with one and the same name, and rules that name nobody.
 void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// What check.reference says, in the scenario and in the file that it names, if any (reference_types.cpp).
+void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
+
+/// Sizes the shell by physics.shell.fill, and stretches the egg to its shape (fitting_shell.cpp).
+void fitShell(Scenario& scenario);
 
 /// Substances that the DNA does not know, an egg that does not fit its shell, pictures without bodies.
 void crossCheck(const Scenario& scenario, Reading& reading, const Node& root);

@@ -141,6 +141,13 @@ std::vector<Section> sections() {
       {.path = "check",
        .meaning = "What must hold of the run besides its golden file",
        .decides = Decides::presentation},
+      {.path = "check.reference",
+       .meaning = "What the organism is compared with, by measures that record.measures names",
+       .absent = "compared with nothing",
+       .members = atLeastOne,
+       .decides = Decides::presentation,
+       .make = [](Scenario& s) { s.check.reference.emplace(); },
+       .exists = [](const Scenario& s) { return s.check.reference.has_value(); }},
       {.path = "check.bullet",
        .meaning =
            "The same scene computed by Bullet, and how far apart the two may be at the end. Without "
@@ -267,6 +274,7 @@ std::vector<Parameter> parameters() {
 
       shellSphere(),
       shellEllipsoid(),
+      shellFill(),
 
       real("physics.motility.speed", "length/time", positive, "Of a cell alone in the medium",
            PHYSICS(motility->speed)),
@@ -345,6 +353,8 @@ std::vector<Parameter> parameters() {
                    AT(record.every)),
       presentation(optionalReal("record.pictures", "time", positive, "", "one picture, of the end",
                                 "Time between pictures of a sequence", AT(record.pictures))),
+      recordAtCells(),
+      recordMeasures(),
 
       nameOfEgg(),
       namesOfDaughters(),
@@ -377,6 +387,10 @@ std::vector<Parameter> parameters() {
             AT(check.fails)),
       saneEnd(),
       becauseText(),
+
+      referenceContacts(),
+      referencePositions(),
+      referenceFile(),
 
       presentation(oneOf(
           "check.bullet.baseline", {"b1", "b3"},

@@ -37,6 +37,11 @@ std::string remedy(const std::string& section, const std::string& key) {
   return here.empty() ? "this map takes no keys yet: write {}" : "known here: " + join(here);
 }
 
+bool joins(const std::string& section, const std::string& key) {
+  const auto* parameter = parameterTable().parameter(inside(section, key));
+  return parameter && parameter->joins;
+}
+
 class TableReader {
  public:
   TableReader(Scenario& scenario, Reading& reading) : scenario_(scenario), reading_(reading) {}
@@ -111,6 +116,7 @@ class TableReader {
           node.place, section.path, node.members.empty() ? "is empty" : "is incomplete",
           (section.members == Section::Members::atLeastOne ? "needs at least one of " : "needs one of ") +
               join(alternatives));
+    if (good.size() > 1) std::erase_if(good, [&](const Member* m) { return joins(section.path, m->key); });
     if (section.members == Section::Members::exactlyOne && good.size() > 1)
       reading_.problems.add(good[1]->place, inside(section.path, good[1]->key),
                             "stands beside " + good[0]->key, "give one of " + join(alternatives, " or "));

@@ -11,6 +11,7 @@
 #include "base/hash.h"
 #include "scenario/baseline.h"
 #include "scenario/cell_names.h"
+#include "simulation/reference.h"
 #include "simulation/scene.h"
 
 namespace morula {
@@ -23,8 +24,10 @@ struct EggMesh {
 
 /// What is written down while the scene runs. Nothing here changes what the cells do.
 struct RecordParameters {
-  std::optional<double> every;     // [time] between samples; absent: only the start and the end
-  std::optional<double> pictures;  // [time] between pictures of a sequence; absent: only the end is drawn
+  std::optional<double> every;         // [time] between samples; absent: only the start and the end
+  std::optional<double> pictures;      // [time] between pictures of a sequence; absent: only the end is drawn
+  std::vector<std::uint64_t> atCells;  // rising; also when first so many cells live
+  std::vector<std::string> measures;   // on demand [simulation/measures.h], at every sample
 };
 
 struct Bounds {
@@ -61,12 +64,13 @@ struct CheckParameters {
   std::vector<std::string> fails;      // the run must stop, and all of these stand in the reason; or none
   bool sane = true;     // false: the scene is about an end that is not (core/simulation/sanity.h)
   std::string because;  // why it is not; "" if it is
-  std::optional<BulletCheck> bullet;  // held against Bullet
+  std::optional<BulletCheck> bullet;   // held against Bullet
+  std::optional<Reference> reference;  // what some measures compare the organism with
 };
 
 /// A file that a scenario names.
 struct NamedFile {
-  std::string role;  // "dna", "mesh" or "names"
+  std::string role;  // "dna", "mesh", "names" or "reference"
   std::string path;  // where it was read from
   std::string content;
 };
@@ -79,6 +83,9 @@ struct Scenario {
   /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
   CellNames names;  // of cells, by their paths
+  /// [1] Of the shell's volume, the egg's: the shell's semi-axes are given as a shape alone, and have been scaled.
+  std::optional<double> shellFill;
+  bool eggIsStretched = false;  // to the shell's shape: scene.cells holds that egg, which nobody wrote
   RecordParameters record;
   CheckParameters check;
 

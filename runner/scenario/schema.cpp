@@ -48,8 +48,12 @@ Json sectionSchema(const Section& section, const Scenario& defaults) {
   if (section.members == Section::Members::atLeastOne) schema["minProperties"] = 1;
   if (section.members == Section::Members::exactlyOne) {
     schema["oneOf"] = Json::array();
+    Json others = Json::array();
     for (const auto* p : table.parametersOf(section.path))
-      if (p->needs.empty()) schema["oneOf"].push_back({{"required", {p->key()}}});
+      if (p->needs.empty() && !p->joins) others.push_back({{"required", {p->key()}}});
+    schema["oneOf"] = others;
+    for (const auto* p : table.parametersOf(section.path))
+      if (p->joins) schema["oneOf"].push_back({{"required", {p->key()}}, {"not", {{"anyOf", others}}}});
   }
   return schema;
 }

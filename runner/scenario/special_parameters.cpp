@@ -160,4 +160,21 @@ Parameter shellEllipsoid() {
   return p;
 }
 
+Parameter shellFill() {
+  const Range share{0, 1, true};
+  auto p = real(
+      "physics.shell.fill", "", share,
+      "Of the shell's volume, the egg's: sphere or ellipsoid, or a sphere where neither is given, are then "
+      "a shape alone, and its size follows; the egg starts with the shell's shape",
+      nullptr);
+  p.absent = "sizes are as given, and the egg is round";
+  p.joins = true;
+  p.later = true;
+  p.read = [path = p.path, allowed = p.allowed, share](Scenario& s, const Node& node, Reading& reading) {
+    if (const auto fill = readReal(node, share, path, allowed, reading.problems)) s.shellFill = *fill;
+  };
+  p.write = [](const Scenario& s) { return s.shellFill ? Json(*s.shellFill) : Json(); };
+  return p;
+}
+
 }  // namespace morula::scenario

@@ -122,7 +122,7 @@ Parameter startCells() {
     }
   };
   p.write = [](const Scenario& s) {
-    if (s.scene.cells.empty()) return Json();
+    if (s.scene.cells.empty() || s.eggIsStretched) return Json();
     Json list = Json::array();
     for (const auto& cell : s.scene.cells) list.push_back(writeCell(cell));
     return list;

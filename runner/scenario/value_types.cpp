@@ -28,6 +28,8 @@ bool expectPlain(const Node& node, const std::string& path, const std::string& a
   return false;
 }
 
+}  // namespace
+
 std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& range, const std::string& path,
                                          const std::string& allowed, Problems& problems) {
   if (!expectPlain(node, path, allowed, problems)) return {};
@@ -39,8 +41,6 @@ std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& r
   else return number.value;
   return {};
 }
-
-}  // namespace
 
 void refuse(const Node& node, const std::string& path, const std::string& allowed, Problems& problems) {
   if (node.kind == Node::Kind::broken) return;

@@ -75,6 +75,7 @@ Parameter dna();
 Parameter timeStep();
 Parameter shellSphere();
 Parameter shellEllipsoid();
+Parameter shellFill();
 Parameter divisionPlane();
 /// [degree] More than a turn is refused as a slip.
 constexpr Range chiralAngle{-360, 360};
@@ -100,6 +101,11 @@ Parameter nameOfEgg();
 Parameter namesOfDaughters();
 Parameter namesOfCells();
 Parameter namesFile();
+Parameter referenceContacts();
+Parameter referencePositions();
+Parameter referenceFile();
+Parameter recordAtCells();
+Parameter recordMeasures();
 Parameter becauseText();
 
 // For the kinds themselves.
@@ -119,6 +125,8 @@ std::string numberAllowed(const Range& range, const std::string& unit);
 Json numberSchema(const Range& range);
 std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
                                const std::string& allowed, Problems& problems);
+std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& range, const std::string& path,
+                                         const std::string& allowed, Problems& problems);
 /// As many numbers as `count`.
 std::optional<std::vector<double>> readReals(const Node& node, std::size_t count, const Range& range,
                                              const std::string& path, const std::string& allowed,

@@ -15,9 +15,10 @@ void Recorder::observe(const World& world) {
   sampled_ = false;
   const Clock& clock = world.clock;
   if (options_.hashEvery && clock.step % *options_.hashEvery == 0) hash(world);
-  if (!isDue(clock.time)) return;
+  const bool reached = reaches(world.cells.path.size()), due = isDue(clock.time);
+  if (!reached && !due) return;
   sample(world);
-  expectNext(clock.time);
+  if (due) expectNext(clock.time);
 }
 
 std::uint64_t Recorder::stepsUntilDue(const World& world) const {
@@ -37,13 +38,21 @@ void Recorder::expectNext(double time) {
   next_ = options_.every ? firstMultipleAfter(time, *options_.every) : 1;
 }
 
+bool Recorder::reaches(std::uint64_t cells) {
+  const std::size_t before = reached_;
+  while (reached_ < options_.atCells.size() && cells >= options_.atCells[reached_]) ++reached_;
+  return reached_ > before;
+}
+
 void Recorder::resume(const World& world, const RunResults& earlier) {
   std::map<StateId, StateId> here;
   for (const auto& [state, text] : earlier.stateTexts) here[state] = world.biology->stateOf(text);
   for (Sample s : earlier.samples) {
-    if (s.world.step > world.clock.step || s.world.time > world.clock.time || !isDue(s.world.time)) continue;
+    if (s.world.step > world.clock.step || s.world.time > world.clock.time) continue;
+    const bool reached = reaches(static_cast<std::uint64_t>(s.world.at("cells"))), due = isDue(s.world.time);
+    if (!reached && !due) continue;
     for (CellMeasures& c : s.cells) describe(world, c.state = here.at(c.state));
-    expectNext(s.world.time);
+    if (due) expectNext(s.world.time);
     results_.samples.push_back(std::move(s));
   }
   for (const ChainLink& link : earlier.chain)
@@ -58,12 +67,15 @@ void Recorder::hash(const World& world) {
 }
 
 void Recorder::sample(const World& world) {
-  const Observation now(world);
-  results_.samples.push_back({measureWorld(now), measureCells(now), measureContacts(now)});
+  Observation now(world);
+  if (options_.reference) now.reference = &*options_.reference;
+  results_.samples.push_back(
+      {measureWorld(now), measureCells(now), measureContacts(now), takeMeasures(now, options_.measures)});
   for (const CellMeasures& c : results_.samples.back().cells) describe(world, c.state);
   const Sample& taken = results_.samples.back();
   bytes_ += double(sizeof(Sample) + taken.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +
-                   taken.contacts.size() * (sizeof(ContactMeasures) + ContactMeasures::bytes()));
+                   taken.contacts.size() * (sizeof(ContactMeasures) + ContactMeasures::bytes()) +
+                   taken.more.size() * sizeof(TakenMeasure));
   sampled_ = true;
 }
 

@@ -23,7 +23,7 @@ const char* name(RunStatus status);
 
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
 struct Document {
-  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "names", "diff" (what the
+  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "names", "reference", "diff" (what the
   // program's sources had that their commit had not)
   std::string role;
   std::string path;  // where it was read from; "" if it was not
@@ -63,6 +63,7 @@ struct Sample {
   WorldMeasures world;
   std::vector<CellMeasures> cells;        // by path; empty in a lineage-only scene
   std::vector<ContactMeasures> contacts;  // by (a, b); empty without contact
+  std::vector<TakenMeasure> more{};       // on demand, as the scenario's record asks
 };
 
 /// A change of the time step; the first entry is the start.

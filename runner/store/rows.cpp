@@ -57,10 +57,13 @@ void insertSamples(Database& db, const std::string& id, const RunResults& result
   Statement whole(db, insertInto("sample", "run_id, time, step", world));
   Statement cell(db, insertInto("cell_sample", "run_id, time, path, state", ofCell));
   Statement contact(db, insertInto("contact", "run_id, time, a, b", ofPair));
+  Statement more(db, insertInto("measure", "run_id, time, scope, name, a, b, value"));
   for (const Sample& s : results.samples) {
     const WorldMeasures& w = s.world;
     if (!isNew(w.step, after)) continue;
     whole.run(id, w.time, w.step, valuesOf(w, world));
+    for (const TakenMeasure& m : s.more)
+      more.run(id, w.time, name(m.scope), m.name, m.a.text(), m.b.text(), m.value);
     for (const CellMeasures& c : s.cells)
       cell.run(id, w.time, c.path.text(), stateText(results, c.state), valuesOf(c, ofCell));
     for (const ContactMeasures& c : s.contacts)
@@ -122,8 +125,8 @@ void endRun(Database& db, const std::string& id, const RunEnd& end) {
 }
 
 void deleteResults(Database& db, const std::string& id) {
-  for (const char* table : {"cell", "sample", "cell_sample", "contact", "connection", "time_step", "division",
-                            "step_hash", "cell_hash", "bullet_sample"})
+  for (const char* table : {"cell", "sample", "cell_sample", "contact", "measure", "connection", "time_step",
+                            "division", "step_hash", "cell_hash", "bullet_sample"})
     Statement(db, std::string("DELETE FROM ") + table + " WHERE run_id = ?").run(id);
 }
 

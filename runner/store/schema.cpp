@@ -264,7 +264,21 @@ ALTER TABLE check_result_4 RENAME TO check_result;
 // (measure_columns.h). Programs before it write rows by position, and would fail on them.
 const char* const version5 = "";
 
-constexpr std::array migrations{&version1, &version2, &version3, &version4, &version5};
+// Version 5 to 6: measures on demand, which a scenario's record names, one value a row.
+const char* const version6 = R"sql(
+CREATE TABLE measure (
+  run_id TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  time   REAL NOT NULL,              -- as in sample
+  scope  TEXT NOT NULL CHECK (scope = 'world' OR scope = 'cell' OR scope = 'pair'),
+  name   TEXT NOT NULL,              -- of scenarios/MEASURES.md
+  a      TEXT NOT NULL,              -- the cell's path, or the pair's first; '' of the world
+  b      TEXT NOT NULL,              -- the pair's second; '' of the world and a cell
+  value  REAL,
+  PRIMARY KEY (run_id, time, scope, name, a, b)
+) STRICT, WITHOUT ROWID;
+)sql";
+
+constexpr std::array migrations{&version1, &version2, &version3, &version4, &version5, &version6};
 
 /// Throws unless the file is empty or Morula's and not newer than this program. Returns its version, 0 when empty.
 int checkedVersion(Database& db) {

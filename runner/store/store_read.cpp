@@ -46,6 +46,13 @@ Fate fateFrom(const Statement& s, int column) {
   s.refuse(column, "needs alive, divided or died");
 }
 
+Scope scopeFrom(const Statement& s, int column) {
+  const std::string text = s.line(column);
+  for (const Scope scope : {Scope::world, Scope::cell, Scope::pair})
+    if (text == name(scope)) return scope;
+  s.refuse(column, "needs world, cell or pair");
+}
+
 RunStatus statusFrom(const Statement& s, int column) {
   const std::string text = s.line(column);
   for (const RunStatus status : {RunStatus::running, RunStatus::done, RunStatus::failed, RunStatus::killed})
@@ -155,6 +162,9 @@ void readSamples(Database& db, const std::string& id, RunResults& results, State
                          " FROM cell_sample WHERE run_id = ? AND time = ? ORDER BY path");
   Statement contact(db, "SELECT a, b, " + selected(db, "contact", ofPair) +
                             " FROM contact WHERE run_id = ? AND time = ? ORDER BY a, b");
+  Statement more(db,
+                 "SELECT scope, name, a, b, value FROM measure WHERE run_id = ? AND time = ? ORDER BY scope, "
+                 "name, a, b");
   for (whole.start(id); whole.next();) {
     Sample& sample = results.samples.emplace_back();
     WorldMeasures& w = sample.world;
@@ -172,6 +182,10 @@ void readSamples(Database& db, const std::string& id, RunResults& results, State
       c.a = pathFrom(contact, 0), c.b = pathFrom(contact, 1);
       readValues(contact, 2, ofPair, c.values);
     }
+    for (more.start(id, w.time); more.next();)
+      if (!more.isNull(4))
+        sample.more.push_back(
+            {scopeFrom(more, 0), more.line(1), pathFrom(more, 2), pathFrom(more, 3), more.real(4)});
   }
 }
 

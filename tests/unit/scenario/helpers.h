@@ -43,7 +43,7 @@ physics:
   pressure: {constant: 5, outside: 1.25}
   growth: {rate: 0.2, until: 1.5}
   motility: {speed: 0.2, persistence: 0.5}
-  shell: {ellipsoid: [3, 2, 1]}
+  shell: {ellipsoid: [3, 2, 1], fill: 0.020833333333333332}
   contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, slip-speed: 0.02, radius: 1.1}
 division:
   plane: {axis: [0, 1, -1]}
@@ -52,10 +52,11 @@ division:
 variation: {cycle: 0.1, share: 0.05, start: 0.125, tilt: 5}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5, release-age: 4, most: 3}
 senses: {}
-record: {every: 0.25, pictures: 0.5}
+record: {every: 0.25, pictures: 0.5, at-cells: [2, 3], measures: [contact_f1, position_rmsd]}
 names: {egg: P0, daughters: [l, r], cells: {A: AB}}
 check: {volume: [0.5, 2], extent: 9, energy: 100, momentum: 0.5, end-volume: [0.9, 1.1], end-roundness: 0.75,
-  end-overlap: 0.125, fails: [springs, physics.time_step], sane: false, because: it stops}
+  end-overlap: 0.125, fails: [springs, physics.time_step], sane: false, because: it stops,
+  reference: {contacts: [[AB, /B], [/AA, /AB]], positions: {AB: [1, 0, 0], /B: [-1, 0, 0], /AB: [0, 2, 0]}}}
 cells:
   - {at: [0.4, 0, 0.25], velocity: [0, 2, 0], scale: 0.5, stretch: [1, 2, 1], mass: 3, substances: [a0, A]}
   - {at: [-0.4, 0, 0]}

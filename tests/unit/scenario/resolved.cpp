@@ -48,11 +48,12 @@ TEST_CASE("names, colours and pictures mean nothing for the results") {
   const auto meaning = read(everyPart).meaning;
   CHECK(read(replaced(everyPart, "name: every-part", "name: other")).meaning == meaning);
   CHECK(read(replaced(everyPart, "egg: P0", "egg: Z")).meaning == meaning);
-  CHECK(read(replaced(everyPart, "{A: AB}", "{A: ABC}")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "{A: AB}", "{A: AB, BB: Q}")).meaning == meaning);
   CHECK(read(replaced(everyPart, "[l, r]", "[a, p]")).meaning == meaning);
   CHECK(read(replaced(everyPart, "summary: All keys at once", "summary: x")).meaning == meaning);
   CHECK(read(replaced(everyPart, "#102030", "#102031")).meaning == meaning);
   CHECK(read(replaced(everyPart, "pictures: 0.5", "pictures: 0.25")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "[1, 0, 0], /B", "[1, 0, 4], /B")).meaning == meaning);
   CHECK(read(replaced(everyPart, "extent: 9", "extent: 8")).meaning == meaning);
   CHECK(read(replaced(everyPart, "[springs, physics.time_step]", "[pressure]")).meaning == meaning);
   CHECK(read(replaced(everyPart, ", sane: false, because: it stops", "")).meaning == meaning);
@@ -136,6 +137,9 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
       {"connections.strength", "0.5"},
       {"connections.release-distance", "2"},
       {"record.every", "0.5"},
+      {"record.at-cells", "[2, 4]"},
+      {"record.measures", "[position_rmsd, contact_f1]"},
+      {"physics.shell.fill", "0.01"},
   };
   std::vector<Hash> seen{meaning};
   std::set<std::string> tried;
@@ -207,7 +211,8 @@ TEST_CASE("the same number means another thing elsewhere") {
 }
 
 TEST_CASE("a sphere is an ellipsoid with equal axes") {
-  const auto sphere = read(replaced(everyPart, "{ellipsoid: [3, 2, 1]}", "{sphere: 2}"));
+  const auto sphere = read(replaced(everyPart, "{ellipsoid: [3, 2, 1], fill: 0.020833333333333332}",
+                                    "{sphere: 2, fill: 0.020833333333333332}"));
   const auto ellipsoid = read(replaced(everyPart, "[3, 2, 1]", "[2, 2.0, 2e0]"));
   CHECK(sphere.meaning == ellipsoid.meaning);
 }

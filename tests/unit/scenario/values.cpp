@@ -13,6 +13,12 @@ TEST_CASE("every key arrives in its field") {
   CHECK(s.colours == std::map<std::string, std::string>{{"a*", "#abcdef"}, {"a0", "#102030"}});
   CHECK(s.record.every == 0.25);
   CHECK(s.record.pictures == 0.5);
+  CHECK(s.record.atCells == std::vector<std::uint64_t>{2, 3});
+  CHECK(s.record.measures == std::vector<std::string>{"contact_f1", "position_rmsd"});
+  CHECK(s.names.given.size() == 2);
+  CHECK(s.names.daughters == std::vector<std::string>{"l", "r"});
+  CHECK(s.shellFill == 0.020833333333333332);
+  CHECK_FALSE(s.eggIsStretched);
   const auto& scene = s.scene;
   CHECK(scene.name == "every-part");
   CHECK(scene.seed == 7);
@@ -92,6 +98,12 @@ TEST_CASE("every key arrives in its field") {
   CHECK(s.check.endOverlap == 0.125);
   CHECK(s.check.fails == std::vector<std::string>{"springs", "physics.time_step"});
   CHECK((!s.check.sane && s.check.because == "it stops"));
+  const auto cell = [](const char* path) { return CellPath::parse(path); };
+  REQUIRE(s.check.reference);
+  CHECK(s.check.reference->contacts ==
+        std::set<std::pair<CellPath, CellPath>>{{cell("A"), cell("B")}, {cell("AA"), cell("AB")}});
+  CHECK(s.check.reference->positions ==
+        std::map<CellPath, Point>{{cell("A"), {1, 0, 0}}, {cell("AB"), {0, 2, 0}}, {cell("B"), {-1, 0, 0}}});
   // The mesh holds the volume of a sphere of the cell's radius: its vertices lie farther out, all equally.
   REQUIRE(scene.mechanics->mesh.vertices.size() == 642);
   REQUIRE(scene.mechanics->coarser.size() == 1);

@@ -1,6 +1,9 @@
 // What is taken from a run: what was asked for, at its times, and no more.
 #include "store/recorder.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "biology/full_tree.h"
 #include "catch.h"
 #include "simulation/hash.h"
@@ -73,6 +76,96 @@ TEST_CASE("samples are taken at the multiples and at the end") {
   for (const Sample& s : results.samples) {
     CHECK(s.cells.size() == s.world.at("cells"));
     for (const CellMeasures& c : s.cells) CHECK(results.stateTexts.contains(c.state));
+  }
+}
+
+TEST_CASE("samples are taken when so many cells live for the first time, beside the others") {
+  for (const bool mechanics : {true, false}) {
+    Run run(fourCells(mechanics), {.atCells = {1, 2, 3, 4, 5}});
+    const RunResults results = run.recorder.take(run.world);
+    std::vector<double> cells;
+    for (const Sample& s : results.samples) cells.push_back(s.world.at("cells"));
+    CHECK(cells == std::vector<double>{1, 2, 4, 4});  // 3 is passed with 4; the last is the end's
+    for (std::size_t i = 1; i < 3; ++i) {             // the very instant of the birth
+      const double time = results.samples[i].world.time;
+      CHECK(std::ranges::count_if(results.lineage, [&](const LineageEntry& e) { return e.born == time; }) ==
+            static_cast<int>(cells[i]));
+    }
+  }
+}
+
+TEST_CASE(
+    "numbers of cells are looked for where cells take many steps at once, and samples at times go on as they "
+    "were") {
+  Scene scene = fourCells(true);
+  scene.mechanics->contact.reset();
+  scene.mechanics->connections.reset();
+  World world = makeWorld(scene);
+  Recorder recorder({.every = 0.1, .atCells = {2, 4}});
+  for (recorder.observe(world); !finished(world); recorder.observe(world))
+    takeSteps(world, recorder.stepsUntilDue(world));
+  Run stepped(scene, {.every = 0.1, .atCells = {2, 4}});
+  Run plain(scene, {.every = 0.1});
+  const auto here = recorder.take(world), there = stepped.recorder.take(stepped.world),
+             without = plain.recorder.take(plain.world);
+  const auto stepsOf = [](const RunResults& results) {
+    std::vector<std::uint64_t> steps;
+    for (const Sample& s : results.samples) steps.push_back(s.world.step);
+    return steps;
+  };
+  CHECK(stepsOf(here) == stepsOf(there));
+  CHECK(here.samples.size() == without.samples.size() + 2);
+  CHECK(std::ranges::includes(stepsOf(here), stepsOf(without)));
+}
+
+TEST_CASE("a resumed run has the samples at numbers of cells once, and none that only its stop took") {
+  const RecordOptions options{.atCells = {2, 4}};
+  const Scene scene = fourCells(true);
+  Run whole(scene, options);
+  const auto expected = whole.recorder.take(whole.world);
+  for (const double stopped : {0.05, 0.13, 0.2, 0.26, 0.3}) {
+    World world = makeWorld(scene);
+    Recorder first(options);
+    for (first.observe(world); world.clock.time < stopped; first.observe(world)) step(world);
+    const RunResults earlier = first.take(world);
+    Recorder second(options);
+    second.resume(world, earlier);
+    while (!finished(world)) step(world), second.observe(world);
+    const auto results = second.take(world);
+    REQUIRE(results.samples.size() == expected.samples.size());
+    for (std::size_t i = 0; i < results.samples.size(); ++i)
+      CHECK(results.samples[i].world == expected.samples[i].world);
+  }
+}
+
+TEST_CASE("measures on demand are taken at every sample, and come back from the file as they were") {
+  Reference reference;
+  reference.contacts.insert({CellPath::parse("AA"), CellPath::parse("AB")});
+  Run run(fourCells(true), {.every = 0.1,
+                            .measures = {"contact_share", "sister_contact", "age", "contact_f1"},
+                            .reference = reference,
+                            .nameOf = [](const CellPath& path) { return std::optional("n" + path.text()); }});
+  const RunResults results = run.recorder.take(run.world);
+  REQUIRE(results.samples.size() == 5);
+  CHECK(results.samples[0].more.size() == 1);  // the egg's age
+  CHECK(results.samples[4].more.size() > 6);   // two of the world, four ages, contacts
+  CHECK(results.names.size() == 7);
+  CHECK(results.names.at(CellPath::parse("AB")) == "nAB");
+
+  const TemporaryFolder folder;
+  RunRecord record;
+  record.scenario = "x", record.scenarioHash = std::string(32, '0');
+  auto store = Store::openForWriting(folder / "runs.db");
+  const auto id = store.begin(record);
+  store.finish(id, endOf(run.world, RunStatus::done), results);
+  const RunResults back = store.results(id);
+  CHECK(back.names == results.names);
+  for (std::size_t i = 0; i < results.samples.size(); ++i) {
+    const auto sorted = [](std::vector<TakenMeasure> all) {
+      std::ranges::sort(all, {}, [](const TakenMeasure& m) { return std::tuple(m.scope, m.name, m.a, m.b); });
+      return all;
+    };
+    CHECK(sorted(back.samples[i].more) == sorted(results.samples[i].more));
   }
 }
 

@@ -1,0 +1,25 @@
+#pragma once
+// Angles, of + − × ÷ and square roots only [base/maths.h].
+#include "base/vec3.h"
+
+namespace morula {
+
+/// arctan t in radians, for 0 ≤ t ≤ 1, to within 4e-16: arctan t = 2 arctan(t / (1 + √(1 + t²))), three times, and
+/// then t − t³/3 + t⁵/5 − … with t ≤ 0.0985, where eight terms are exact to 1e-18.
+inline double arcTangent(double t) {
+  for (int i = 0; i < 3; ++i) t = t / (1 + std::sqrt(1 + t * t));
+  double series = 0;
+  for (int k = 15; k >= 1; k -= 2) series = 1.0 / k - t * t * series;
+  return 8 * t * series;
+}
+
+/// [degree] Between two lines through unit vectors, 0 to 90: 2 arctan(|u − v| / |u + v|), which is exact where
+/// they are nearly parallel, too [Kahan 2006].
+inline double angleOfLines(const Vector& u, const Vector& v) {
+  constexpr double degree = 57.29577951308232;
+  const double apart = norm(u - v), together = norm(u + v);
+  const double t = apart < together ? apart / together : together / apart;
+  return 2 * degree * arcTangent(t);
+}
+
+}  // namespace morula

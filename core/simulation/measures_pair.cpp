@@ -1,0 +1,42 @@
+// What is measured of two cells that touch. To add one: a row here; those on demand stand last.
+#include <algorithm>
+
+#include "simulation/measures.h"
+#include "simulation/organism_measures.h"
+
+namespace morula {
+
+namespace {
+
+using Value = std::optional<double>;
+
+// clang-format off
+constexpr PairMeasure ofPair[] = {
+    {.name = "area", .unit = "length²",
+     .meaning = "Of the contact: the mean of what the vertices of either cell stand for that touch the other one; of two "
+                "balls the disc in which their surfaces meet",
+     .needs = Needs::contact,
+     .get = [](const Touch& touch) -> Value { return touch.area; }},
+    {.name = "contact_share", .meaning = "Area of the contact over the surface of the cell with less of it",
+     .needs = Needs::contact, .taken = Taken::onDemand,
+     .get = [](const Touch& touch) -> Value {
+       return touch.area / std::min(touch.a.physical()->getShape().area, touch.b.physical()->getShape().area);
+     }},
+    {.name = "kinship",
+     .meaning = "Generations from their youngest common ancestor down to the later of the two: 1 for sisters, 2 for cousins",
+     .needs = Needs::contact, .taken = Taken::onDemand, .isWhole = true,
+     .get = [](const Touch& touch) -> Value {
+       const CellPath &a = touch.a.path, &b = touch.b.path;
+       return double(std::max(a.depth(), b.depth()) - commonDepth(a, b));
+     }},
+};
+// clang-format on
+
+}  // namespace
+
+template <>
+std::span<const PairMeasure> measures<Touch>() {
+  return ofPair;
+}
+
+}  // namespace morula

@@ -1,0 +1,207 @@
+#include "simulation/organism_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "division/principal_axis.h"
+#include "division/superposition.h"
+#include "mesh/measures.h"
+#include "simulation/rank_correlation.h"
+
+namespace morula {
+
+namespace {
+
+using Value = std::optional<double>;
+
+const std::vector<CellPath>& pathsOf(const Observation& now) { return now.world.cells.path; }
+
+/// Its clone's number; −1: none.
+int cloneOf(const CellPath& path) {
+  if (path.depth() < cloneDepth) return -1;
+  int clone = 0;
+  for (int i = 0; i < cloneDepth; ++i) clone = 2 * clone + (path.letter(i) ? 1 : 0);
+  return clone;
+}
+
+constexpr int cloneCount = 1 << cloneDepth;
+
+/// The numbers of the living cells of each clone.
+std::vector<std::vector<int>> clonesOf(const Observation& now) {
+  std::vector<std::vector<int>> clones(cloneCount);
+  for (int i = 0; i < static_cast<int>(pathsOf(now).size()); ++i)
+    if (const int clone = cloneOf(pathsOf(now)[i]); clone >= 0) clones[clone].push_back(i);
+  return clones;
+}
+
+Value over(double part, double whole) { return whole > 0 ? Value(part / whole) : Value(); }
+
+Point centreOf(const Observation& now, int cell) {
+  const Bodies& b = *now.world.bodies;
+  const int slot = b.slots[cell], count = b.vertexCount(slot);
+  Point sum;
+  for (int v = 0; v < count; ++v) sum += b.vertex(slot, v);
+  return sum / count;
+}
+
+std::vector<Point> centresOf(const Observation& now) {
+  std::vector<Point> centres;
+  for (int i = 0; i < static_cast<int>(pathsOf(now).size()); ++i) centres.push_back(centreOf(now, i));
+  return centres;
+}
+
+bool touch(const Observation& now, int a, int b) {
+  return std::ranges::any_of(now.contactsOf(a), [&](const Observation::Contact& c) { return c.cell == b; });
+}
+
+}  // namespace
+
+int commonDepth(const CellPath& a, const CellPath& b) {
+  const int most = std::min(a.depth(), b.depth());
+  int depth = 0;
+  while (depth < most && a.letter(depth) == b.letter(depth)) ++depth;
+  return depth;
+}
+
+Value measureRelativesInContact(const Observation& now, int relation) {
+  double pairs = 0, touching = 0;
+  const auto& paths = pathsOf(now);
+  // A subtree is one range of paths: relatives stand close together, cells of other depths among them.
+  for (int a = 0; a < static_cast<int>(paths.size()); ++a) {
+    const int common = paths[a].depth() - relation;
+    if (common < 0) continue;
+    for (int b = a + 1; b < static_cast<int>(paths.size()) && commonDepth(paths[a], paths[b]) >= common;
+         ++b) {
+      if (paths[b].depth() != paths[a].depth() || commonDepth(paths[a], paths[b]) != common) continue;
+      ++pairs;
+      touching += touch(now, a, b) ? 1 : 0;
+    }
+  }
+  return over(touching, pairs);
+}
+
+Value measureCloneContact(const Observation& now) {
+  double all = 0, within = 0;
+  for (const auto& [a, b, area] : now.contacts()) {
+    const int one = cloneOf(pathsOf(now)[a]), other = cloneOf(pathsOf(now)[b]);
+    if (one < 0 || other < 0) continue;
+    all += area;
+    if (one == other) within += area;
+  }
+  return over(within, all);
+}
+
+Value measureHomotypicContact(const Observation& now) {
+  double all = 0, within = 0;
+  for (const auto& [a, b, area] : now.contacts()) {
+    all += area;
+    if (now.world.cells.state[a] == now.world.cells.state[b]) within += area;
+  }
+  return over(within, all);
+}
+
+Value measureMixing(const Observation& now) {
+  double contacts = 0, mixed = 0;
+  for (const auto& [a, b, area] : now.contacts()) {
+    const int one = cloneOf(pathsOf(now)[a]), other = cloneOf(pathsOf(now)[b]);
+    if (one < 0 || other < 0) continue;
+    ++contacts;
+    mixed += one != other ? 1 : 0;
+  }
+  double cells = 0, within = 0;  // ordered pairs of one clone
+  for (const auto& clone : clonesOf(now)) {
+    const double size = static_cast<double>(clone.size());
+    cells += size, within += size * (size - 1);
+  }
+  const double pairs = cells * (cells - 1);
+  if (!(contacts > 0 && pairs > within)) return {};
+  return (mixed / contacts) / ((pairs - within) / pairs);
+}
+
+Value measureCloneRadius(const Observation& now) {
+  double sum = 0, clones = 0;
+  for (const auto& clone : clonesOf(now)) {
+    if (clone.size() < 2) continue;
+    std::vector<Point> centres;
+    for (int cell : clone) centres.push_back(centreOf(now, cell));
+    const Point mean = measureCentroid(centres);
+    double squares = 0;
+    for (const Point& centre : centres) squares += dot(centre - mean, centre - mean);
+    sum += std::sqrt(squares / static_cast<double>(centres.size()));
+    ++clones;
+  }
+  return over(sum, clones);
+}
+
+Value measureClonePieces(const Observation& now) {
+  const auto& paths = pathsOf(now);
+  std::vector<int> first(paths.size());  // a cell of its piece, nearer to the piece's first one
+  std::iota(first.begin(), first.end(), 0);
+  const auto find = [&](int cell) {
+    while (first[cell] != cell) cell = first[cell] = first[first[cell]];
+    return cell;
+  };
+  for (const auto& [a, b, area] : now.contacts())
+    if (cloneOf(paths[a]) >= 0 && cloneOf(paths[a]) == cloneOf(paths[b])) {
+      const int one = find(a), other = find(b);
+      first[std::max(one, other)] = std::min(one, other);
+    }
+  double pieces = 0, clones = 0;
+  for (const auto& clone : clonesOf(now)) {
+    clones += clone.empty() ? 0 : 1;
+    for (int cell : clone) pieces += find(cell) == cell ? 1 : 0;
+  }
+  return over(pieces, clones);
+}
+
+Value measureLineageInSpace(const Observation& now) {
+  const auto& paths = pathsOf(now);
+  const std::vector<Point> centres = centresOf(now);
+  std::vector<double> divisions, distances;
+  for (std::size_t a = 0; a < paths.size(); ++a)
+    for (std::size_t b = a + 1; b < paths.size(); ++b) {
+      divisions.push_back(paths[a].depth() + paths[b].depth() - 2 * commonDepth(paths[a], paths[b]));
+      distances.push_back(norm(centres[a] - centres[b]));
+    }
+  return rankCorrelation(divisions, distances);
+}
+
+Value measureOrganismElongation(const Observation& now) {
+  std::vector<Point> points;
+  for (int slot : now.world.bodies->slots) {
+    const std::vector<Point> vertices = takeSurface(*now.world.bodies, slot).vertices;
+    points.insert(points.end(), vertices.begin(), vertices.end());
+  }
+  return points.empty() ? Value() : Value(extentRatio(points));
+}
+
+ContactsCompared compareContacts(const Observation& now) {
+  const auto& reference = now.reference->contacts;
+  const auto& cells = now.world.cells;
+  std::set<CellPath> known;
+  for (const auto& [a, b] : reference) known.insert(a), known.insert(b);
+  ContactsCompared found;
+  for (const auto& [a, b, area] : now.contacts()) {
+    const CellPath &one = cells.path[a], &other = cells.path[b];  // by number is by path
+    if (!known.contains(one) || !known.contains(other)) continue;
+    ++found.here;
+    found.both += reference.contains({one, other}) ? 1 : 0;
+  }
+  for (const auto& [a, b] : reference)
+    found.there += cellNumber(cells, a) >= 0 && cellNumber(cells, b) >= 0 ? 1 : 0;
+  return found;
+}
+
+std::optional<PositionsCompared> comparePositions(const Observation& now) {
+  std::vector<Point> here, there;
+  for (const auto& [path, place] : now.reference->positions) {
+    const int cell = cellNumber(now.world.cells, path);
+    if (cell >= 0) here.push_back(centreOf(now, cell)), there.push_back(place);
+  }
+  const auto laid = superpose(here, there);
+  if (!laid) return {};
+  return PositionsCompared{laid->distance, laid->shape};
+}
+
+}  // namespace morula

@@ -1,0 +1,48 @@
+#pragma once
+// What is measured of all cells together: who touches whom, and where relatives lie. The observation's world has
+// bodies. Clones: the living descendants of each cell at depth 2 [cloneDepth]; cells nearer to the egg belong to none.
+#include <optional>
+
+#include "simulation/observation.h"
+
+namespace morula {
+
+constexpr int cloneDepth = 2;  // [divisions] from the egg to a clone's founder: four clones at most
+
+/// Divisions on the way from the egg to the youngest common ancestor of two cells, which may be one of them.
+int commonDepth(const CellPath& a, const CellPath& b);
+
+/// [1] Of the living pairs of sisters (relation 1), or of cousins with one grandmother and two mothers (relation 2), the
+/// share that touch; absent without such a pair.
+std::optional<double> measureRelativesInContact(const Observation& now, int relation);
+/// [1] Of the contact area between cells of clones, the share within one clone; absent where none touch.
+std::optional<double> measureCloneContact(const Observation& now);
+/// [1] Of all contact area, the share between cells with the same substances; absent where none touch.
+std::optional<double> measureHomotypicContact(const Observation& now);
+/// [1] Of the contacts between cells of clones, the share that join different clones, over the share of all
+/// pairs of those cells that do: 0 clones apart, 1 as if cells were dealt out at random. Absent where none touch
+/// or only one clone lives.
+std::optional<double> measureMixing(const Observation& now);
+/// [length] Root mean square distance of the centres of a clone's cells from their mean, in the mean over
+/// the clones with two living cells at least; absent without one.
+std::optional<double> measureCloneRadius(const Observation& now);
+/// [1] Pieces into which a clone falls by its contacts, in the mean over the clones that live; absent without one.
+std::optional<double> measureClonePieces(const Observation& now);
+/// [1] Rank correlation of kinship, counted in divisions on the way from one cell to the other, with the
+/// distance of centres, over all pairs; absent where all are equally close. O(n² log n)
+std::optional<double> measureLineageInSpace(const Observation& now);
+/// [1] The largest over the second largest extent of all cells' vertices together.
+std::optional<double> measureOrganismElongation(const Observation& now);
+
+/// Contacts between the living cells that occur in the reference's, beside the reference's between living cells.
+struct ContactsCompared {
+  double both = 0, here = 0, there = 0;  // pairs that touch in both, in the world, in the reference
+};
+ContactsCompared compareContacts(const Observation& now);
+/// The centres of living cells laid upon the reference's, by those that both have.
+struct PositionsCompared {
+  double distance, shape;  // as Superposition
+};
+std::optional<PositionsCompared> comparePositions(const Observation& now);
+
+}  // namespace morula

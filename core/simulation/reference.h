@@ -1,0 +1,19 @@
+#pragma once
+// What an organism is compared with: which cells touch, and where cells lie, as somebody has observed or computed
+// it. Nothing here changes what the cells do.
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/cell_path.h"
+#include "base/vec3.h"
+
+namespace morula {
+
+struct Reference {
+  std::set<std::pair<CellPath, CellPath>>
+      contacts;                         // (a, b) with a < b; those of a cell in here are all it has
+  std::map<CellPath, Point> positions;  // of centres; any unit of length, any frame
+};
+
+}  // namespace morula

@@ -1,0 +1,39 @@
+// A shell that is given as a shape, and is as large as the egg needs.
+#include "base/maths.h"
+#include "physics/cell_model.h"
+#include "scenario/parameter.h"
+
+namespace morula::scenario {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // a size that has been worked out before is not worked out again
+
+/// The axes with abc = r³ / fill, so that 4π/3 r³ is `fill` of 4π/3 abc.
+void scaleShell(ShellParameters& shell, double radius, double fill) {
+  double* axes = shell.semiAxes;
+  const double r3 = radius * radius * radius;
+  const double scale = cubeRoot(r3 / (fill * (axes[0] * axes[1] * axes[2])));
+  if (scale > 1 - rounding && scale < 1 + rounding) return;
+  for (int i = 0; i < 3; ++i) axes[i] *= scale;
+}
+
+}  // namespace
+
+void fitShell(Scenario& scenario) {
+  MechanicsScene& mechanics = *scenario.scene.mechanics;
+  if (!scenario.shellFill || !mechanics.physics.shell) return;
+  const double radius = mechanics.physics.cell.radius, fill = *scenario.shellFill;
+  scaleShell(*mechanics.physics.shell, radius, fill);
+  const double* axes = mechanics.physics.shell->semiAxes;
+  const bool isRound = axes[0] == axes[1] && axes[1] == axes[2];
+  if (isRound || !scenario.scene.cells.empty() || !kindOf(mechanics.physics.cell.model).hasMesh) return;
+  // The shell's shape, cbrt(fill) times as large: with abc·fill = r³ the product of the three is 1.
+  const double share = cubeRoot(fill) / radius;
+  StartCell egg;
+  egg.stretch = {share * axes[0], share * axes[1], share * axes[2]};
+  scenario.scene.cells = {egg};
+  scenario.eggIsStretched = true;
+}
+
+}  // namespace morula::scenario

@@ -1,0 +1,235 @@
+// What is measured of all cells together, worked out by hand for rows of balls, and what must not matter to it.
+#include "simulation/organism_measures.h"
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+#include "base/error.h"
+#include "catch.h"
+#include "simulation/body_measures.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+/// Balls of radius 1 that never divide, at these places: the first is AAA, the last BBB.
+World balls(const std::vector<Point>& places) {
+  Scene s = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1000);
+  s.mechanics->physics.cell = {1, 1, CellModel::sphere};
+  s.mechanics->physics.timeStep = 0x1p-10;
+  s.mechanics->contact = ContactParameters{ContactLaw::pair, 30, 0, 0, 0.01, 1};
+  for (const Point& place : places) s.cells.push_back({.at = place});
+  return makeWorld(s, {Isa::scalar, 1});
+}
+
+/// Eight in a row, each touching the next: `order` says which ball of the list stands at which place.
+World row(const std::vector<int>& order) {
+  std::vector<Point> places(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) places[order[i]] = {1.75 * static_cast<double>(i), 0, 0};
+  return balls(places);
+}
+
+std::optional<double> valueOf(const char* name, const World& world, const Reference* reference = nullptr) {
+  Observation now(world);
+  now.reference = reference;
+  const std::vector<std::string> names{name};
+  const auto taken = takeMeasures(now, names);
+  REQUIRE(taken.size() <= 1);
+  if (taken.empty()) return {};
+  CHECK(taken[0].scope == Scope::world);
+  CHECK(taken[0].name == name);
+  return taken[0].value;
+}
+
+const std::vector<std::string> ofWorlds{"organism_elongation", "sister_contact",    "cousin_contact",
+                                        "clone_contact",       "homotypic_contact", "clone_radius",
+                                        "clone_components",    "mixing_index",      "lineage_space"};
+
+constexpr double third = 1.0 / 3;
+
+}  // namespace
+
+TEST_CASE("Relatives side by side in a row: AAA AAB ABA ABB BAA BAB BBA BBB") {
+  const World world = row({0, 1, 2, 3, 4, 5, 6, 7});
+  CHECK(valueOf("sister_contact", world) == 1);        // all four pairs
+  CHECK(valueOf("cousin_contact", world) == 2.0 / 8);  // AAB-ABA and BAB-BBA
+  CHECK(*valueOf("clone_contact", world) == Approx(4.0 / 7).epsilon(1e-12));
+  CHECK(valueOf("homotypic_contact", world) == 1);                         // all hold the same
+  CHECK(*valueOf("clone_radius", world) == Approx(0.875).epsilon(1e-12));  // two cells 1.75 apart
+  CHECK(valueOf("clone_components", world) == 1);
+  CHECK(*valueOf("mixing_index", world) == Approx(3.0 / 7 / (48.0 / 56)).epsilon(1e-12));
+}
+
+TEST_CASE("Relatives dealt out in a row: AAA ABA BAA BBA AAB ABB BAB BBB") {
+  const World world = row({0, 2, 4, 6, 1, 3, 5, 7});
+  CHECK(valueOf("sister_contact", world) == 0);
+  CHECK(valueOf("cousin_contact", world) == 4.0 / 8);  // AAA-ABA, BAA-BBA, AAB-ABB, BAB-BBB
+  CHECK(valueOf("clone_contact", world) == 0);
+  CHECK(*valueOf("clone_radius", world) == Approx(2 * 1.75).epsilon(1e-12));
+  CHECK(valueOf("clone_components", world) == 2);
+  CHECK(*valueOf("mixing_index", world) == Approx(1 / (48.0 / 56)).epsilon(1e-12));
+}
+
+TEST_CASE("Kinship and distance: by hand for three cells, AA, AB and B") {
+  // Divisions on the way: AA-AB 2, AA-B 3, AB-B 3: ranks 1, 2.5, 2.5. Distances 1.75, 3.5, 1.75: ranks 1.5, 3, 1.5.
+  // Less their means: (−1, ½, ½)·(−½, 1, −½) = ¾ over √(3/2 · 3/2).
+  CHECK(*valueOf("lineage_space", row({0, 1, 2})) == Approx(0.5).epsilon(1e-14));
+  CHECK_FALSE(valueOf("lineage_space", row({0, 1})));  // one pair has no order
+  CHECK_FALSE(valueOf("lineage_space", row({0})));
+}
+
+TEST_CASE("Cells of several depths: sisters and cousins only where both live; clones from depth 2 on") {
+  const World world = row({0, 1, 2, 3, 4});        // AAA AAB AB BA BB
+  CHECK(valueOf("sister_contact", world) == 1);    // AAA-AAB, BA-BB
+  CHECK(valueOf("cousin_contact", world) == 0.5);  // AB-BA, not AB-BB; the egg is their grandmother
+  CHECK(valueOf("clone_components", world) == 1);
+  CHECK(*valueOf("clone_contact", world) == Approx(0.25).epsilon(1e-12));
+  const World young = row({0, 1});  // A and B belong to no clone
+  for (const char* name : {"clone_contact", "clone_radius", "clone_components", "mixing_index"})
+    CHECK_FALSE(valueOf(name, young));
+  CHECK(valueOf("sister_contact", young) == 1);
+  const World apart = balls({{0, 0, 0}, {5, 0, 0}, {0, 5, 0}, {0, 0, 5}});
+  CHECK(valueOf("sister_contact", apart) == 0);
+  for (const char* name : {"clone_contact", "homotypic_contact", "mixing_index"})
+    CHECK_FALSE(valueOf(name, apart));
+}
+
+TEST_CASE("Turning, moving and mirroring the organism, and who is A, change none of it") {
+  const std::vector<int> order{3, 0, 5, 1, 7, 2, 6, 4};
+  const World world = row(order);
+  std::vector<Point> turned(8), mirrored(8);
+  for (int i = 0; i < 8; ++i) {
+    const double x = 1.75 * i;
+    turned[order[i]] = {2 * third * x + 1, -third * x, 2 * third * x - 3};
+    mirrored[7 - order[i]] = {-x, 0, 0};  // ABB is BAA now
+  }
+  for (const World& other : {balls(turned), balls(mirrored)})
+    for (const std::string& name : ofWorlds) {
+      INFO(name);
+      const auto here = valueOf(name.c_str(), world), there = valueOf(name.c_str(), other);
+      REQUIRE(here.has_value() == there.has_value());
+      if (here && name != "organism_elongation") CHECK(*there == Approx(*here).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("Contacts are compared among living cells of the reference alone") {
+  const World world = row({0, 1, 2, 3, 4, 5, 6, 7});
+  const auto cell = [](const char* path) { return CellPath::parse(path); };
+  Reference reference;
+  const auto add = [&](const char* a, const char* b) { reference.contacts.insert({cell(a), cell(b)}); };
+  add("AAA", "AAB");   // there, too
+  add("AAB", "ABA");   // there, too
+  add("AAA", "ABA");   // not here
+  add("AAA", "BBBB");  // does not live
+  // Of the cells AAA, AAB, ABA two pairs touch here, and three in the reference.
+  CHECK(*valueOf("contact_jaccard", world, &reference) == Approx(2.0 / 3));
+  CHECK(*valueOf("contact_f1", world, &reference) == Approx(4.0 / 5));
+  add("BAA", "BAB");
+  add("BBA", "BBB");  // with these BAB-BBA is here, and not there
+  CHECK(*valueOf("contact_jaccard", world, &reference) == Approx(4.0 / 6));
+  CHECK(*valueOf("contact_f1", world, &reference) == Approx(8.0 / 10));
+  CHECK_FALSE(valueOf("contact_f1", world));  // nothing to compare with
+  Reference dead;
+  dead.contacts.insert({cell("AAAA"), cell("AAAB")});
+  CHECK_FALSE(valueOf("contact_jaccard", world, &dead));
+}
+
+TEST_CASE("Positions are compared turned and moved, and their shape also scaled") {
+  const World world = balls({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 5}});
+  Reference same, half, other;
+  const auto at = [](const char* path) { return CellPath::parse(path); };
+  same.positions = {
+      {at("AA"), {7, 0, 0}}, {at("AB"), {7, 3, 0}}, {at("BA"), {7, 0, 4}}, {at("BB"), {12, 0, 0}}};
+  half.positions = {
+      {at("AA"), {0, 0, 0}}, {at("AB"), {0, 1.5, 0}}, {at("BA"), {0, 0, 2}}, {at("BB"), {2.5, 0, 0}}};
+  CHECK(*valueOf("position_rmsd", world, &same) < 1e-14);
+  CHECK(*valueOf("position_shape_rmsd", world, &same) < 1e-14);
+  CHECK(*valueOf("position_rmsd", world, &half) > 1);
+  CHECK(*valueOf("position_shape_rmsd", world, &half) < 1e-14);
+  other.positions = {{at("AA"), {0, 0, 0}}, {at("AB"), {1, 0, 0}}, {at("ABA"), {9, 9, 9}}};
+  CHECK_FALSE(valueOf("position_rmsd", world, &other));  // two of them live
+}
+
+TEST_CASE("Measures on demand: names are no other's, pairs and cells come by path, and others are refused") {
+  std::set<std::string> names;
+  for (const MeasureOnDemand& m : measuresOnDemand()) CHECK(names.insert(m.name).second);
+  for (const auto& m : sampledMeasures<Observation>()) CHECK_FALSE(names.contains(m.name));
+  for (const auto& m : sampledMeasures<CellContext>()) CHECK_FALSE(names.contains(m.name));
+  for (const auto& m : sampledMeasures<Touch>()) CHECK_FALSE(names.contains(m.name));
+
+  const World world = row({0, 1, 2});  // AA AB B
+  const Observation now(world);
+  const auto taken =
+      takeMeasures(now, std::vector<std::string>{"kinship", "generation", "contact_share", "clone_radius"});
+  std::vector<std::string> lines;
+  for (const TakenMeasure& m : taken)
+    if (m.name != "contact_share")
+      lines.push_back(m.name + " " + m.a.text() + " " + m.b.text() + " " +
+                      std::to_string(static_cast<int>(m.value)));
+  CHECK(lines == std::vector<std::string>{"generation AA  2", "generation AB  2", "generation B  1",
+                                          "kinship AA AB 1", "kinship AB B 2"});  // no clone has two cells
+  // The disc in which two balls of radius 1 meet, 1.75 apart, over the ball's surface
+  for (const TakenMeasure& m : taken)
+    if (m.name == "contact_share") CHECK(m.value == Approx((1 - 0.875 * 0.875) / 4).epsilon(1e-12));
+  CHECK_THROWS_AS(takeMeasures(now, std::vector<std::string>{"volume"}), BugError);
+}
+
+TEST_CASE("A lineage without bodies has ages and generations, and nothing else on demand") {
+  World world = makeWorld(scenes::lineageOnly(scenes::everybodyDivides, 3));
+  step(world), step(world);
+  std::vector<std::string> all;
+  for (const MeasureOnDemand& m : measuresOnDemand()) all.push_back(m.name);
+  for (const TakenMeasure& m : takeMeasures(Observation(world), all)) {
+    CHECK(m.scope == Scope::cell);
+    CHECK(((m.name == "age" && m.value >= 0) || (m.name == "generation" && m.value == m.a.depth())));
+  }
+  CHECK(takeMeasures(Observation(world), all).size() == 2 * world.cells.path.size());
+}
+
+TEST_CASE("Of each cell: how the divisions that made it lay, its extents, and how much lies on the shell") {
+  World world = makeWorld(scenes::ellipsoid(), {Isa::scalar, 1});
+  while (!finished(world)) step(world);
+  const Observation now(world);
+  std::vector<std::string> names{"axis_turn",       "axis_to_x",   "birth_share",
+                                 "birth_ambiguity", "extent_1",    "extent_2",
+                                 "extent_3",        "shell_share", "age"};
+  const auto taken = takeMeasures(now, names);
+  REQUIRE(taken.size() == world.cells.path.size() * names.size());
+  const auto of = [&](const CellPath& cell, const std::string& name) {
+    return std::ranges::find_if(taken, [&](const TakenMeasure& m) { return m.a == cell && m.name == name; })
+        ->value;
+  };
+  const auto divisionOf = [&](const CellPath& mother) {
+    return *std::ranges::find(world.divisions, mother, &DivisionRecord::path);
+  };
+  const auto degrees = [](double cosine) {
+    return std::acos(std::min(1.0, std::abs(cosine))) * 180 / std::numbers::pi;
+  };
+  bool touchesShell = false;
+  for (const CellPath& cell : world.cells.path) {
+    const DivisionRecord own = divisionOf(cell.mother()), before = divisionOf(cell.mother().mother());
+    CHECK(of(cell, "axis_turn") == Approx(degrees(dot(own.axis, before.axis))).margin(1e-6));
+    CHECK(of(cell, "axis_to_x") == Approx(degrees(own.axis.x)).margin(1e-6));
+    CHECK(of(cell, "birth_share") == (cell.letter(cell.depth() - 1) ? 1 - own.share : own.share));
+    CHECK(of(cell, "birth_ambiguity") == own.extentRatio.value());
+    CHECK(of(cell, "extent_1") >= of(cell, "extent_2"));
+    CHECK(of(cell, "extent_2") >= of(cell, "extent_3"));
+    CHECK(of(cell, "extent_3") > 0);
+    CHECK(of(cell, "age") > 0);
+    touchesShell |= of(cell, "shell_share") > 0.1;
+  }
+  CHECK(touchesShell);
+}
+
+TEST_CASE("The share on the shell: of a tetrahedron one corner, then all") {
+  const std::vector<Point> corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  BodyShape shape{{corners, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}}, {}, 1, 1, {}, false};
+  const double out = std::sqrt(3.0);
+  CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(1));
+  CHECK(measureShellShare(shape, ShellParameters{{2, 2, 2}}) == 0);
+  for (std::size_t i = 1; i < 4; ++i)
+    shape.surface.vertices[i] *= 1 - 1e-4;  // three faces lose their other corners
+  CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(0.25).epsilon(1e-3));
+}
