@@ -30,12 +30,12 @@ TEST_CASE("four cells: the worm's diamond, in at least 19 of 20 seeds") {
 }
 
 TEST_CASE("four cells: neither the longest extent nor chance makes the diamond") {
-  CHECK(diamonds(5, {"division.rules=", "division.plane=longest"}) == 0);
-  CHECK(diamonds(5, {"division.rules=", "division.plane=random"}) <= 1);
+  CHECK(diamonds(5, {"division.rules=null", "division.plane=longest"}) == 0);
+  CHECK(diamonds(5, {"division.rules=null", "division.plane=random"}) <= 1);
 }
 
 TEST_CASE("four cells: what the shell and the volumes do") {
-  const int noShell = diamonds(5, {"physics.shell="}), sphere = diamonds(5, {"physics.shell={sphere: 1, fill: 0.87}"});
+  const int noShell = diamonds(5, {"physics.shell=null"}), sphere = diamonds(5, {"physics.shell={sphere: 1, fill: 0.87}"});
   const std::string equal =
       "division.rules=[{of: P0, axis: [-1, 0, 0], tilt: 10}, {of: AB, axis: [-0.4, -0.92, 0], tilt: 10}, "
       "{of: P1, axis: [-0.5, -0.87, 0], tilt: 10}]";
