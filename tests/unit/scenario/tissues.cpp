@@ -33,18 +33,18 @@ TEST_CASE("adhesion is one number, or a default and pairs of substances, and bot
   CHECK(with("physics.contact.adhesion", "{default: 2}").meaning == one.meaning);
   const auto pairs =
       with("physics.contact.adhesion",
-           "{default: 1, pairs: [{of: [red1, 'red*'], strength: 3}, {of: ['*', blue], strength: 0}]}");
+           "{default: 1, pairs: [{of: [red1, 'red*'], strength: 1.5}, {of: ['*', blue], strength: 0}]}");
   const AdhesionParameters& a = *pairs.scene.mechanics->contact->adhesion;
   CHECK(a.strength == 1);
   REQUIRE(a.pairs.size() == 2);
   CHECK(a.pairs[0].a == "red1");
   CHECK(a.pairs[0].b == "red*");
-  CHECK(a.pairs[0].strength == 3);
+  CHECK(a.pairs[0].strength == 1.5);
   CHECK(a.pairs[1].strength == 0);
   // What it is resolved to means the same again.
   CHECK(readScenario(pairs.resolved, "resolved", "").meaning == pairs.meaning);
   std::set<std::string> meanings;
-  for (const char* value : {"2", "1", "{default: 1, pairs: [{of: [red1, blue], strength: 3}]}",
+  for (const char* value : {"2", "1", "{default: 1, pairs: [{of: [red1, blue], strength: 1.5}]}",
                             "{default: 1, pairs: [{of: [red1, blue], strength: 2}]}",
                             "{default: 1, pairs: [{of: [red1, red2], strength: 2}]}"})
     meanings.insert(with("physics.contact.adhesion", value).meaning.text());
@@ -112,7 +112,13 @@ TEST_CASE("who connects: words, or pairs of substances that the DNA knows") {
 TEST_CASE("cells crawl against a drag, and adhesion varies where there is some") {
   CHECK(has(complaints(text, {{"physics.motility", "{}", "--set"}, {"physics.drag", "0", "--set"}}),
             "cells crawl against the drag"));
-  CHECK(with("physics.motility", "{}").meaning != read(text).meaning);
+  const auto crawling = with("physics.motility", "{speed: 0.2, persistence: 0.5}");
+  CHECK(crawling.scene.mechanics->physics.motility->speed == 0.2);
+  CHECK(crawling.scene.mechanics->physics.motility->persistence == 0.5);
+  std::set<std::string> meanings{read(text).meaning.text(), crawling.meaning.text()};
+  for (const char* value : {"{}", "{speed: 0.2}", "{persistence: 0.5}"})
+    meanings.insert(with("physics.motility", value).meaning.text());
+  CHECK(meanings.size() == 5);
   CHECK(has(refusal("variation", "{adhesion: 0.1}"), "physics.contact.adhesion"));
   const auto varied =
       read(text, {{"variation", "{adhesion: 0.1}", "--set"}, {"physics.contact.adhesion", "1", "--set"}});

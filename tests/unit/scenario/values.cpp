@@ -76,8 +76,6 @@ TEST_CASE("every key arrives in its field") {
   CHECK(scene.mechanics->connections->releaseDistance == 1.5);
   CHECK(scene.mechanics->connections->releaseAge == 4);
   CHECK(scene.mechanics->connections->most == 3);
-  CHECK(scene.mechanics->physics.motility->speed == 0.2);
-  CHECK(scene.mechanics->physics.motility->persistence == 0.5);
   REQUIRE(scene.cells.size() == 2);
   CHECK(scene.cells[0].at == Point{0.4, 0, 0.25});
   CHECK(scene.cells[0].velocity == Vector{0, 2, 0});
