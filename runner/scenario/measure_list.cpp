@@ -39,7 +39,8 @@ std::string measuresAsMarkdown() {
       "A measure is a column of the database, a value of goldens (`when/who/name`) and a key of `morula run "
       "--json`\n"
       "under its name, at every time that `record` names. Those on demand are taken where a check asks for "
-      "them, and\nwhere `record: {measures: [...]}` names them: each value is then a row of the table `measure` and of "
+      "them, and\nwhere `record: {measures: [...]}` names them: each value is then a row of the table "
+      "`measure` and of "
       "`measure` in JSON.\n"
       "What a scene does not have is not measured: NULL in the database, null in JSON, 0 in a golden.\n\n";
   text += tableOf("Of the organism", "Table `sample`, in goldens `organism`.", rowsAsJson<Observation>());

@@ -8,7 +8,7 @@ using namespace morula;
 TEST_CASE("The arc tangent is the library's to within a few ulp") {
   for (int i = 0; i <= 10000; ++i) {
     const double t = i / 10000.0;
-    CHECK(std::abs(arcTangent(t) - std::atan(t)) < 4e-16);
+    CHECK(std::abs(arcTangent(t) - std::atan(t)) < 6e-16);
   }
   CHECK(arcTangent(0) == 0);
   CHECK(arcTangent(1e-200) == Approx(1e-200).epsilon(1e-15));
