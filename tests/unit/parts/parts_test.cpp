@@ -103,14 +103,14 @@ TEST_CASE("Without physics there are genes, and nothing that needs a body") {
 TEST_CASE("Each part names the line that asks for it, or says that it is a default") {
   auto parts = byName(read(test::everyPart));
   CHECK(parts["biology"].why == "test.yaml:5:6: dna");
-  CHECK(parts["drag"].why == "test.yaml:17:9: physics.drag");
-  CHECK(parts["shell"].why == "test.yaml:23:10: physics.shell");
-  CHECK(parts["contact"].why == "test.yaml:24:18: physics.contact.law");
+  CHECK(parts["drag"].why == "test.yaml:18:9: physics.drag");
+  CHECK(parts["shell"].why == "test.yaml:24:10: physics.shell");
+  CHECK(parts["contact"].why == "test.yaml:25:18: physics.contact.law");
   CHECK(parts["contact"].what == "the thesis' law");
   CHECK_FALSE(parts["friction"].engaged);  // the thesis' law has none, whatever its coefficient
-  CHECK(parts["connections"].why == "test.yaml:29:14: connections");
-  CHECK(parts["samples"].why == "test.yaml:31:17: record.every");
-  CHECK(parts["hashes"].why == "test.yaml:32:8: check");
+  CHECK(parts["connections"].why == "test.yaml:31:14: connections");
+  CHECK(parts["samples"].why == "test.yaml:33:17: record.every");
+  CHECK(parts["hashes"].why == "test.yaml:35:8: check");
   parts = byName(read(sceneOf(8), {{"physics.drag", "2", "--set physics.drag"}}));
   CHECK(parts["drag"].why == "--set physics.drag");
   CHECK(parts["springs"].why == "default");
