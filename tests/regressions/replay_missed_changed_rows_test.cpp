@@ -22,7 +22,7 @@ dna: |
 stop: {time: 1.5}
 physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, contact: {}, shell: {sphere: 1}}
 connections: {make: at-division}
-record: {every: 0.5}
+record: {every: 0.5, measures: [sister_contact]}
 check: {end-roundness: 0.1}
 )";
 
@@ -42,7 +42,7 @@ TEST_CASE("replay: a changed, lost or added row of any table is found and named"
   const auto same = launch({"replay", whole});
   INFO(same.out << same.err);
   REQUIRE(same.code == 0);
-  CHECK_THAT(same.out, ContainsSubstring("tables          all 11 the same"));
+  CHECK_THAT(same.out, ContainsSubstring("tables          all 12 the same"));
 
   const Change changes[] = {
       {"sample", "UPDATE sample SET volume = volume * 2",
@@ -57,6 +57,7 @@ TEST_CASE("replay: a changed, lost or added row of any table is found and named"
       {"cell_sample", "UPDATE cell_sample SET pressure = NULL WHERE time = 0",
        "pressure: stored nothing, recomputed "},
       {"contact", "DELETE FROM contact", "are stored"},
+      {"measure", "UPDATE measure SET value = 0.5 WHERE time = 1", "name sister_contact"},
       {"time_step", "UPDATE time_step SET time_step = 0.5 WHERE step = 0", "step 0: time_step: stored 0.5"},
       {"step_hash", "UPDATE step_hash SET lineage = state WHERE step = 64",
        "first step 64: lineage: stored '"},
