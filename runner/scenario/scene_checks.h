@@ -12,4 +12,13 @@ void checkDivisionSize(const Scenario& scenario, Reading& reading, const Node& r
 /// A size that nothing can reach: "file:line:column: path: what; what would be right".
 std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root);
 
+/// Connections that nothing could make, or with two forces.
+void checkConnections(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// Adhesion: what sticks must give way, and the law must know how.
+void checkAdhesion(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// Cells that crawl where nothing bears them.
+void checkMotility(const PhysicsParameters& physics, Reading& reading, const Node& root);
+
 }  // namespace morula::scenario

@@ -70,6 +70,9 @@ Parameter choice(std::string path, Field<E> field) {
       [field](Scenario& s, int value) { field(s) = choices<E>[value].value; });
 }
 
+/// All sections of the table (section_table.cpp), one before those inside it.
+std::vector<Section> sections();
+
 // Parameters that are one of a kind.
 Parameter dna();
 Parameter timeStep();

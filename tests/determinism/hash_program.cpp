@@ -92,6 +92,7 @@ int main(int argc, char** argv) {
        {packed(), scenes::ellipsoid(), scenes::thesis(), scenes::life(), cubes(),
         scenes::lineageOnly(scenes::eventful, 12), inSingle(packed()), inSingle(scenes::ellipsoid()),
         inSingle(scenes::thesis()), inSingle(scenes::life()), byPositions(), byShapes(),
-        inSingle(byPositions()), inSingle(byShapes())})
+        inSingle(byPositions()), inSingle(byShapes()), scenes::sticky(), scenes::turning(), scenes::sensing(),
+        scenes::varied()})
     run(scene, execution);
 }
