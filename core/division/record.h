@@ -16,6 +16,7 @@ struct DivisionRecord {
   Vector axis = {};                   // unit normal of the plane; points to daughter A
   double share = 0;                   // [1] of the mother's volume that daughter A has
   std::optional<double> extentRatio;  // [1] of the mother's two largest extents, 1 or more; absent: a sphere
+  Point centreA = {}, centreB = {};   // [length] of the daughters as they were born; not in the database
   friend bool operator==(const DivisionRecord&, const DivisionRecord&) = default;
 };
 

@@ -158,8 +158,13 @@ void takeOfCells(const Observation& now, const std::vector<const CellMeasure*>& 
 void takeOfPairs(const Observation& now, const std::vector<const PairMeasure*>& rows,
                  std::vector<TakenMeasure>& taken) {
   if (rows.empty()) return;
-  for (const auto& [a, b, area] : now.contacts()) {
-    const Touch touch{now.cell(a), now.cell(b), area};
+  const std::vector<ContactArea>& contacts = now.contacts();
+  const std::span<const double> durations = now.contactDurations;
+  MORULA_CHECK(durations.empty() || durations.size() == contacts.size(), "one duration for each contact");
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& [a, b, area] = contacts[i];
+    const Touch touch{now.cell(a), now.cell(b), area,
+                      durations.empty() ? std::nullopt : std::optional(durations[i])};
     for (const PairMeasure* row : rows)
       takeOne(now, *row, Scope::pair, touch.a.path, touch.b.path, touch, taken);
   }

@@ -17,7 +17,8 @@ namespace morula {
 /// Two cells that touch, a < b.
 struct Touch {
   const CellContext &a, &b;
-  double area;  // [length²] as ContactArea
+  double area;                       // [length²] as ContactArea
+  std::optional<double> duration{};  // [time] as Observation::contactDurations; absent: not known
 };
 
 /// What a scene must have for a measure to be taken.

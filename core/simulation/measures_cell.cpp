@@ -118,6 +118,14 @@ constexpr CellMeasure ofCell[] = {
        const DivisionRecord* own = cell.motherDivision();
        return own ? own->extentRatio : Value();
      }},
+    {.name = "displacement", .unit = "length",
+     .meaning = "Of its centre from where that lay at its birth, in a straight line; absent where no division made it",
+     .taken = Taken::onDemand,
+     .get = [](Cell cell) -> Value {
+       const DivisionRecord* own = cell.motherDivision();
+       if (!own) return {};
+       return norm(shapeOf(cell).centre - (cell.path.letter(cell.path.depth() - 1) ? own->centreB : own->centreA));
+     }},
 };
 // clang-format on
 

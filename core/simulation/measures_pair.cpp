@@ -29,6 +29,11 @@ constexpr PairMeasure ofPair[] = {
        const CellPath &a = touch.a.path, &b = touch.b.path;
        return double(std::max(a.depth(), b.depth()) - commonDepth(a, b));
      }},
+    {.name = "contact_duration", .unit = "time",
+     .meaning = "Since the first of the samples in a row, this one the last, in which the two touch: 0 in the first, and after "
+                "a sample without; what is between samples is not seen",
+     .needs = Needs::contact, .taken = Taken::onDemand,
+     .get = [](const Touch& touch) -> Value { return touch.duration; }},
 };
 // clang-format on
 

@@ -28,6 +28,8 @@ class Observation {
   const World& world;
   const double time;
   const Reference* reference = nullptr;  // what some measures compare the world with; null: nothing
+  /// [time] For how long each of contacts() has lasted, which no state holds; empty: not known.
+  std::span<const double> contactDurations;
 
   /// A living cell by its number; it and what is measured of it are kept as long as this. To look at all cells
   /// one after the other make an ObservedCell of each: then only one shape is in memory at a time.

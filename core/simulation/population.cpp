@@ -16,6 +16,8 @@ namespace morula {
 
 namespace {
 
+Point centreOfBody(const Body& body) { return measureCentroid(body.position); }
+
 struct Division {
   Cut cut;
   Daughters daughters;
@@ -26,8 +28,8 @@ Division divide(const World& world, const ObservedCell& cell) {
   const Bodies& bodies = *world.bodies;
   const Body mother = takeBody(bodies, cell.slot());
   Cut cut = world.divisionPolicy->findCut(cell);
-  DivisionRecord record{cell.path,  world.clock.time,        world.clock.step,
-                        cut.normal, cut.share.value_or(0.5), {}};
+  DivisionRecord record{
+      cell.path, world.clock.time, world.clock.step, cut.normal, cut.share.value_or(0.5), {}, {}, {}};
   if (bodies.areSpheres())
     return {cut, divideSphere(mother, bodies.parameters.cell.radius * mother.restScale, cut), record};
   const Faces faces = bodies.meshOf(cell.slot()).mesh.faces;
@@ -82,8 +84,6 @@ void inheritConnections(Connections& c, const CellPath& mother, const Cut& cut, 
   const MakeConnections make = c.parameters.make;
   if (make == MakeConnections::atDivision || make == MakeConnections::both) connect(c, a, b, time);
 }
-
-Point centreOfBody(const Body& body) { return measureCentroid(body.position); }
 
 struct Population {
   Cells cells;
@@ -203,6 +203,8 @@ void changePopulation(World& world, const Observation& now, const std::vector<Ce
       addDaughter(world, next, i, true);
       if (world.bodies) {
         auto& [cut, daughters, record] = divisions[cuts.size()];
+        record.centreA = centreOfBody(daughters.a);
+        record.centreB = centreOfBody(daughters.b);
         next.bodies.push_back(std::move(daughters.a));
         next.bodies.push_back(std::move(daughters.b));
         world.divisions.push_back(record);

@@ -83,13 +83,15 @@ void visitFields(T& change, auto&& visit) {
 
 template <IsA<DivisionRecord> T>
 void visitFields(T& division, auto&& visit) {
-  auto& [path, time, step, axis, share, extentRatio] = division;
+  auto& [path, time, step, axis, share, extentRatio, centreA, centreB] = division;
   visit(Field{"path", "", Use::saved}, path);
   visit(Field{"time", "", Use::saved}, time);
   visit(Field{"step", "", Use::saved}, step);
   visit(Field{"axis", "", Use::saved}, axis);
   visit(Field{"share", "", Use::saved}, share);
   visit(Field{"extent ratio", "", Use::saved}, extentRatio);
+  visit(Field{"centre a", "", Use::saved}, centreA);
+  visit(Field{"centre b", "", Use::saved}, centreB);
 }
 
 template <IsA<PolarityRecord> T>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/cell_life.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/picture_name.h"
@@ -13,13 +14,14 @@
 #include "pictures/pictures.h"
 #include "store/store.h"
 #include "system/console.h"
+#include "system/usage_error.h"
 
 namespace morula::cli {
 
 namespace {
 
 struct LineageOptions {
-  std::string file, run, picture;
+  std::string file, run, picture, cell;
   InputOptions input;
   OutputOptions output;
 };
@@ -62,9 +64,22 @@ std::string line(const LineageEntry& cell, const std::string& states, const std:
                      fmt::format("{:.6g}", cell.fate == Fate::alive ? cell.born : cell.ended), states);
 }
 
+int tellLife(const Tree& tree, const LineageOptions& options) {
+  const auto names = anyScenario(options.file, options.run, options.input.allowOutside).names;
+  const CellLife life = lifeOf(tree.results, tree.end, names, options.cell);
+  if (options.output.json)
+    printJson({{"scenario", tree.scenario}, {"time", tree.end}, {"cell", lifeAsJson(life)}});
+  else print(lifeAsText(life));
+  return fine;
+}
+
 int act(const LineageOptions& options) {
   checkPictureName("lineage", options.picture, true);
+  if (!options.cell.empty() && !options.picture.empty())
+    throw UsageError(
+        "--cell tells one cell's life, and --output draws the whole tree; leave out one of them");
   auto tree = isDatabase(options.file) ? stored(options) : prescribed(options);
+  if (!options.cell.empty()) return tellLife(tree, options);
   if (!options.picture.empty()) draw(tree, options);
   auto& cells = tree.results.lineage;
   // By path: a mother stands before her daughters, and a subtree is one block of lines.
@@ -78,13 +93,7 @@ int act(const LineageOptions& options) {
       print(line(cell, state, called));
       continue;
     }
-    list.push_back({{"path", cell.path.text()},
-                    {"name", called.empty() ? Json() : Json(called)},
-                    {"parent", cell.path.isEgg() ? Json() : Json(cell.path.mother().text())},
-                    {"born", cell.born},
-                    {"ended", cell.fate == Fate::alive ? tree.end : cell.ended},  // alive: the run's end
-                    {"fate", name(cell.fate)},
-                    {"state", state}});
+    list.push_back(cellAsJson(cell, tree.results.names, state, tree.end));
   }
   if (!options.output.json) return fine;
   Json json{{"scenario", tree.scenario}, {"time", tree.end}, {"cells", list}};
@@ -102,6 +111,7 @@ void addLineage(CLI::App& app, Action& action) {
             "run's end");
   verb.needs("file", options->file, "FILE", "A scenario or a database");
   verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
+  verb.takes("--cell", options->cell, "CELL", "Only this cell's life; its name, or its path: AAB, egg");
   verb.takes("-o,--output", options->picture, "FILE", "Also draw it: a .png, .svg or .pdf");
   add(verb, options->input);
   add(verb, options->output);

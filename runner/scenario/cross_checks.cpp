@@ -282,6 +282,12 @@ void checkMeasures(const Scenario& scenario, Reading& reading, const Node& root)
                            std::string(m.name) + " would find nothing to measure",
                            std::string("needs ") + what);
   }
+  const RecordParameters& record = scenario.record;
+  if (std::ranges::find(record.measures, "contact_duration") != record.measures.end() && !record.every &&
+      record.atCells.empty() && scenario.scene.cells.empty())
+    reading.problems.add(placeOf(root, "record.measures"), "record.measures",
+                         "contact_duration would always be 0: between the egg and the end there is no sample",
+                         "needs record.every or record.at-cells");
   if (!reference) return;
   for (const auto& [needs, key, given, by] :
        {std::tuple(Needs::referenceContacts, "check.reference.contacts", !reference->contacts.empty(),

@@ -52,6 +52,7 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
     const bool reached = reaches(static_cast<std::uint64_t>(s.world.at("cells"))), due = isDue(s.world.time);
     if (!reached && !due) continue;
     for (CellMeasures& c : s.cells) describe(world, c.state = here.at(c.state));
+    keepTouching(s.contacts, s.world.time);
     if (due) expectNext(s.world.time);
     results_.samples.push_back(std::move(s));
   }
@@ -66,11 +67,26 @@ void Recorder::hash(const World& world) {
   bytes_ += double(sizeof(ChainLink) + chain.back().state.cells.size() * sizeof(CellHash));
 }
 
+void Recorder::keepTouching(const std::vector<ContactMeasures>& contacts, double time) {
+  if (std::ranges::find(options_.measures, "contact_duration") == options_.measures.end()) return;
+  const auto before = std::exchange(touchingSince_, {});
+  for (const ContactMeasures& c : contacts) {
+    const std::pair pair(c.a, c.b);
+    const auto known = before.find(pair);
+    touchingSince_.emplace_hint(touchingSince_.end(), pair, known == before.end() ? time : known->second);
+  }
+}
+
 void Recorder::sample(const World& world) {
   Observation now(world);
   if (options_.reference) now.reference = &*options_.reference;
-  results_.samples.push_back(
-      {measureWorld(now), measureCells(now), measureContacts(now), takeMeasures(now, options_.measures)});
+  Sample s{measureWorld(now), measureCells(now), measureContacts(now), {}};
+  keepTouching(s.contacts, now.time);
+  std::vector<double> durations;  // by (a, b), as the contacts; none where nobody asks for them
+  for (const auto& [pair, since] : touchingSince_) durations.push_back(now.time - since);
+  now.contactDurations = durations;
+  s.more = takeMeasures(now, options_.measures);
+  results_.samples.push_back(std::move(s));
   for (const CellMeasures& c : results_.samples.back().cells) describe(world, c.state);
   const Sample& taken = results_.samples.back();
   bytes_ += double(sizeof(Sample) + taken.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +

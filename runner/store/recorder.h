@@ -1,7 +1,10 @@
 #pragma once
 // Takes what is to be stored from a World while it runs, and nothing that was not asked for.
 #include <functional>
+#include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "store/records.h"
 
@@ -56,6 +59,8 @@ class Recorder {
  private:
   void sample(const World& world);
   void hash(const World& world);
+  /// A sample at `time` [time] sees these contacts, by (a, b). Does nothing unless contact_duration is asked for.
+  void keepTouching(const std::vector<ContactMeasures>& contacts, double time);
   void describe(const World& world, StateId state);
   bool isDue(double time) const;
   void expectNext(double time);
@@ -69,6 +74,8 @@ class Recorder {
   bool sampled_ = false;
   double bytes_ = 0;
   RunResults results_;
+  // Since when [time] the pairs of the last sample touch, for contact_duration: it follows from the samples.
+  std::map<std::pair<CellPath, CellPath>, double> touchingSince_;
 };
 
 /// How a run ended, read off its world. `failure`: the NumericalError's text for a failed run, which has no state

@@ -78,3 +78,37 @@ TEST_CASE("Each measure that samples hold is in the database, in JSON, in golden
 TEST_CASE("schema --measures --markdown prints scenarios/MEASURES.md") {
   CHECK(launch({"schema", "--measures", "--markdown"}).out == readWhole("scenarios/MEASURES.md"));
 }
+
+TEST_CASE("displacement and contact_duration are rows of the database where a scenario asks for them") {
+  const TemporaryFolder folder;
+  const auto rows = [](const std::filesystem::path& file, const std::string& condition) {
+    Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+    std::vector<double> all;
+    for (Statement s(db, "SELECT value FROM measure WHERE " + condition + " ORDER BY time"); s.next();)
+      all.push_back(s.real(0));
+    return all;
+  };
+  const std::string record = "record: {every: 0.0625, measures: [contact_duration, displacement]}\n";
+  writeWhole(folder / "pair.yaml", pairOfBalls + record);
+  REQUIRE(
+      launch({"run", folder / "pair.yaml", "--no-pictures", "--quiet", "--db", folder / "pair.db"}).code ==
+      0);
+  CHECK(rows(folder / "pair.db", "scope='pair' AND name='contact_duration' AND a='A' AND b='B'") ==
+        std::vector<double>{0, 0.0625, 0.125});
+  CHECK(rows(folder / "pair.db", "name='displacement'").empty());  // no division made them
+  CHECK(launch({"replay", folder / "pair.db"}).code == 0);
+
+  writeWhole(
+      folder / "two.yaml",
+      "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(a1|a0)\ncycle: {length: 0.125}\n"
+      "stop: {time: 0.375}\nphysics: {mesh: {icosphere: 1}, drag: 5, shell: {sphere: 1}, contact: {}}\n" +
+          record);
+  const auto two =
+      launch({"run", folder / "two.yaml", "--no-pictures", "--quiet", "--db", folder / "two.db"});
+  INFO(two.err);
+  REQUIRE(two.code == 0);
+  const auto ways = rows(folder / "two.db", "scope='cell' AND name='displacement' AND a='A'");
+  REQUIRE(ways.size() >= 4);
+  CHECK(ways.front() < ways.back());
+  CHECK(launch({"replay", folder / "two.db"}).code == 0);
+}

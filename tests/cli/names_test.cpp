@@ -42,3 +42,66 @@ TEST_CASE("a failure names its cell, and says her path") {
   CHECK(run.code == 4);
   CHECK_THAT(run.err, ContainsSubstring("P1app (path BABB): physics.time_step 0.0078125 is above"));
 }
+
+TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and from the database") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "worm.yaml", database = folder / "worm.db";
+  writeWhole(scenario, worm);
+  REQUIRE(launch({"run", scenario, "--db", database, "--quiet", "--no-pictures"}).code == 0);
+  for (const auto& file : {scenario, database}) {
+    INFO(file);
+    CHECK(launch({"lineage", file, "--cell", "P1"}).out ==
+          "path       B\nname       P1\nborn       1\nended      2\nfate       divided\nstate      B a0 "
+          "divide\n"
+          "mother     P0 (the egg)\ndaughters  P1a (path BA), P1p (path BB)\nsister     AB (path A)\n");
+    CHECK(launch({"lineage", file, "--cell", "ABp"}).out ==
+          "path       AB\nname       ABp\nborn       2\nended      not before the run's end, 2\nfate       "
+          "alive\n"
+          "state      B a0 divide\nmother     AB (path A)\nsister     ABa (path AA)\n");
+    CHECK(launch({"lineage", file, "--cell", "/AB"}).out == launch({"lineage", file, "--cell", "ABp"}).out);
+    const auto egg = launch({"lineage", file, "--cell", "egg"}).out;
+    CHECK_THAT(egg, ContainsSubstring("path       egg\nname       P0\n"));
+    CHECK_THAT(egg, !ContainsSubstring("mother"));
+    const Json json = Json::parse(launch({"lineage", file, "--cell", "AB", "--json"}).out);
+    CHECK(json["scenario"] == "worm");
+    Json cell = json["cell"];
+    CHECK(cell["mother"] == Json{{"path", ""}, {"name", "P0"}});
+    CHECK(cell["sister"] == Json{{"path", "B"}, {"name", "P1"}});
+    REQUIRE(cell["daughters"].size() == 2);
+    CHECK(cell["daughters"][1] == Json{{"path", "AB"}, {"name", "ABp"}});
+    for (const char* relative : {"mother", "sister", "daughters"}) cell.erase(relative);
+    CHECK(
+        cell ==
+        Json::parse(launch({"lineage", file, "--json"}).out)["cells"][1]);  // the name comes before the path
+    const Json root = Json::parse(launch({"lineage", file, "--cell", "P0", "--json"}).out)["cell"];
+    CHECK(root["mother"].is_null());
+    CHECK(root["sister"].is_null());
+  }
+}
+
+TEST_CASE("lineage --cell refuses what is no cell of the tree, and says what is near") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "worm.yaml";
+  writeWhole(scenario, worm);
+  for (const auto& [cell, problem] : std::vector<std::pair<std::string, std::string>>{
+           {"P2", "--cell: 'P2' is no cell's name or path; did you mean P0?"},
+           {"Z", "--cell: 'Z' is no cell's name or path; "},
+           {"ABpa",
+            "--cell: ABpa (path ABA) was never born: ABp (path AB) lives at the run's end, 2; needs a cell "
+            "that 'morula lineage' lists without --cell"}}) {
+    const auto refused = launch({"lineage", scenario, "--cell", cell});
+    CHECK(refused.code == 2);
+    CHECK(refused.out.empty());
+    CHECK_THAT(refused.err, ContainsSubstring(problem));
+  }
+  const auto drawn = launch({"lineage", scenario, "--cell", "P0", "-o", folder / "x.png"});
+  CHECK(drawn.code == 2);
+  CHECK_THAT(drawn.err, ContainsSubstring("leave out one of them"));
+  // A dead cell has no daughters, and her line ends with her.
+  writeWhole(
+      scenario,
+      "morula: 1\nname: short\ndna: |\n  START: a0\n  g1(divide|a0)\n  g2(die|A)\nstop: {cycles: 3}\n");
+  CHECK_THAT(launch({"lineage", scenario, "--cell", "A"}).out, ContainsSubstring("fate       died\n"));
+  CHECK_THAT(launch({"lineage", scenario, "--cell", "AB"}).err,
+             ContainsSubstring("cell AB was never born: cell A died at 2"));
+}

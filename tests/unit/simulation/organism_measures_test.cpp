@@ -2,12 +2,14 @@
 #include "simulation/organism_measures.h"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <set>
 
 #include "base/error.h"
 #include "catch.h"
 #include "simulation/body_measures.h"
+#include "simulation/checkpoint.h"
 #include "worlds.h"
 
 using namespace morula;
@@ -232,4 +234,66 @@ TEST_CASE("The share on the shell: of a tetrahedron one corner, then all") {
   for (std::size_t i = 1; i < 4; ++i)
     shape.surface.vertices[i] *= 1 - 1e-4;  // three faces lose their other corners
   CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(0.25).epsilon(1e-3));
+}
+
+TEST_CASE("Displacement: a cell is moved by (3, 4, 0), and so is 5 away from where it was born") {
+  Scene scene = scenes::withBodies(scenes::everybodyDivides, 9, makeIcosphere(1));
+  scene.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};
+  Body ball = shakenBody(scenes::scaled(makeIcosphere(1), 0.9), 0, 0);
+  ball.pressureConstant = 100;
+  for (Point& x : ball.position) x += Vector{7, -2, 1};  // being born elsewhere is no way that was gone
+  World world = worldOf(scene, {ball});
+  const std::vector<std::string> names{"displacement"};
+  const auto ways = [&] {
+    std::map<std::string, double> all;
+    for (const TakenMeasure& m : takeMeasures(Observation(world), names)) all[m.a.text()] = m.value;
+    return all;
+  };
+  const auto divide = [&](const std::vector<CellChange>& changes) {
+    changePopulation(world, Observation(world), changes);
+  };
+  CHECK(ways().empty());  // nobody divided to make the egg
+  divide({CellChange::divides});
+  CHECK(ways() == std::map<std::string, double>{{"A", 0}, {"B", 0}});
+  std::vector<Body> bodies;
+  for (const int slot : world.bodies->slots) bodies.push_back(takeBody(*world.bodies, slot));
+  for (Point& x : bodies[0].position) x += Vector{3, 4, 0};
+  setBodies(*world.bodies, bodies);
+  CHECK(ways().at("A") == Approx(5).epsilon(1e-12));
+  CHECK(ways().at("B") == 0);
+  divide({CellChange::divides, CellChange::none});
+  CHECK(ways() == std::map<std::string, double>{{"AA", 0}, {"AB", 0}, {"B", 0}});
+  CHECK(takeMeasures(Observation(balls({{}, {4, 0, 0}})), names).empty());  // nor these
+}
+
+TEST_CASE("Displacement is what the centres tell of a life, of meshes and of balls, and after a checkpoint") {
+  for (const Scene& scene : {scenes::packed(), scenes::spheres()}) {
+    World world = makeWorld(scene, {bestIsa(), 1});
+    std::map<CellPath, Point> births;
+    const auto centre = [](const CellMeasures& m) { return Point{m.at("x"), m.at("y"), m.at("z")}; };
+    bool isSaved = false;
+    while (!finished(world)) {
+      for (const CellMeasures& m : measureCells(world)) births.try_emplace(m.path, centre(m));
+      if (!isSaved && births.size() > 3) {
+        World restored = makeWorld(scene, {Isa::scalar, 1});
+        restoreState(restored, saveState(world));
+        world = std::move(restored);
+        isSaved = true;
+      }
+      step(world);
+    }
+    for (const CellMeasures& m : measureCells(world)) births.try_emplace(m.path, centre(m));
+    REQUIRE(isSaved);
+    const std::vector<std::string> names{"displacement"};
+    const auto taken = takeMeasures(Observation(world), names);
+    const auto cells = measureCells(world);
+    REQUIRE(taken.size() == cells.size());
+    double farthest = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      CHECK(taken[i].a == cells[i].path);
+      CHECK(taken[i].value == Approx(norm(centre(cells[i]) - births.at(cells[i].path))).margin(1e-12));
+      farthest = std::max(farthest, taken[i].value);
+    }
+    CHECK(farthest > 0.01);
+  }
 }

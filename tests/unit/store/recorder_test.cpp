@@ -7,6 +7,7 @@
 #include "biology/full_tree.h"
 #include "catch.h"
 #include "simulation/hash.h"
+#include "simulation/population.h"
 #include "simulation/world.h"
 #include "store/store.h"
 #include "temporary_folder.h"
@@ -260,4 +261,86 @@ TEST_CASE("a recorded run can be stored") {
   CHECK(back.chain == results.chain);
   CHECK(back.timeSteps == results.timeSteps);
   for (const LineageEntry& e : back.lineage) CHECK_FALSE(back.stateTexts.at(e.state).empty());
+}
+
+namespace {
+
+/// Three balls of radius 1, AA, AB and B, with B beside AB at the times 1, 2, 4 and 5 and away from it otherwise. Who
+/// looks only then does not see that they part in between.
+World threeBalls() {
+  Scene scene;
+  scene.dna = parseDna("START: a0\ng1(a0|a0)\n", "test.dna");
+  scene.cycle.length = 1000;
+  scene.mechanics.emplace();
+  scene.mechanics->mesh = makeIcosphere(1);
+  scene.mechanics->physics.cell.model = CellModel::sphere;
+  scene.mechanics->physics.timeStep = 0x1p-10;
+  scene.mechanics->physics.drag = 5;
+  scene.mechanics->contact.emplace();
+  for (const double x : {0.0, 1.75, 9.0}) scene.cells.push_back({.at = Point{x, 0, 0}});
+  return makeWorld(scene, {Isa::scalar, 1});
+}
+
+void putAt(World& world, double time) {
+  world.clock.time = time;
+  world.clock.step = static_cast<std::uint64_t>(16 * time);
+  std::vector<Body> bodies;
+  for (const int slot : world.bodies->slots) bodies.push_back(takeBody(*world.bodies, slot));
+  const bool isBeside = time == 1 || time == 2 || time == 4 || time == 5;
+  for (Point& x : bodies[2].position) x.x = isBeside ? 3.5 : 9;
+  setBodies(*world.bodies, bodies);
+  beginWithBodies(world);
+}
+
+std::vector<double> durationsOf(const RunResults& results, const std::string& a, const std::string& b) {
+  std::vector<double> all;  // -1: they do not touch
+  for (const Sample& s : results.samples) {
+    all.push_back(-1);
+    for (const TakenMeasure& m : s.more)
+      if (m.name == "contact_duration" && m.a.text() == a && m.b.text() == b) all.back() = m.value;
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "how long two cells have touched counts from the first of the samples in a row, also in a resumed run") {
+  const RecordOptions options{.every = 1, .measures = {"contact_duration"}};
+  // 1.5: between two samples with contact; 0.5, 3.5: what only a stop sees; 3: at a sample without
+  for (const double stopped : {-1.0, 0.5, 1.0, 1.5, 3.0, 3.5, 4.5, 5.0}) {
+    CAPTURE(stopped);
+    World world = threeBalls();
+    Recorder recorder(options);
+    for (double time = 0; time <= 5; time += 0.5) {
+      putAt(world, time);
+      recorder.observe(world);
+      if (time != stopped) continue;
+      const RunResults earlier = recorder.take(world);
+      recorder = Recorder(options);
+      recorder.resume(world, earlier);
+    }
+    const RunResults results = recorder.take(world);
+    REQUIRE(results.samples.size() == 6);
+    CHECK(durationsOf(results, "AA", "AB") == std::vector<double>{0, 1, 2, 3, 4, 5});
+    CHECK(durationsOf(results, "AB", "B") == std::vector<double>{-1, 0, 1, -1, 0, 1});
+    CHECK(durationsOf(results, "AA", "B") == std::vector<double>(6, -1));
+  }
+}
+
+TEST_CASE("daughters have touched nobody before they were born") {
+  Run run(fourCells(true), {.every = 0.0625, .measures = {"contact_duration"}});
+  const RunResults results = run.recorder.take(run.world);
+  std::map<CellPath, double> born;
+  for (const LineageEntry& e : results.lineage) born[e.path] = e.born;
+  double longest = 0;
+  for (const Sample& s : results.samples) {
+    CHECK(s.more.size() == s.contacts.size());
+    for (const TakenMeasure& m : s.more) {
+      CHECK(m.value >= 0);
+      CHECK(m.value <= s.world.time - std::max(born[m.a], born[m.b]));
+      longest = std::max(longest, m.value);
+    }
+  }
+  CHECK(longest > 0);
 }
