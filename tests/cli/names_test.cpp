@@ -51,7 +51,7 @@ TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and
   for (const auto& file : {scenario, database}) {
     INFO(file);
     CHECK(launch({"lineage", file, "--cell", "P1"}).out ==
-          "path       B\nname       P1\nborn       1\nended      2\nfate       divided\nstate      B a0 "
+          "path       B\nname       P1\nborn       1\nended      2\nfate       divided\nstate      a0 "
           "divide\n"
           "mother     P0 (the egg)\ndaughters  P1a (path BA), P1p (path BB)\nsister     AB (path A)\n");
     CHECK(launch({"lineage", file, "--cell", "ABp"}).out ==
