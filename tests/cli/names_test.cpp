@@ -51,7 +51,7 @@ TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and
   for (const auto& file : {scenario, database}) {
     INFO(file);
     CHECK(launch({"lineage", file, "--cell", "P1"}).out ==
-          "path       B\nname       P1\nborn       1\nended      2\nfate       divided\nstate      B a0 "
+          "path       B\nname       P1\nborn       1\nended      2\nfate       divided\nstate      a0 "
           "divide\n"
           "mother     P0 (the egg)\ndaughters  P1a (path BA), P1p (path BB)\nsister     AB (path A)\n");
     CHECK(launch({"lineage", file, "--cell", "ABp"}).out ==
@@ -82,10 +82,12 @@ TEST_CASE("lineage --cell tells one life, by name or path, from the scenario and
 TEST_CASE("lineage --cell refuses what is no cell of the tree, and says what is near") {
   const TemporaryFolder folder;
   const auto scenario = folder / "worm.yaml";
-  writeWhole(scenario, worm);
+  std::string scene = worm;
+  scene.replace(scene.find("B: P1"), 5, "B: EMS");
+  writeWhole(scenario, scene);
   for (const auto& [cell, problem] : std::vector<std::pair<std::string, std::string>>{
-           {"P2", "--cell: 'P2' is no cell's name or path; did you mean P0?"},
-           {"Z", "--cell: 'Z' is no cell's name or path; "},
+           {"EMz", "--cell: 'EMz' is no cell's name or path; did you mean EMS?"},
+           {"Z", "--cell: 'Z' is no cell's name or path; needs egg, or a path of the letters A and B"},
            {"ABpa",
             "--cell: ABpa (path ABA) was never born: ABp (path AB) lives at the run's end, 2; needs a cell "
             "that 'morula lineage' lists without --cell"}}) {
