@@ -274,6 +274,7 @@ std::vector<Parameter> parameters() {
 
       shellSphere(),
       shellEllipsoid(),
+      shellMesh(),
       shellFill(),
 
       real("physics.motility.speed", "length/time", positive, "Of a cell alone in the medium",
