@@ -69,8 +69,11 @@ class CellContext {
   virtual double sizeAtBirth() const { return 0; }
 
   // What division planes ask for besides
-  /// [length] Semi-axes along x, y and z of the shell, which has its centre at the origin; absent: no shell.
+  /// [length] Semi-axes along x, y and z of the shell, which has its centre at the origin; absent: no such shell.
   virtual std::optional<Vector> shell() const { return {}; }
+  /// Of a shell that is a mesh, which has no semi-axes: the outward unit normal of its face nearest to the cell's
+  /// centre; absent: no such shell.
+  virtual std::optional<Vector> nearestShellNormal() const { return {}; }
   /// [length] The centre of the volume of all cells; in a lineage-only scene the origin.
   virtual Point organismCentre() const { return {}; }
   /// The polarity that the nearest of its ancestors with one left to her daughters [Cut::polarity]; null: none

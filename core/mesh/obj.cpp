@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "mesh/measures.h"
 #include "mesh/mesh.h"
+#include "mesh/obj_source.h"
 #include "mesh/obj_statements.h"
 #include "mesh/validity.h"
 
@@ -29,7 +30,8 @@ class ObjReader {
  public:
   ObjReader(std::string_view text, const std::string& name) : statements_(text) { source_.name = name; }
 
-  Mesh read() {
+  /// `toUnitSize`: centroid to the origin, farthest vertex to distance 1. `from`: where the lines go, if not null.
+  Mesh read(bool toUnitSize, MeshSource* from = nullptr) {
     std::vector<ObjWord> words;
     while (statements_.next(words)) {
       const std::string_view keyword = words[0].text;
@@ -43,8 +45,9 @@ class ObjReader {
     if (!errors_.empty()) throw InputError(allErrors());
     if (mesh_.vertices.empty())
       throw InputError(source_.name + ": no vertices; a mesh needs lines \"v x y z\" and \"f 1 2 3\"");
-    moveToUnitSize();
+    if (toUnitSize) moveToUnitSize();
     checkClosedManifold(mesh_, source_);
+    if (from) *from = source_;
     return std::move(mesh_);
   }
 
@@ -226,6 +229,10 @@ class ObjReader {
 
 }  // namespace
 
-Mesh readObj(const std::string& text, const std::string& name) { return ObjReader(text, name).read(); }
+Mesh readObj(const std::string& text, const std::string& name) { return ObjReader(text, name).read(true); }
+
+Mesh readObjAsGiven(const std::string& text, const std::string& name, MeshSource& source) {
+  return ObjReader(text, name).read(false, &source);
+}
 
 }  // namespace morula

@@ -60,7 +60,9 @@ struct BlockView {
   RealPointer substeps;
 };
 
-enum class ShellShape { none, sphere, ellipsoid, aroundSpheres };
+struct ShellPlane;  // mesh/convex_shell.h
+
+enum class ShellShape { none, sphere, ellipsoid, aroundSpheres, planes, planesAroundSpheres };
 
 /// The constants of a scene, as the kernels need them.
 struct KernelParameters {
@@ -71,6 +73,8 @@ struct KernelParameters {
   int substeps;                                      // XPBD only: of a time step
   double shapeStiffness, shapeLinear, shapeDamping;  // shape matching only: ShapeMatchingParameters
   double radius;                                     // [length] spheres only: at scale 1
+  const ShellPlane* planes;                          // shell of a mesh only, else null
+  int planeCount;
 };
 
 }  // namespace morula

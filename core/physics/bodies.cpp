@@ -79,6 +79,7 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
     b.coarser.push_back(std::move(next));
   }
   const double* a = parameters.shell ? parameters.shell->semiAxes : nullptr;
+  const auto* planes = parameters.shell && parameters.shell->mesh ? &parameters.shell->mesh->planes : nullptr;
   b.kernelParameters = {.stiffness = parameters.membrane.stiffness,
                         .damping = parameters.membrane.damping,
                         .outsidePressure = parameters.pressure.outside,
@@ -88,7 +89,9 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                         .shapeStiffness = parameters.shapeMatching.stiffness,
                         .shapeLinear = parameters.shapeMatching.linear,
                         .shapeDamping = parameters.shapeMatching.damping,
-                        .radius = parameters.cell.radius};
+                        .radius = parameters.cell.radius,
+                        .planes = planes ? planes->data() : nullptr,
+                        .planeCount = planes ? static_cast<int>(planes->size()) : 0};
   if (b.model().hasRestShape) {
     b.mesh.rest = makeRestShape(b.mesh.mesh);
     for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);

@@ -2,10 +2,12 @@
 // What a scenario may say about one cell's mechanics. Units are the scene's own: a length, a mass and a time.
 // Every field here changes results.
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "base/choice.h"
 #include "base/precision.h"
+#include "mesh/convex_shell.h"
 
 namespace morula {
 
@@ -72,7 +74,8 @@ struct GrowthParameters {
 };
 
 struct ShellParameters {
-  double semiAxes[3] = {1, 1, 1};  // [length]; all equal: a sphere
+  double semiAxes[3] = {1, 1, 1};                // [length]; all equal: a sphere
+  std::shared_ptr<const ConvexShell> mesh = {};  // instead of the ellipsoid, if not null
 };
 
 /// Cells that crawl: an active force that would move a cell alone through the medium with one speed, and

@@ -7,6 +7,7 @@
 #include "physics/ring_kernel.h"
 #include "physics/runge_kutta_kernel.h"
 #include "physics/shape_kernel.h"
+#include "physics/shell_planes_kernel.h"
 #include "physics/sphere_kernel.h"
 #include "physics/spring_kernel.h"
 #include "physics/verlet_kernel.h"
@@ -18,13 +19,30 @@ namespace morula::MORULA_ISA {
 #define MORULA_IN_MESH_SHELLS(drift, ...)                                     \
   drift<__VA_ARGS__ ShellShape::none>, drift<__VA_ARGS__ ShellShape::sphere>, \
       drift<__VA_ARGS__ ShellShape::ellipsoid>
-#define MORULA_IN_SHELLS(drift) \
-  { MORULA_IN_MESH_SHELLS(drift), driftSpheres<drift<ShellShape::none>> }
+#define MORULA_IN_SHELLS(drift)                                                              \
+  {                                                                                          \
+    MORULA_IN_MESH_SHELLS(drift), driftSpheres<drift<ShellShape::none>>,                     \
+        driftInPlanes<drift<ShellShape::none>>, driftInPlanes<drift<ShellShape::none>, true> \
+  }
 // [evaluation] of a time step.
 #define MORULA_FOUR(shape)                                                           \
   {                                                                                  \
     driftRungeKutta<1, shape>, driftRungeKutta<2, shape>, driftRungeKutta<3, shape>, \
         driftRungeKutta<4, shape>                                                    \
+  }
+
+#define MORULA_FOUR_IN_PLANES(balls)                                \
+  {                                                                 \
+    driftInPlanes<driftRungeKutta<1, ShellShape::none>, balls>,     \
+        driftInPlanes<driftRungeKutta<2, ShellShape::none>, balls>, \
+        driftInPlanes<driftRungeKutta<3, ShellShape::none>, balls>, \
+        driftInPlanes<driftRungeKutta<4, ShellShape::none>, balls>  \
+  }
+// [KickShell]
+#define MORULA_KICKS(lacking)                                                        \
+  {                                                                                  \
+    kick<lacking, false>, kick<lacking, true>, kickSpheres<kick<lacking, false>>,    \
+        kickInPlanes<kick<lacking, false>>, kickInPlanes<kick<lacking, false>, true> \
   }
 
 extern const PhysicsKernels physics;
@@ -39,15 +57,16 @@ const PhysicsKernels physics = {
                         {driftSpheres<driftRungeKutta<1, ShellShape::none>>,
                          driftSpheres<driftRungeKutta<2, ShellShape::none>>,
                          driftSpheres<driftRungeKutta<3, ShellShape::none>>,
-                         driftSpheres<driftRungeKutta<4, ShellShape::none>>}},
-    .driftXpbd = {{MORULA_IN_MESH_SHELLS(driftXpbd, false, )}, {MORULA_IN_MESH_SHELLS(driftXpbd, true, )}},
-    .endAndDrift = {{MORULA_IN_MESH_SHELLS(endAndDrift, false, )},
-                    {MORULA_IN_MESH_SHELLS(endAndDrift, true, )}},
-    .endEvaluation = {kick<Kick::none, false>, kick<Kick::none, true>, kickSpheres<kick<Kick::none, false>>},
-    .kickVelocityVerlet = {kick<Kick::half, false>, kick<Kick::half, true>,
-                           kickSpheres<kick<Kick::half, false>>},
-    .kickSymplecticEuler = {kick<Kick::whole, false>, kick<Kick::whole, true>,
-                            kickSpheres<kick<Kick::whole, false>>},
+                         driftSpheres<driftRungeKutta<4, ShellShape::none>>},
+                        MORULA_FOUR_IN_PLANES(false),
+                        MORULA_FOUR_IN_PLANES(true)},
+    .driftXpbd = {{MORULA_IN_MESH_SHELLS(driftXpbd, false, ), nullptr, driftXpbdInPlanes<false>},
+                  {MORULA_IN_MESH_SHELLS(driftXpbd, true, ), nullptr, driftXpbdInPlanes<true>}},
+    .endAndDrift = {{MORULA_IN_MESH_SHELLS(endAndDrift, false, ), nullptr, nullptr},
+                    {MORULA_IN_MESH_SHELLS(endAndDrift, true, ), nullptr, nullptr}},
+    .endEvaluation = MORULA_KICKS(Kick::none),
+    .kickVelocityVerlet = MORULA_KICKS(Kick::half),
+    .kickSymplecticEuler = MORULA_KICKS(Kick::whole),
     .findTensions = findTensions<false>,
     .findDampedTensions = findTensions<true>,
     .accumulateRings = accumulateRings<true>,

@@ -7,18 +7,19 @@
 namespace morula {
 
 /// What a kick must know of the shell.
-enum class KickShell { none, anyShape, aroundSpheres };
+enum class KickShell { none, anyShape, aroundSpheres, planes, planesAroundSpheres };
 
 struct PhysicsKernels {
   using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
   using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&,
                               double timeStep);
-  TimedStage driftVelocityVerlet[4], driftThesisVerlet[4];    // [ShellShape]
-  TimedStage driftExplicitEuler[4], driftSymplecticEuler[4];  // [ShellShape]
-  TimedStage driftRungeKutta[4][4];                           // [ShellShape][evaluation]
-  TimedStage driftXpbd[2][3];                                 // [damped][ShellShape], not around spheres
-  TimedStage endAndDrift[2][3];  // [dragged][ShellShape], not around spheres; velocity Verlet only
-  TimedStage endEvaluation[3], kickVelocityVerlet[3], kickSymplecticEuler[3];  // [KickShell]
+  TimedStage driftVelocityVerlet[6], driftThesisVerlet[6];    // [ShellShape]
+  TimedStage driftExplicitEuler[6], driftSymplecticEuler[6];  // [ShellShape]
+  TimedStage driftRungeKutta[6][4];                           // [ShellShape][evaluation]
+  TimedStage driftXpbd[2][5];                                 // [damped][ShellShape], null around spheres
+  // [dragged][ShellShape], null around spheres and in planes; velocity Verlet only
+  TimedStage endAndDrift[2][5];
+  TimedStage endEvaluation[5], kickVelocityVerlet[5], kickSymplecticEuler[5];  // [KickShell]
   Stage findTensions, findDampedTensions;
   Stage accumulateRings, accumulateAreaVectors;  // with spring forces, and without
   Stage addPressureForces, addPressureAndDragForces, findPressure;

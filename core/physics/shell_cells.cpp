@@ -24,7 +24,7 @@ void chooseForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParame
   s.accumulateRings = k.accumulateRings;
   s.finishForces = p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces;
   if (p.integrator == Integrator::velocityVerlet)
-    s.endAndDrift = k.endAndDrift[p.drag > 0][static_cast<int>(shellShapeOf(p))];
+    s.endAndDrift = k.endAndDrift[p.drag > 0][static_cast<int>(shellShapeOf(p))];  // null in planes
 }
 
 /// Of an integrator that drag alone keeps stable [stability.h]. `radius` [length] and `omega` [1/time]: of

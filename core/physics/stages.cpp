@@ -7,7 +7,9 @@ namespace morula {
 
 ShellShape shellShapeOf(const PhysicsParameters& p) {
   if (!p.shell) return ShellShape::none;
-  if (!kindOf(p.cell.model).hasMesh) return ShellShape::aroundSpheres;
+  const bool balls = !kindOf(p.cell.model).hasMesh;
+  if (p.shell->mesh) return balls ? ShellShape::planesAroundSpheres : ShellShape::planes;
+  if (balls) return ShellShape::aroundSpheres;
   const double* a = p.shell->semiAxes;
   return a[0] == a[1] && a[1] == a[2] ? ShellShape::sphere : ShellShape::ellipsoid;
 }
@@ -15,9 +17,11 @@ ShellShape shellShapeOf(const PhysicsParameters& p) {
 PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
   const PhysicsKernels& k = physicsKernels(isa, p.precision);
   const ShellShape shape = shellShapeOf(p);
-  const KickShell kickShell = shape == ShellShape::none            ? KickShell::none
-                              : shape == ShellShape::aroundSpheres ? KickShell::aroundSpheres
-                                                                   : KickShell::anyShape;
+  const KickShell kickShell = shape == ShellShape::none                  ? KickShell::none
+                              : shape == ShellShape::aroundSpheres       ? KickShell::aroundSpheres
+                              : shape == ShellShape::planes              ? KickShell::planes
+                              : shape == ShellShape::planesAroundSpheres ? KickShell::planesAroundSpheres
+                                                                         : KickShell::anyShape;
   const Movement move = kindOf(p.integrator).movement(k, static_cast<int>(shape), p.membrane.damping > 0);
   PhysicsStages stages{.drift = move.drift,
                        .kick = move.kick[static_cast<int>(kickShell)],

@@ -92,7 +92,22 @@ Vector measureMomentum(const Bodies& b) {
   return sum;
 }
 
+namespace {
+
+/// A ball touches a plane that is its radius farther out than its centre.
+double measureOutermostInPlanes(const Bodies& b, int slot) {
+  const double radius = b.areSpheres() ? b.parameters.cell.radius * b.restScale[slot] : 0;
+  double outermost = 0;
+  for (int v = 0; v < b.vertexCount(slot); ++v)
+    for (const ShellPlane& plane : b.parameters.shell->mesh->planes)
+      outermost = std::max(outermost, (dot(plane.normal, b.vertex(slot, v)) + radius) / plane.offset);
+  return outermost;
+}
+
+}  // namespace
+
 double measureOutermost(const Bodies& b, int slot) {
+  if (b.parameters.shell->mesh) return measureOutermostInPlanes(b, slot);
   const double* a = b.parameters.shell->semiAxes;
   const double radius = b.parameters.cell.radius * b.restScale[slot];
   if (b.areSpheres() && a[0] == a[1] && a[1] == a[2]) return (norm(b.vertex(slot, 0)) + radius) / a[0];
@@ -141,6 +156,7 @@ double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
   if (shape.isBall) return 0;
   const double* a = shell.semiAxes;
   const auto isOnShell = [&](const Point& p) {
+    if (shell.mesh) return measureReach(shell.mesh->planes, p) > 1 - within;
     const Vector q{p.x / a[0], p.y / a[1], p.z / a[2]};
     return std::sqrt(dot(q, q)) > 1 - within;
   };
@@ -157,6 +173,8 @@ double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
 }
 
 double measureShellVolume(const Bodies& b) {
+  if (const auto& shell = b.parameters.shell->mesh)
+    return measureVolume(shell->mesh.vertices, shell->mesh.faces);
   const double* a = b.parameters.shell->semiAxes;
   return ballArea / 3 * a[0] * a[1] * a[2];
 }

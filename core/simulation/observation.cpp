@@ -164,8 +164,15 @@ std::span<const CellContext* const> ObservedCell::connected() const {
 std::optional<Vector> ObservedCell::shell() const {
   const auto& bodies = observation_.world.bodies;
   if (!bodies || !bodies->parameters.shell) return {};
+  if (bodies->parameters.shell->mesh) return {};
   const auto& [a, b, c] = bodies->parameters.shell->semiAxes;
   return Vector{a, b, c};
+}
+
+std::optional<Vector> ObservedCell::nearestShellNormal() const {
+  const auto& bodies = observation_.world.bodies;
+  if (!bodies || !bodies->parameters.shell || !bodies->parameters.shell->mesh) return {};
+  return nearestPlane(bodies->parameters.shell->mesh->planes, physical()->getShape().centre).normal;
 }
 
 Point ObservedCell::organismCentre() const {

@@ -103,6 +103,7 @@ class ObservedCell final : public CellContext {
   const DivisionRecord* grandmotherDivision() const override;
   std::span<const CellContext* const> connected() const override;
   std::optional<Vector> shell() const override;
+  std::optional<Vector> nearestShellNormal() const override;
   Point organismCentre() const override;
   const Vector* inheritedPolarity() const override;
   std::span<const OtherCell> otherCells() const override;

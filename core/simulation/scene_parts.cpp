@@ -59,6 +59,14 @@ void addPart(Hasher& h, const std::vector<SenseParameters>& senses) {
 
 void addPart(Hasher& h, const std::uint64_t& seed) { h.field("seed").add(seed); }
 
+void addMesh(Hasher& h, const Mesh& mesh) {
+  const auto& [vertices, faces] = mesh;
+  h.field("vertices").add(std::uint64_t{vertices.size()});
+  for (const Point& x : vertices) h.add(x.x).add(x.y).add(x.z);
+  h.field("faces").add(std::uint64_t{faces.size()});
+  for (const Face& f : faces) h.add(f[0]).add(f[1]).add(f[2]);
+}
+
 void addPart(Hasher& h, const PhysicsParameters& physics) {
   const auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
                shapeMatching, drag, growth, shell, motility] = physics;
@@ -82,21 +90,14 @@ void addPart(Hasher& h, const PhysicsParameters& physics) {
   if (until) h.field("until").add(*until);
   h.field("shell").add(shell.has_value());
   if (shell) {
-    const auto& [semiAxes] = *shell;
+    const auto& [semiAxes, mesh] = *shell;
     h.add(std::span<const double>(semiAxes));
+    if (mesh) addMesh(h.field("shell mesh"), mesh->mesh);
   }
   if (motility) {
     const auto& [speed, persistence] = *motility;
     h.field("motility").add(speed).add(persistence);
   }
-}
-
-void addMesh(Hasher& h, const Mesh& mesh) {
-  const auto& [vertices, faces] = mesh;
-  h.field("vertices").add(std::uint64_t{vertices.size()});
-  for (const Point& x : vertices) h.add(x.x).add(x.y).add(x.z);
-  h.field("faces").add(std::uint64_t{faces.size()});
-  for (const Face& f : faces) h.add(f[0]).add(f[1]).add(f[2]);
 }
 
 struct Meshes {

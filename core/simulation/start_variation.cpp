@@ -49,6 +49,11 @@ double outermostSquare(const StartCell& cell, const Mesh& egg, const ShellParame
   double outermost = 0;
   for (const Point& vertex : egg.vertices) {
     const Point p = placeVertex(cell, vertex);
+    if (shell.mesh) {
+      const double reach = measureReach(shell.mesh->planes, p);
+      outermost = std::max(outermost, reach * reach);
+      continue;
+    }
     const Vector q{p.x / shell.semiAxes[0], p.y / shell.semiAxes[1], p.z / shell.semiAxes[2]};
     outermost = std::max(outermost, dot(q, q));
   }

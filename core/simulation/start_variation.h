@@ -13,7 +13,7 @@ namespace morula {
 std::vector<StartCell> placeStart(const Scene& scene, std::span<const CellPath> paths);
 
 /// [1] (x/a)² + (y/b)² + (z/c)² of the cell's vertex where it is largest, with the shell's semi-axes: at most 1
-/// within.
+/// within. Of a shell that is a mesh, the square of measureReach.
 double outermostSquare(const StartCell& cell, const Mesh& egg, const ShellParameters& shell);
 
 }  // namespace morula

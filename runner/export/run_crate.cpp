@@ -26,6 +26,7 @@ CrateFile crateFile(const Document& d) {
             d.content,      {}};
   const char* what = d.role == "dna"         ? "The genes that the scenario names"
                      : d.role == "mesh"      ? "The egg's mesh that the scenario names"
+                     : d.role == "shell"     ? "The egg shell's mesh that the scenario names"
                      : d.role == "names"     ? "The names of cells that the scenario names"
                      : d.role == "reference" ? "What the scenario compares the organism with"
                                              : "The scenario as it was read";

@@ -27,7 +27,8 @@ Scenario storedScenario(const std::string& database, const std::string& run) {
   std::vector<NamedFile> files;
   for (const auto& document : store.documents(stored.id)) {
     if (document.role == "resolved") resolved = document.content;
-    else if (document.role == "mesh") files.push_back({document.role, document.path, document.content});
+    else if (document.role == "mesh" || document.role == "shell")
+      files.push_back({document.role, document.path, document.content});
   }
   if (resolved.empty())
     throw FileError("'" + database + "': run " + stored.id + " has no scenario stored with it");

@@ -78,6 +78,11 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
     parts.push_back(absent("shell", "physics.shell"));
     return;
   }
+  if (p.shell->mesh) {
+    parts.push_back({"shell", true, fmt::format("mesh of {} planes", p.shell->mesh->planes.size()),
+                     why.of({"physics.shell"})});
+    return;
+  }
   const double* a = p.shell->semiAxes;
   parts.push_back(
       {"shell", true, a[0] == a[1] && a[1] == a[2] ? "sphere" : "ellipsoid", why.of({"physics.shell"})});

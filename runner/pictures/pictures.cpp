@@ -41,12 +41,14 @@ std::vector<LegendEntry> Palette::legend() const {
 
 namespace {
 
+constexpr double shellOpacity = 0.15;  // of one that is a mesh, drawn as a cell is
+
 /// What all pictures of the scenario share.
 OrganismPicture blankPicture(const Scenario& scenario) {
   const auto& mechanics = *scenario.scene.mechanics;
   OrganismPicture picture;
   picture.faces = mechanics.mesh.faces;
-  if (const auto& shell = mechanics.physics.shell)
+  if (const auto& shell = mechanics.physics.shell; shell && !shell->mesh)
     picture.shell = Vector{shell->semiAxes[0], shell->semiAxes[1], shell->semiAxes[2]};
   picture.title = scenario.scene.name;
   return picture;
@@ -76,6 +78,9 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
                              palette.colourOf(world.biology->describe(world.cells.state[i])), 1,
                              std::move(mesh.faces)});
   }
+  if (const auto& shell = scenario.scene.mechanics->physics.shell; shell && shell->mesh)
+    picture.cells.push_back(
+        {"shell", shell->mesh->mesh.vertices, neutralGrey, shellOpacity, shell->mesh->mesh.faces});
   picture.legend = palette.legend();
   picture.caption = fmt::format("time {:.4g}, {} cell{}", world.clock.time, world.cells.path.size(),
                                 world.cells.path.size() == 1 ? "" : "s");

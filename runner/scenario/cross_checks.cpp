@@ -81,6 +81,30 @@ double reachOf(const Scenario& scenario) {
   return farthest / mechanics.physics.cell.radius;
 }
 
+/// The egg is a sphere, whatever the mesh of its shell.
+void checkMeshShell(const Scenario& scenario, Reading& reading, const Node& root) {
+  const PhysicsParameters& physics = scenario.scene.mechanics->physics;
+  double nearest = INFINITY;
+  for (const ShellPlane& plane : physics.shell->mesh->planes) nearest = std::min(nearest, plane.offset);
+  const double reach = reachOf(scenario), share = nearest / (physics.cell.radius * reach);
+  constexpr double rounding = 1e-9;
+  if (share >= 1 - rounding) return;
+  if (scenario.shellFill) {
+    const double most = *scenario.shellFill * share * share * share;
+    return reading.problems.add(
+        placeOf(root, "physics.shell.fill"), "physics.shell.fill",
+        exactText(*scenario.shellFill) +
+            " is more than a round egg can fill of this mesh without standing out of it",
+        "needs at most " + numberText(std::floor(1e4 * most) / 1e4));
+  }
+  std::string where = "the distance of the nearest face from the origin, " + exactText(nearest) + " [length]";
+  if (reach > 1)
+    where += ", over " + numberText(reach) + ", for the shape reaches so many radii from its centre";
+  reading.problems.add(placeOf(root, "physics.cell.radius"), "physics.cell.radius",
+                       exactText(physics.cell.radius) + " does not fit into the shell",
+                       "needs at most " + where);
+}
+
 void checkShell(const Scenario& scenario, Reading& reading, const Node& root) {
   const PhysicsParameters& physics = scenario.scene.mechanics->physics;
   if (!physics.shell) return;
@@ -308,7 +332,11 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkReason(scenario.check, reading, root);
   if (const auto& mechanics = scenario.scene.mechanics) {
     const bool isSphere = !kindOf(mechanics->physics.cell.model).hasMesh;
-    if (scenario.eggIsStretched || (scenario.shellFill && scenario.scene.cells.empty() && !isSphere))
+    const auto& shell = mechanics->physics.shell;
+    if (shell && scenario.shellMesh && !shell->mesh) {
+      // Why it could not be read has been said.
+    } else if (shell && shell->mesh && scenario.scene.cells.empty()) checkMeshShell(scenario, reading, root);
+    else if (scenario.eggIsStretched || (scenario.shellFill && scenario.scene.cells.empty() && !isSphere))
       checkFill(scenario, reading, root);
     else if (scenario.scene.cells.empty()) checkShell(scenario, reading, root);
     else checkStartCells(scenario, reading);

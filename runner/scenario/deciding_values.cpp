@@ -54,6 +54,7 @@ std::vector<std::pair<std::string, std::string>> decidingValues(const Scenario& 
   if (!meaning.empty()) add("", meaning, list);
   for (const NamedFile& file : s.files)
     if (file.role == "mesh") list.emplace_back("physics.mesh.file.content", digest(file.content));
+    else if (file.role == "shell") list.emplace_back("physics.shell.mesh.content", digest(file.content));
   return list;
 }
 

@@ -36,6 +36,7 @@ const NamedFile* readNamedFile(Scenario& scenario, const std::string& role, cons
   const auto path = role == "dna"         ? "dna.file"
                     : role == "names"     ? "names.file"
                     : role == "reference" ? "check.reference.file"
+                    : role == "shell"     ? "physics.shell.mesh"
                                           : "physics.mesh.file";
   if (places.folder.empty()) {
     problems.add(place, path, "'" + name + "' is not stored with the scenario",
@@ -121,12 +122,24 @@ void readMesh(Scenario& scenario, const Node& root, Problems& problems, const Pl
   for (auto& mesh : mechanics.coarser) mesh = scaleToRadius(std::move(mesh), radius);
 }
 
+/// A shell that cannot be read stays without its mesh.
+void readShell(Scenario& scenario, const Node& root, Problems& problems, const Places& places) {
+  if (!scenario.shellMesh || !scenario.scene.mechanics->physics.shell) return;
+  const auto& place = root.find("physics")->value.find("shell")->value.find("mesh")->value.place;
+  if (const auto* file = readNamedFile(scenario, "shell", *scenario.shellMesh, place, places, problems))
+    guarded(problems, place, [&] {
+      scenario.scene.mechanics->physics.shell->mesh =
+          std::make_shared<ConvexShell>(readConvexShell(file->content, file->path));
+    });
+}
+
 }  // namespace
 
 void readReferences(Scenario& scenario, Reading& reading, const Node& root, const Places& places) {
   readDna(scenario, reading, places);
   if (scenario.scene.mechanics) {
     readMesh(scenario, root, reading.problems, places);
+    readShell(scenario, root, reading.problems, places);
     fitShell(scenario);
   }
   if (const auto& names = reading.namesFile)

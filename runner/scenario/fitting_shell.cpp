@@ -1,5 +1,8 @@
 // A shell that is given as a shape, and is as large as the egg needs.
+#include <numbers>
+
 #include "base/maths.h"
+#include "mesh/measures.h"
 #include "physics/cell_model.h"
 #include "scenario/parameter.h"
 
@@ -18,12 +21,24 @@ void scaleShell(ShellParameters& shell, double radius, double fill) {
   for (int i = 0; i < 3; ++i) axes[i] *= scale;
 }
 
+/// The mesh, about the origin, with the sphere's volume over `fill`.
+void scaleMesh(ShellParameters& shell, double radius, double fill) {
+  const Mesh& mesh = shell.mesh->mesh;
+  const double egg = 4 * std::numbers::pi / 3 * radius * radius * radius;
+  const double scale = cubeRoot(egg / (fill * measureVolume(mesh.vertices, mesh.faces)));
+  shell.mesh = std::make_shared<ConvexShell>(scaleConvexShell(*shell.mesh, scale));
+}
+
 }  // namespace
 
 void fitShell(Scenario& scenario) {
   MechanicsScene& mechanics = *scenario.scene.mechanics;
   if (!scenario.shellFill || !mechanics.physics.shell) return;
   const double radius = mechanics.physics.cell.radius, fill = *scenario.shellFill;
+  if (scenario.shellMesh) {
+    if (mechanics.physics.shell->mesh) scaleMesh(*mechanics.physics.shell, radius, fill);
+    return;
+  }
   scaleShell(*mechanics.physics.shell, radius, fill);
   const double* axes = mechanics.physics.shell->semiAxes;
   const bool isRound = axes[0] == axes[1] && axes[1] == axes[2];

@@ -144,7 +144,7 @@ void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root
 /// What check.reference says, in the scenario and in the file that it names, if any (reference_types.cpp).
 void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
 
-/// Sizes the shell by physics.shell.fill, and stretches the egg to its shape (fitting_shell.cpp).
+/// Sizes the shell by physics.shell.fill, and stretches the egg to an ellipsoid's shape (fitting_shell.cpp).
 void fitShell(Scenario& scenario);
 
 /// Substances that the DNA does not know, an egg that does not fit its shell, pictures without bodies.

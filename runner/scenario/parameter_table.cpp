@@ -124,6 +124,7 @@ std::vector<Parameter> parameters() {
 
       shellSphere(),
       shellEllipsoid(),
+      shellMesh(),
       shellFill(),
 
       real("physics.motility.speed", "length/time", positive, "Of a cell alone in the medium",

@@ -23,6 +23,7 @@ void checkPlane(const PlaneChoice& choice, const MechanicsScene& m, const Refuse
   if (!kind.needsLongShell) return;
   const std::string right = "give physics: {shell: {ellipsoid: [3, 2, 2]}}, or choose another plane";
   if (!m.physics.shell) return refuse(name + " needs a shell", right);
+  if (m.physics.shell->mesh) return refuse("a shell that is a mesh has no semi-axes", right);
   const auto& [a, b, c] = m.physics.shell->semiAxes;
   if (a == b && b == c) refuse("a sphere has no longest axis", right);
 }

@@ -57,6 +57,13 @@ void hash(const Json& value, Hasher& hasher) {
   }
 }
 
+void addMesh(Hasher& hasher, const Mesh& mesh) {
+  hasher.add(std::uint64_t{mesh.vertices.size()});
+  for (const auto& v : mesh.vertices) hasher.add(v.x).add(v.y).add(v.z);
+  for (const auto& face : mesh.faces)
+    for (const auto corner : face) hasher.add(corner);
+}
+
 /// A scenario is UTF-8; what a name on the command line holds of other bytes must not end the program.
 std::string text(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -98,10 +105,9 @@ Hash hashMeaning(const Scenario& scenario) {
   hash(resolveMeaning(scenario), hasher);
   if (scenario.scene.mechanics) {
     const auto& mesh = scenario.scene.mechanics->mesh;
-    hasher.field("mesh").add(std::uint64_t{mesh.vertices.size()});
-    for (const auto& v : mesh.vertices) hasher.add(v.x).add(v.y).add(v.z);
-    for (const auto& face : mesh.faces)
-      for (const auto corner : face) hasher.add(corner);
+    addMesh(hasher.field("mesh"), mesh);
+    const auto& shell = scenario.scene.mechanics->physics.shell;
+    if (shell && shell->mesh) addMesh(hasher.field("shell mesh"), shell->mesh->mesh);
   }
   return hasher.digest();
 }

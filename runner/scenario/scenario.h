@@ -70,7 +70,7 @@ struct CheckParameters {
 
 /// A file that a scenario names.
 struct NamedFile {
-  std::string role;  // "dna", "mesh", "names" or "reference"
+  std::string role;  // "dna", "mesh", "shell", "names" or "reference"
   std::string path;  // where it was read from
   std::string content;
 };
@@ -83,7 +83,8 @@ struct Scenario {
   /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
   CellNames names;  // of cells, by their paths
-  /// [1] Of the shell's volume, the egg's: the shell's semi-axes are given as a shape alone, and have been scaled.
+  std::optional<std::string> shellMesh;  // the file that physics.shell.mesh names
+  /// [1] Of the shell's volume, the egg's: the shell's semi-axes, or its mesh, are given as a shape alone, and have been scaled.
   std::optional<double> shellFill;
   bool eggIsStretched = false;  // to the shell's shape: scene.cells holds that egg, which nobody wrote
   RecordParameters record;

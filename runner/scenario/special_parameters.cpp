@@ -136,6 +136,7 @@ Parameter shellSphere() {
       for (double& axis : s.scene.mechanics->physics.shell->semiAxes) axis = *radius;
   };
   p.write = [](const Scenario& s) {
+    if (s.shellMesh) return Json();
     const auto& axes = s.scene.mechanics->physics.shell->semiAxes;
     return axes[0] == axes[1] && axes[1] == axes[2] ? Json(axes[0]) : Json();
   };
@@ -160,13 +161,24 @@ Parameter shellEllipsoid() {
   return p;
 }
 
+Parameter shellMesh() {
+  auto p = optionalFile(
+      "physics.shell.mesh",
+      "Wavefront OBJ of a closed, convex surface around the origin, in lengths of the scene; the "
+      "shell is what all its faces have inside",
+      [](Scenario & s) -> auto& { return s.shellMesh; });
+  p.absent = "see sphere";
+  p.later = true;
+  return p;
+}
+
 Parameter shellFill() {
   const Range share{0, 1, true};
-  auto p = real(
-      "physics.shell.fill", "", share,
-      "Of the shell's volume, the egg's: sphere or ellipsoid, or a sphere where neither is given, are then "
-      "a shape alone, and its size follows; the egg starts with the shell's shape",
-      nullptr);
+  auto p = real("physics.shell.fill", "", share,
+                "Of the shell's volume, the egg's: sphere, ellipsoid or mesh, or a sphere where none is "
+                "given, are then "
+                "a shape alone, and its size follows; in an ellipsoid the egg starts with the shell's shape",
+                nullptr);
   p.absent = "sizes are as given, and the egg is round";
   p.joins = true;
   p.later = true;

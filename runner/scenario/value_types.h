@@ -78,6 +78,7 @@ Parameter dna();
 Parameter timeStep();
 Parameter shellSphere();
 Parameter shellEllipsoid();
+Parameter shellMesh();
 Parameter shellFill();
 Parameter divisionPlane();
 /// [degree] More than a turn is refused as a slip.

@@ -78,7 +78,7 @@ inline auto fields(MotilityParameters& a) {
   return std::tie(speed, persistence);
 }
 inline auto fields(ShellParameters& a) {
-  auto& [semiAxes] = a;
+  auto& [semiAxes, mesh] = a;
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
 }
 inline auto fields(PhysicsParameters& a) {

@@ -44,9 +44,11 @@ std::optional<Vector> contactDirection(const CellContext& cell, const std::strin
 std::optional<Vector> outwardDirection(const CellContext& cell) {
   const BodyShape& shape = cell.physical()->getShape();
   const std::optional<Vector> shell = cell.shell();
-  const Vector out = shell ? shape.centre : shape.centre - cell.organismCentre();
+  const std::optional<Vector> normal = cell.nearestShellNormal();
+  const Vector out = shell || normal ? shape.centre : shape.centre - cell.organismCentre();
   const double radius = cubeRoot(3 * shape.volume / (4 * std::numbers::pi));
   if (!(norm(out) > 0.01 * radius)) return {};
+  if (normal) return normal;
   if (!shell) return out / norm(out);
   const Vector slope{out.x / (shell->x * shell->x), out.y / (shell->y * shell->y),
                      out.z / (shell->z * shell->z)};

@@ -25,8 +25,8 @@ Vector longestExtentAcross(const CellContext& cell, const Vector& normal);
 std::optional<Vector> contactDirection(const CellContext& cell, const std::string& substance);
 
 /// The unit vector from the inside of the organism to its outside, at the cell's centre: with a shell the
-/// normal of the ellipsoid of its shape through this point, (x/a², y/b², z/c²); without one away from the centre
-/// of all cells' volume. Absent for a cell within 1 % of its own radius (of the ball of equal volume) from the
+/// normal of the ellipsoid of its shape through this point, (x/a², y/b², z/c²), or of a mesh that of its nearest face;
+/// without one away from the centre of all cells' volume. Absent for a cell within 1 % of its own radius (of the ball of equal volume) from the
 /// organism's centre.
 std::optional<Vector> outwardDirection(const CellContext& cell);
 

@@ -23,6 +23,7 @@ class KnownCell final : public CellContext, PhysicalUnit {
   std::span<const Neighbour> neighbours() const override { return touched; }
   std::span<const CellContext* const> connected() const override { return holdsOnTo; }
   std::optional<Vector> shell() const override { return semiAxes; }
+  std::optional<Vector> nearestShellNormal() const override { return faceNormal; }
   Point organismCentre() const override { return middle; }
   const Vector* inheritedPolarity() const override { return polarity ? &*polarity : nullptr; }
 
@@ -30,7 +31,7 @@ class KnownCell final : public CellContext, PhysicalUnit {
   std::string held;
   std::vector<Neighbour> touched;
   std::vector<const CellContext*> holdsOnTo;
-  std::optional<Vector> semiAxes, polarity;
+  std::optional<Vector> semiAxes, faceNormal, polarity;
   Point middle;
 
  private:

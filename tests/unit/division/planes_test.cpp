@@ -139,6 +139,16 @@ TEST_CASE("perpendicular: away from the organism's centre, or along the shell's 
   CHECK(norm(normalOf(plain(DivisionPlane::perpendicular), cell) - slope / norm(slope)) < 1e-14);
 }
 
+TEST_CASE(
+    "perpendicular in a shell that is a mesh: along the normal of its nearest face, except in the middle") {
+  KnownCell cell("A", brick({3, 4, 0})), middle("A", brick({0, 0, 0}));
+  cell.middle = cell.physical()->getShape().centre;  // which does not matter then
+  cell.faceNormal = middle.faceNormal = Vector{0, 0.6, -0.8};
+  CHECK(normalOf(plain(DivisionPlane::perpendicular), cell) == Vector{0, 0.6, -0.8});
+  CHECK(normalOf(plain(DivisionPlane::perpendicular), middle) ==
+        normalOf(plain(DivisionPlane::longest), middle));
+}
+
 TEST_CASE("parallel: along the surface, the largest extent there") {
   KnownCell above("A", brick({0, 0, 9})), right("A", brick({9, 0, 0}));
   CHECK(norm(normalOf(plain(DivisionPlane::parallel), above) - Vector{1, 0, 0}) < 1e-6);

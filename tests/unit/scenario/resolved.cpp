@@ -159,6 +159,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
                                                         "physics.precision",
                                                         "physics.cell.model",
                                                         "physics.shell.sphere",
+                                                        "physics.shell.mesh",        // mesh_shell.cpp
                                                         "physics.contact.adhesion",  // tissues.cpp
                                                         "connections.release-tension",
                                                         "variation.adhesion"}

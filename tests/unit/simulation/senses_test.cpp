@@ -115,6 +115,10 @@ TEST_CASE("A cell on the shell perceives the share of its surface that lies ther
   CHECK(measureShellShare(octahedron, {{1, 1, 3}}) == Approx(4 / 6.0));
   CHECK(measureShellShare(octahedron, {{1, 1, 1}}) == Approx(1));
   CHECK(measureShellShare(octahedron, {{2, 2, 2}}) == 0);
+  ShellParameters planes;
+  planes.mesh =
+      std::make_shared<ConvexShell>(ConvexShell{{}, {{{1, 0, 0}, 1}, {{0, 0, -1}, 1}, {{0, 1, 0}, 2}}});
+  CHECK(measureShellShare(octahedron, planes) == Approx(2 / 6.0));
   octahedron.isBall = true;
   CHECK(measureShellShare(octahedron, {{1, 1, 1}}) == 0);
 }
