@@ -178,7 +178,8 @@ TEST_CASE("a shell's mesh is stored with the run: replay needs no file") {
   const TemporaryFolder folder;
   const std::string mesh = folder / "egg.obj", scenario = folder / "small.yaml", database = folder / "run.db";
   writeWhole(mesh, "v 2 2 2\nv -2 -2 2\nv -2 2 -2\nv 2 -2 -2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  writeWhole(scenario, scene.substr(0, scene.find("contact")) + "shell: {mesh: egg.obj}}\n");
+  std::string text = scene;
+  writeWhole(scenario, text.insert(text.find("contact"), "shell: {mesh: egg.obj}, "));
   REQUIRE(launch({"run", scenario, "--db", database, "--quiet", "--no-pictures"}).code == 0);
   fs::remove(mesh);
   fs::remove(scenario);
