@@ -153,8 +153,8 @@ std::string movementInWords(const GoldenData& before, const GoldenData& after) {
     const std::string cell = key.substr(6, slash - 6), what = key.substr(slash + 1);
     const auto is = b.find(key);
     if (is == b.end() || cell == "organism") continue;
-    const auto change = [&] {
-      return was == is->second ? 0 : 100 * std::abs(is->second - was) / std::abs(was);
+    const auto change = [before = was, after = is->second] {
+      return before == after ? 0 : 100 * std::abs(after - before) / std::abs(before);
     };
     if (what == "volume") volume.see(change(), cell);
     if (what == "pressure") pressure.see(change(), cell);
