@@ -5,8 +5,8 @@
 
 #include "cli/exit_codes.h"
 #include "cli/verb.h"
-#include "scenario/measure_list.h"
 #include "system/console.h"
+#include "values/measure_list.h"
 
 namespace morula::cli {
 

@@ -18,7 +18,7 @@ namespace {
 // Between looks for signals and at progress.
 constexpr std::uint64_t mostStepsAtOnce = 64;
 
-/// After how many steps somebody wants to see the world.
+/// After how many steps the recorder or a hook is to see the world.
 std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunHooks& hooks) {
   if (hooks.watch) return 1;
   std::uint64_t steps = std::min(mostStepsAtOnce, recorder.stepsUntilDue(world));

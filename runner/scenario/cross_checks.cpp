@@ -11,7 +11,6 @@
 #include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/scene_checks.h"
-#include "scenario/value_types.h"
 #include "simulation/measures.h"
 #include "simulation/start_variation.h"
 #include "simulation/world.h"

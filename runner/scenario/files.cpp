@@ -3,7 +3,7 @@
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "mesh/measures.h"
-#include "scenario/parameter.h"
+#include "scenario/loading.h"
 
 namespace morula::scenario {
 

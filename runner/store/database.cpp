@@ -64,7 +64,8 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   if (!isFolder(file_)) requireRegularFile(file_);  // SQLite itself says what is wrong with a folder
   if (mode == Mode::existing && !fileExists(file_))
     throw StoreError(file_.string() + ": no such file; a database of results is expected");
-  // Also for reading: whoever opens a file after a crash has to roll back what was left half done. SQLite opens a
+  // For writing, even if it is only to be read: after a crash the first to open the file must undo the unfinished
+  // transaction. SQLite opens a
   // write-protected file for reading by itself. A connection belongs to one thread, so it needs no mutex.
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);

@@ -82,7 +82,7 @@ void Recorder::sample(const World& world) {
   if (options_.reference) now.reference = &*options_.reference;
   Sample s{measureWorld(now), measureCells(now), measureContacts(now), {}};
   keepTouching(s.contacts, now.time);
-  std::vector<double> durations;  // by (a, b), as the contacts; none where nobody asks for them
+  std::vector<double> durations;  // by (a, b), as the contacts; empty unless recorded
   for (const auto& [pair, since] : touchingSince_) durations.push_back(now.time - since);
   now.contactDurations = durations;
   s.more = takeMeasures(now, options_.measures);

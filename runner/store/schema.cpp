@@ -308,7 +308,7 @@ void configure(Database& db) {
   db.execute("PRAGMA synchronous = FULL");
   db.execute("PRAGMA cache_size = -65536");  // 64 MiB: a large run's rows need not be written twice
   // The rollback journal is SQLite's own default. Write-ahead logs lose data with several writers before
-  // SQLite 3.51.3 and do not work on network disks, so a file that somebody has switched is switched back.
+  // SQLite 3.51.3 and do not work on network disks, so a file that was switched to them is switched back.
   if (!db.readOnly()) db.execute("PRAGMA journal_mode = DELETE");
 }
 

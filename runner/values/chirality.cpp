@@ -1,5 +1,5 @@
 // Chirality as a rule spells it; that of all divisions is two parameters as any.
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

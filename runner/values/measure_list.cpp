@@ -1,4 +1,4 @@
-#include "scenario/measure_list.h"
+#include "values/measure_list.h"
 
 namespace morula {
 

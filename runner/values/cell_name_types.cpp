@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "files/text.h"
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

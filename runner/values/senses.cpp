@@ -4,7 +4,7 @@
 #include "biology/sense.h"
 #include "biology/substances.h"
 #include "files/text.h"
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

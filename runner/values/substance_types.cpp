@@ -1,5 +1,5 @@
 // Maps from substances to values.
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

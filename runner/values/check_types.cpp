@@ -1,5 +1,5 @@
 // Kinds of values that checks have: bounds, and texts that a failure must name.
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

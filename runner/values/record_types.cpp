@@ -3,8 +3,8 @@
 
 #include "base/did_you_mean.h"
 #include "files/text.h"
-#include "scenario/value_types.h"
 #include "simulation/measures.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

@@ -31,7 +31,7 @@ struct CellNames {
   NameOf function() const;
 };
 
-/// The cell that somebody means: by its name, or else by its path; "/AB" is always the path AB, and "/" and
+/// The cell that a text means: the one with this name, or else with this path; "/AB" is always the path AB, and "/" and
 /// "egg" are the egg. Throws InputError that begins with `where` ("--cell"; may be empty) for a text that is neither, with the
 /// name that was probably meant.
 CellPath cellCalled(const CellNames& names, std::string_view text, std::string_view where);

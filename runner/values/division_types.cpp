@@ -3,7 +3,7 @@
 
 #include "base/did_you_mean.h"
 #include "division/rules.h"
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

@@ -1,4 +1,4 @@
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/did_you_mean.h"
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

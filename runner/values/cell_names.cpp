@@ -1,4 +1,4 @@
-#include "scenario/cell_names.h"
+#include "values/cell_names.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "biology/substance_pattern.h"
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

@@ -1,7 +1,7 @@
 // The list of cells that a scenario begins with.
 #include <algorithm>
 
-#include "scenario/value_types.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The kinds of values that parameters have. Each function makes a Parameter that reads, writes and describes
 // one field.
-#include "scenario/parameter.h"
+#include "values/parameter.h"
 #include "yaml/numbers.h"
 
 namespace morula::scenario {
@@ -70,16 +70,7 @@ Parameter choice(std::string path, Field<E> field) {
       [field](Scenario& s, int value) { field(s) = choices<E>[value].value; });
 }
 
-/// All sections of the table (section_table.cpp), one before those inside it.
-std::vector<Section> sections();
-
 // Parameters that are one of a kind.
-Parameter dna();
-Parameter timeStep();
-Parameter shellSphere();
-Parameter shellEllipsoid();
-Parameter shellMesh();
-Parameter shellFill();
 Parameter divisionPlane();
 /// [degree] More than a turn is refused as a slip.
 constexpr Range chiralAngle{-360, 360};
@@ -87,8 +78,6 @@ constexpr Range chiralAngle{-360, 360};
 std::optional<Chirality> readChirality(const Node& node, const std::string& path, Problems& problems);
 Json writeChirality(const Chirality& chirality);
 Json chiralitySchema();
-/// That a scene has what its division planes and chirality go by.
-void checkPlanes(const Scenario& scenario, Reading& reading, const Node& root);
 Parameter divisionRules();
 /// What division.plane may be, in words.
 std::string planesAllowed(bool ofSpheres = false);
@@ -98,8 +87,6 @@ Parameter makeConnections();
 /// What a section `senses` holds, and the tables that explain it.
 Parameter senses();
 std::string sensesAsMarkdown();
-/// division.size.
-Parameter divisionSize();
 Parameter saneEnd();
 Parameter nameOfEgg();
 Parameter namesOfDaughters();
