@@ -147,7 +147,8 @@ class Comparison {
     const int slot = world.bodies->slots[cell];
     Row row = rowOf(world, [&](auto&& visit) { visitBody(*world.bodies, slot, visit); });
     row.emplace(row.begin(), "vertices", static_cast<std::uint64_t>(world.bodies->vertexCount(slot)));
-    std::ranges::stable_partition(row, [](const auto& a) { return std::string_view(a.first) != "velocity"; });
+    std::stable_partition(row.begin(), row.end(),
+                          [](const auto& a) { return std::string_view(a.first) != "velocity"; });
     return row;
   }
 
