@@ -95,8 +95,7 @@ ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
       std::erase_if(all, [&](const Override& o) { return o.path == path; });
       all.push_back(parseOverride(change));
     }
-    if (!changes
-             .empty()) {  // these are of the scenario as it is; measures may need what a check compares with
+    if (!changes.empty()) {  // these are of the scenario as it is; measures may need what a check compares with
       all.push_back(parseOverride("check={}"));
       all.push_back(parseOverride("record.measures=null"));
     }

@@ -113,8 +113,8 @@ Action parse(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    const auto* chosen = chosenOf(app);
-    print(chosen == &app ? app.help() : chosen->help(titleOf(*chosen)));
+    const auto chosen = app.get_subcommands();
+    print((chosen.empty() ? &app : chosen.front())->help());
     return [] { return fine; };
   } catch (const CLI::CallForVersion&) {
     print(versionText() + "\n");
