@@ -1,6 +1,6 @@
 #include "values/measure_list.h"
 
-#include "scenario/scenario.h"
+#include "values/scenario_data.h"
 
 namespace morula {
 
