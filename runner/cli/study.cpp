@@ -7,6 +7,10 @@ void addStudy(CLI::App& app, Action& action) {
   auto& study =
       addGroup(app, "study", "Vary scenarios by policies and seeds, run them all, compare what comes of it");
   addStudyPlan(study, action);
+  addStudyRun(study, action);
+  addStudyStatus(study, action);
+  addStudyMerge(study, action);
+  addStudyEmit(study, action);
 }
 
 }  // namespace morula::cli

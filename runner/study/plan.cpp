@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "base/check.h"
 #include "study/condition_mistakes.h"
 #include "study/conditions.h"
 #include "study/costs.h"
