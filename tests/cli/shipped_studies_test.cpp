@@ -1,11 +1,14 @@
-// Every sentence of scenarios/policies/README.md is what its command says. The command is put to the values of all
-// runs of a study, as golden/policies keeps them; and some of these runs are made again, bit by bit.
+// Every sentence of scenarios/policies/README.md is what its command says. The command is put to the values of all runs of
+// a study: some of these the test makes again, and they must be to the last bit what golden/policies keeps; the others are
+// taken from there. With MORULA_WHOLE_STUDIES=1 in the environment all are made again, which takes half an hour.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "catch.h"
 #include "launch.h"
@@ -13,11 +16,19 @@
 
 using namespace morula::test;
 using morula::Database;
+using morula::Statement;
 using Json = nlohmann::json;
 
 namespace {
 
 const std::string folder = "scenarios/policies/";
+
+/// Runs that the test makes again, by their number in the plan: of each study a few that take little time.
+const std::map<std::string, std::vector<std::size_t>> madeAgain{{"policies", {0, 249, 499}},
+                                                                {"placement", {0, 139}},
+                                                                {"settings", {0}},
+                                                                {"models", {0}},
+                                                                {"elegans-128", {20}}};
 
 std::string sourceFile(const std::string& name) { return std::string(MORULA_SOURCE_DIR) + "/" + name; }
 
@@ -65,13 +76,15 @@ std::vector<Answer> answersOf(const std::string& markdown) {
 /// A number as people read it; texts as they are.
 std::string textOf(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
-/// "labels.division" of an object; null if there is no such member.
+/// "labels.division", "points.8.mean"; null if there is no such member.
 Json member(const Json& object, const std::string& path) {
   const Json* at = &object;
   std::istringstream stream(path);
   for (std::string key; std::getline(stream, key, '.');) {
-    if (!at->is_object() || !at->contains(key)) return {};
-    at = &at->at(key);
+    if (at->is_array() && std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; }))
+      at = &at->at(std::stoul(key));
+    else if (at->is_object() && at->contains(key)) at = &at->at(key);
+    else return {};
   }
   return *at;
 }
@@ -101,13 +114,101 @@ std::string rounded(double value, const std::string& like) {
   return text.find_first_not_of("-0.") == text.npos && text.front() == '-' ? text.substr(1) : text;
 }
 
-/// The merged database of a study, of its values alone.
-std::string databaseOf(const TemporaryFolder& temporary, const std::string& study) {
-  const std::string file = temporary / (study + ".db");
-  if (!std::filesystem::exists(file)) {
-    Database db(file, Database::Mode::create, std::chrono::seconds(1));
-    db.execute(readWhole(sourceFile("golden/policies/" + study + ".sql")));
+/// A run's values as golden/policies/NAME.csv keeps them (tests/studies/values.py).
+struct KeptRun {
+  std::string task, state, reason;                              // reason: of a run that failed
+  std::vector<std::tuple<double, std::string, double>> values;  // time, measure, value
+};
+
+std::vector<std::string> cellsOf(const std::string& line) {
+  std::vector<std::string> cells{""};
+  for (const char c : line)
+    if (c == ',') cells.emplace_back();
+    else cells.back() += c;
+  return cells;
+}
+
+std::vector<KeptRun> keptRuns(const std::string& study) {
+  std::istringstream lines(readWhole(sourceFile("golden/policies/" + study + ".csv")));
+  std::string line;
+  std::getline(lines, line);
+  const auto head = cellsOf(line);
+  std::vector<KeptRun> runs;
+  while (std::getline(lines, line)) {
+    const auto cells = cellsOf(line);
+    if (runs.empty() || runs.back().task != cells[0]) runs.push_back({cells[0], cells[1], "", {}});
+    if (cells[1] == "failed") runs.back().reason = line.substr(line.find(",failed,") + 8);
+    else
+      for (std::size_t i = 3; i < cells.size(); ++i)
+        if (!cells[i].empty())
+          runs.back().values.emplace_back(std::stod(cells[2]), head[i], std::stod(cells[i]));
   }
+  return runs;
+}
+
+/// Of the run with this id, in a merged database.
+std::vector<std::tuple<double, std::string, double>> valuesIn(Database& db, const std::string& run) {
+  std::vector<std::tuple<double, std::string, double>> values;
+  Statement rows(db, "SELECT time, measure, value FROM result WHERE run_id = ? ORDER BY time, measure");
+  for (rows.start(run); rows.next();) values.emplace_back(rows.real(0), rows.text(1), rows.real(2));
+  return values;
+}
+
+/// Makes some of a study's runs and merges them; what the golden keeps of these must be what they gave. Then puts what
+/// it keeps of all others beside them. Returns the database.
+std::string databaseOf(const TemporaryFolder& temporary, const std::string& study) {
+  const std::string to = temporary / study, file = to + "/study.db";
+  if (std::filesystem::exists(file)) return file;
+  INFO(study);
+  const auto kept = keptRuns(study);
+  std::vector<std::string> command{"study",        "run",    folder + study + ".study.yaml", "--to", to,
+                                   "--no-predict", "--quiet"};
+  const bool whole = std::getenv("MORULA_WHOLE_STUDIES");
+  std::vector<std::size_t> made = madeAgain.at(study);
+  if (whole)
+    for (made.clear(); made.size() < kept.size();) made.push_back(made.size());
+  for (const std::size_t number : made) {
+    command.push_back("--task");
+    command.push_back(kept.at(number).task);
+  }
+  const auto run = launch(command);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const auto merged = launch({"study", "merge", to, "--quiet"});
+  INFO(merged.err);
+  REQUIRE(merged.code == (whole ? 0 : 5));  // most runs are missing
+  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+  CHECK(db.integer("SELECT count(*) FROM task") == static_cast<std::int64_t>(kept.size()));
+  CHECK(db.integer("SELECT count(*) FROM task WHERE status <> 'missing'") ==
+        static_cast<std::int64_t>(made.size()));
+  db.execute("BEGIN; CREATE TEMPORARY TABLE copy AS SELECT * FROM run LIMIT 1");
+  Statement find(
+      db, "SELECT status, run_id, state_hash FROM task LEFT JOIN run USING (run_id) WHERE task_id = ?");
+  Statement rename(db, "UPDATE copy SET run_id = ?, state_hash = ?");
+  Statement add(db, "INSERT INTO run SELECT * FROM copy");
+  Statement done(db, "UPDATE task SET status = 'done', run_id = ? WHERE task_id = ?");
+  Statement failed(db, "UPDATE task SET status = 'failed', reason = ? WHERE task_id = ?");
+  Statement value(db, "INSERT INTO result (run_id, time, measure, value) VALUES (?, ?, ?, ?)");
+  for (const KeptRun& one : kept) {
+    INFO(one.task);
+    find.start(one.task);
+    REQUIRE(find.next());
+    const std::string status = find.text(0), id = find.text(1), state = find.text(2);
+    find.next();
+    if (status != "missing") {
+      CHECK(status == (one.reason.empty() ? "done" : "failed"));
+      if (one.reason.empty()) CHECK(state == one.state);
+      CHECK(valuesIn(db, id) == one.values);
+    } else if (!one.reason.empty()) {
+      failed.run(one.reason, one.task);
+    } else {
+      rename.run(one.task, one.state);
+      add.run();
+      done.run(one.task, one.task);
+      for (const auto& [time, measure, v] : one.values) value.run(one.task, time, measure, v);
+    }
+  }
+  db.execute("COMMIT");
   return file;
 }
 
