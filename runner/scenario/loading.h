@@ -1,5 +1,5 @@
 #pragma once
-// What is done by the table, in the order in which a file is read. Private to this room and its tests.
+// What is done by the table, in the order in which a file is read.
 #include <filesystem>
 #include <string>
 #include <vector>
