@@ -82,6 +82,7 @@ Action parse(int argc, char** argv) {
   addLineage(app, action);
   addReplay(app, action);
   addExport(app, action);
+  addReport(app, action);
   addAccuracy(app, action);
   addBench(app, action);
   addTrail(app, action);

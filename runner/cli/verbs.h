@@ -24,6 +24,7 @@ void addRender(CLI::App& app, Action& action);
 void addLineage(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
+void addReport(CLI::App& app, Action& action);
 void addAccuracy(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addTrail(CLI::App& app, Action& action);
