@@ -93,7 +93,7 @@ async function oneRun(browser) {
 
   // Keys: to the mother, a daughter, the sister
   await clickNode(page, leaf);
-  await page.focus(`#tree [data-path="${leaf}"]`);
+  await page.evaluate((p) => document.querySelector(`#tree [data-path="${p}"]`).focus(), leaf);
   for (const [key, to] of [["ArrowLeft", leaf.slice(0, -1)], ["ArrowRight", leaf.slice(0, -1) + "A"], ["ArrowDown", leaf.slice(0, -1) + "B"], ["ArrowUp", leaf.slice(0, -1) + "A"], ["Home", ""]]) {
     await page.keyboard.press(key);
     check(`${key} goes on to '${to}'`, (await selectedIn(page)) === to, await selectedIn(page));

@@ -24,7 +24,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$source"
 "$program" run scenarios/thesis/unique-four.yaml --no-check --quiet --db "$scratch/one.db" --out "$scratch/one" >/dev/null
-"$program" run scenarios/thesis/unique-four.yaml --set physics.pressure.constant=3 --quiet --db "$scratch/two.db" --out "$scratch/two" >/dev/null
+"$program" run scenarios/thesis/unique-four.yaml --set physics.pressure.constant=180 --quiet --db "$scratch/two.db" --out "$scratch/two" >/dev/null
 "$program" report "$scratch/one.db" -o "$scratch/one.html" --frames 60 --quiet >/dev/null
 "$program" report "$scratch/one.db" "$scratch/two.db" -o "$scratch/two.html" --frames 20 --quiet >/dev/null
 mkdir -p "$scratch/evil"
