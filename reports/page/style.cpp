@@ -59,6 +59,7 @@ button, select, input { font: inherit; color: inherit; }
 :focus-visible { outline: 2px solid var(--accent); outline-offset: 1px; }
 .tools { display: flex; flex-wrap: wrap; gap: .35rem .9rem; align-items: center; margin-bottom: .6rem; font-size: .85rem; }
 .tools label { display: inline-flex; gap: .3rem; align-items: center; }
+[hidden] { display: none !important; }
 .tools select, .tools button, #play, .links button { background: var(--paper); border: 1px solid var(--line); border-radius: 5px; padding: .15rem .5rem; cursor: pointer; }
 .tools input[type=range] { width: 6.5rem; accent-color: var(--accent); }
 .panes { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: .8rem; }

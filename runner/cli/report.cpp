@@ -3,14 +3,11 @@
 
 #include <memory>
 
-#include "base/error.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/verb.h"
 #include "files/folders.h"
-#include "files/read_file.h"
 #include "files/write_file.h"
-#include "system/child_process.h"
 #include "system/console.h"
 #include "system/usage_error.h"
 
@@ -27,15 +24,6 @@ struct ReportOptions {
   OutputOptions messages;
 };
 
-/// ./morula builds it beside the program, where Node is.
-void addExplorer(ReportQuestion& question) {
-  const fs::path file = fs::path(ownProgram()).parent_path() / "explorer" / "explorer.js";
-  if (isPlainFile(file)) question.program = readFile(file);
-  else
-    question.whyNone =
-        "./morula report builds it where Node.js and npm are (Debian: nodejs, npm), and has not";
-}
-
 /// results/unique-four-5/run.db → report.html beside it.
 fs::path defaultName(const std::string& what) {
   const fs::path path = what;
@@ -50,7 +38,7 @@ int act(const ReportOptions& options) {
   question.mostBytes = static_cast<std::size_t>(sizeOption("--size-limit", options.limit));
   question.execution = execution(options.execution);
   question.quiet = options.messages.quiet;
-  addExplorer(question);
+  findExplorer(question);
   const fs::path file = options.output.empty() ? defaultName(options.what.front()) : fs::path(options.output);
   if (const auto ending = file.extension(); ending != ".html" && ending != ".htm")
     throw UsageError("--output: '" + file.string() +
@@ -76,7 +64,8 @@ void addReport(CLI::App& app, Action& action) {
   auto options = std::make_shared<ReportOptions>();
   Verb verb(app, action, "report",
             "Write one page of stored runs: verdict, explorer, pictures, checks, where they come from");
-  verb.needs("what", options->what, "WHAT", "Databases, or folders of them");
+  verb.needs("what", options->what, "WHAT",
+             "Databases, report.json of a check, what accuracy --json printed, or folders of these");
   verb.takes("-o,--output", options->output, "FILE",
              "The page, a .html; default: report.html beside the first database");
   verb.takes("--run", options->run, "ID", "Only this run of the database; default: all");

@@ -27,6 +27,9 @@ struct ReportAnswer {
   int signal = 0;                    // that interrupted it; then there is no page
 };
 
+/// Takes the explorer's program from beside the running one, where ./morula builds it, or says why there is none.
+void findExplorer(ReportQuestion& question);
+
 /// Throws UsageError for what is nothing to report on, FileError, InputError.
 ReportAnswer makeReport(const ReportQuestion& question);
 

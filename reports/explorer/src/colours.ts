@@ -26,21 +26,23 @@ export class Colouring {
     return ["substance", "generation", "clone", ...measures];
   }
 
-  /** Least and greatest value of a measure, over all frames of all runs. */
-  range(measure: string): [number, number] {
-    const known = this.ranges.get(measure);
+  /** Least and greatest value of a measure in all runs: at one time, or in all frames. */
+  range(measure: string, time: number | null): [number, number] {
+    const key = `${measure} ${time}`, known = this.ranges.get(key);
     if (known) return known;
+    if (this.ranges.size > 1000) this.ranges.clear();
     let low = Infinity, high = -Infinity;
     for (const run of this.data.runs) {
       const m = run.measures.indexOf(measure), n = run.measures.length;
-      if (m < 0) continue;
-      for (let k = 0; k < run.times.length; ++k) {
+      if (m < 0 || !run.hasBodies) continue;
+      const one = time === null ? null : run.frameNumber(time);
+      for (let k = one ?? 0; k <= (one ?? run.times.length - 1); ++k) {
         const values = run.valuesOf(k);
         for (let i = m; i < values.length; i += n) if (Number.isFinite(values[i])) (low = Math.min(low, values[i])), (high = Math.max(high, values[i]));
       }
     }
     const range: [number, number] = low <= high ? [low, high] : [0, 1];
-    this.ranges.set(measure, range);
+    this.ranges.set(key, range);
     return range;
   }
 
@@ -54,14 +56,14 @@ export class Colouring {
     return this.series[parseInt(path.slice(0, 2).replace(/A/g, "0").replace(/B/g, "1"), 2) % this.series.length];
   }
 
-  ofCell(run: Run, frame: Frame, i: number, by: string): Rgb {
+  ofCell(run: Run, frame: Frame, i: number, by: string, time: number | null): Rgb {
     const cell = run.cells[frame.cell[i]];
     if (by === "substance" || !cell) return rgbOf(run.colours[frame.state[i]]);
     if (by === "generation") return this.series[cell.path.length % this.series.length];
     if (by === "clone") return this.clone(cell.path);
     const m = run.measures.indexOf(by);
     if (m < 0) return rgbOf(run.colours[frame.state[i]]);
-    const [low, high] = this.range(by), value = frame.values[i * run.measures.length + m];
+    const [low, high] = this.range(by, time), value = frame.values[i * run.measures.length + m];
     if (!Number.isFinite(value)) return [0.74, 0.74, 0.74];
     return this.at(high > low ? (value - low) / (high - low) : 0.5);
   }

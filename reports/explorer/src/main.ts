@@ -43,7 +43,7 @@ class Explorer {
   constructor(root: HTMLElement, private readonly data: Data) {
     const second = data.runs.length > 1 ? 1 : -1;
     const initial: Choice = {
-      time: Math.max(data.runs[0].end, second > 0 ? data.runs[1].end : 0), selected: null, hovered: null, colour: "substance", surface: true, wireframe: false, normals: false,
+      time: Math.max(data.runs[0].end, second > 0 ? data.runs[1].end : 0), selected: null, hovered: null, colour: "substance", scaleNow: false, surface: true, wireframe: false, normals: false,
       connections: false, shell: true, opacity: 1, clip: "", clipAt: 0, left: 0, right: second, camera: null,
     };
     this.state = new State(initial, { runs: data.runs.length, time: Math.max(...data.runs.map((r) => r.end)), isCell: (path) => data.runs.some((r) => r.byPath.has(path)) });
@@ -113,7 +113,7 @@ class Explorer {
     box.append(element("div", "caption", run.hasBodies ? "This browser has no WebGL: the stored picture instead." : `${run.title}: no shapes are kept in this page.`));
   }
 
-  private toggle(key: "surface" | "wireframe" | "normals" | "connections" | "shell", text: string): HTMLElement {
+  private toggle(key: "scaleNow" | "surface" | "wireframe" | "normals" | "connections" | "shell", text: string): HTMLElement {
     const label = element("label"), box = element("input");
     box.type = "checkbox";
     box.name = key;
@@ -159,6 +159,11 @@ class Explorer {
     if (!colours.includes(this.state.choice.colour)) this.state.set({ colour: "substance" });
     tools.append(this.select("colour", "Colour", colours.map((c) => [c, c.replace(/_/g, " ")])));
     if (!bodies) return tools;
+    const now = this.toggle("scaleNow", "scale of this time");
+    const show = () => (now.hidden = !this.data.runs.some((run) => run.measures.includes(this.state.choice.colour)));
+    this.state.listen(show);
+    show();
+    tools.append(now);
     tools.append(this.toggle("surface", "surface"), this.toggle("wireframe", "wireframe"), this.toggle("normals", "normals"));
     if (runs.some((run) => run.hasBodies && this.everConnected(run))) tools.append(this.toggle("connections", "connections"));
     if (runs.some((run) => run.shell)) tools.append(this.toggle("shell", "shell"));
@@ -300,7 +305,7 @@ class Explorer {
       this.bar.replaceChildren(...Array.from({ length: Math.min(most, 15) + 1 }, (_, g) => chip(String(g), this.data.series[g % this.data.series.length])));
     } else if (colour === "clone") this.bar.replaceChildren(...["AA", "AB", "BA", "BB"].map((p, i) => chip(run.byPath.get(p)?.label ?? p, this.data.series[i])));
     else {
-      const [low, high] = this.colouring.range(colour), ramp = element("span", "ramp");
+      const [low, high] = this.colouring.range(colour, this.state.choice.scaleNow ? this.state.choice.time : null), ramp = element("span", "ramp");
       ramp.style.background = `linear-gradient(to right, ${this.data.scale.join(",")})`;
       this.bar.replaceChildren(`${colour.replace(/_/g, " ")}${this.data.units[colour] ? ` [${this.data.units[colour]}]` : ""}: ${numberText(low)}`, ramp, numberText(high));
     }

@@ -4,6 +4,7 @@ export interface Choice {
   time: number;
   selected: string | null; // path
   hovered: string | null;
+  scaleNow: boolean; // a measure's colours span the present values, not those of all times
   colour: string; // "substance", "generation", "clone" or a measure
   surface: boolean;
   wireframe: boolean;
@@ -62,7 +63,7 @@ export class State {
     for (const key of Object.keys(this.initial) as (keyof Choice)[]) {
       const value = this.choice[key];
       if (key === "hovered" || value === this.initial[key] || value === null) continue;
-      const text = Array.isArray(value) ? value.map((x) => Number(x.toFixed(3))).join(",") : typeof value === "number" ? String(Number(value.toPrecision(8))) : String(value);
+      const text = Array.isArray(value) ? value.map((x) => Number(x.toPrecision(9))).join(",") : typeof value === "number" ? String(Number(value.toPrecision(8))) : String(value);
       parts.push(`${key}=${encodeURIComponent(text)}`);
     }
     return "#" + parts.join("&");

@@ -274,7 +274,7 @@ export class View {
     for (let i = 0; i < frame.count; ++i) {
       const path = this.pathOf(i), hovered = choice.hovered !== null && path === choice.hovered, mine = this.isChosen(i);
       const opacity = (dims && !mine ? dimmed : 1) * (mine && chosen > 0 ? Math.max(choice.opacity, 0.85) : choice.opacity);
-      const [r, g, b] = this.colouring.ofCell(run, frame, i, choice.colour).map((x) => toLinear(hovered ? 0.75 * x + 0.25 : x));
+      const [r, g, b] = this.colouring.ofCell(run, frame, i, choice.colour, choice.scaleNow ? choice.time : null).map((x) => toLinear(hovered ? 0.75 * x + 0.25 : x));
       this.seeThrough.push(opacity < 0.995);
       for (let v = frame.firstVertex[i]; v < frame.firstVertex[i + 1]; ++v) colours.set([r, g, b, opacity], 4 * v);
       if (hovered || (mine && !dims)) for (const v of this.edges[frame.mesh[i]]) marked.push(v + frame.firstVertex[i]);
