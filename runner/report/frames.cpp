@@ -117,13 +117,20 @@ std::size_t bytesOf(const Frames& frames) {
 
 void thinFrames(Frames& frames, std::size_t mostBytes) {
   auto& all = frames.frames;
-  while (!all.empty() && bytesOf(frames) > mostBytes) {
-    if (all.size() == 1) return all.clear();
-    std::vector<Frame> kept;
-    // The last one stays, and so every second one is counted from it.
-    for (std::size_t i = (all.size() - 1) % 2; i < all.size(); i += 2) kept.push_back(std::move(all[i]));
-    all = std::move(kept);
+  // Number k of `count` that stay, evenly over all; the last one stays longest.
+  const auto place = [&](std::size_t k, std::size_t count) {
+    return count < 2 ? all.size() - 1 : (k * (all.size() - 1) + (count - 1) / 2) / (count - 1);
+  };
+  std::size_t count = all.size();
+  for (; count > 0; --count) {
+    std::size_t bytes = 0;
+    for (std::size_t k = 0; k < count; ++k) bytes += all[place(k, count)].bytes.size();
+    if (bytes <= mostBytes) break;
   }
+  if (count == all.size()) return;
+  std::vector<Frame> kept;
+  for (std::size_t k = 0; k < count; ++k) kept.push_back(std::move(all[place(k, count)]));
+  all = std::move(kept);
 }
 
 }  // namespace morula

@@ -52,8 +52,8 @@ class FrameTaker {
   std::map<StateId, std::uint32_t> stateNumbers_;
 };
 
-/// Leaves out every second frame but the last, again and again, until those that stay take at most so many bytes. None stays
-/// if the last one alone takes more.
+/// Keeps as many frames as take at most so many bytes, evenly over time; of two or more the first and the last are among them. None
+/// stays if the last one alone takes more.
 void thinFrames(Frames& frames, std::size_t mostBytes);
 
 std::size_t bytesOf(const Frames& frames);

@@ -71,7 +71,7 @@ class Explorer {
     this.tree.onHover = (path, x, y) => this.hover(path, x, y);
     this.state.listen((changed) => this.changed(changed));
     root.addEventListener("keydown", (e) => this.key(e));
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.views.forEach((v) => v.draw()));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.views.forEach((v) => v.takePaper()));
     if (this.state.choice.camera) this.views.forEach((v) => v.putAt(this.state.choice.camera!));
     this.updateAll();
   }
@@ -119,7 +119,7 @@ class Explorer {
     box.name = key;
     box.checked = this.state.choice[key];
     box.addEventListener("change", () => this.state.set({ [key]: box.checked }));
-    this.state.listen(() => (box.checked = this.state.choice[key]));
+    this.state.listen((changed) => { if (changed.has(key)) box.checked = this.state.choice[key]; });
     label.append(box, text);
     return label;
   }
@@ -133,7 +133,7 @@ class Explorer {
     range.step = "0.01";
     range.value = String(this.state.choice[key]);
     range.addEventListener("input", () => this.state.set({ [key]: Number(range.value) }));
-    this.state.listen(() => (range.value = String(this.state.choice[key])));
+    this.state.listen((changed) => { if (changed.has(key)) range.value = String(this.state.choice[key]); });
     label.append(range);
     return label;
   }
@@ -143,7 +143,7 @@ class Explorer {
     select.name = key;
     select.value = String(this.state.choice[key]);
     select.addEventListener("change", () => this.state.set({ [key]: key === "left" || key === "right" ? Number(select.value) : select.value }));
-    this.state.listen(() => (select.value = String(this.state.choice[key])));
+    this.state.listen((changed) => { if (changed.has(key)) select.value = String(this.state.choice[key]); });
     return label;
   }
 
@@ -161,7 +161,7 @@ class Explorer {
     if (!bodies) return tools;
     const now = this.toggle("scaleNow", "scale of this time");
     const show = () => (now.hidden = !this.data.runs.some((run) => run.measures.includes(this.state.choice.colour)));
-    this.state.listen(show);
+    this.state.listen((changed) => { if (changed.has("colour")) show(); });
     show();
     tools.append(now);
     tools.append(this.toggle("surface", "surface"), this.toggle("wireframe", "wireframe"), this.toggle("normals", "normals"));

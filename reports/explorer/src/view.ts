@@ -1,12 +1,13 @@
 // One organism in three dimensions. All cells are one mesh, so that many of them are one call to the graphics; what is dimmed
 // or transparent stands behind in its list of faces, far cells first, and shows what lies behind it.
 import {
-  BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, HemisphereLight, LineBasicMaterial, LineSegments,
-  Mesh, MeshLambertMaterial, PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments, Mesh, PerspectiveCamera, Plane, Raycaster, Scene, Vector2,
+  Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Colouring } from "./colours";
 import { isWithin, type Frame, type Run } from "./data";
+import { cellMaterial, drawsInSoftware, insideMaterial } from "./shading";
 import type { State } from "./state";
 
 const dimmed = 0.1; // opacity
@@ -38,8 +39,9 @@ export class View {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly geometry = new BufferGeometry();
-  private readonly material = new MeshLambertMaterial({ vertexColors: true, transparent: true, side: FrontSide });
-  private readonly mesh = new Mesh(this.geometry, this.material);
+  private readonly materials = [cellMaterial(false), cellMaterial(true)];
+  private readonly mesh = new Mesh(this.geometry, this.materials);
+  private readonly inside = new Mesh(this.geometry, [insideMaterial()]); // of solid cells, where they are cut
   private readonly wires = this.lines(0x000000, 0.35);
   private readonly outline = this.lines(0x0b62b5, 1);
   private readonly arrows = this.lines(0x3366cc, 0.9);
@@ -57,22 +59,21 @@ export class View {
   private readonly key = { frame: -1, run: -1 };
 
   constructor(private readonly parent: HTMLElement, public run: Run, private readonly state: State, private readonly colouring: Colouring) {
-    this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: false, powerPreference: "low-power" });
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    const software = drawsInSoftware();
+    this.renderer = new WebGLRenderer({ antialias: !software, powerPreference: "low-power" });
+    this.renderer.setPixelRatio(software ? 1 : Math.min(2, devicePixelRatio));
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "img");
     parent.append(this.canvas);
-    const light = new DirectionalLight(0xffffff, 2.2);
-    light.position.set(-0.4, 0.8, 1);
-    this.camera.add(light);
-    this.scene.add(this.camera, new HemisphereLight(0xffffff, 0x9a9a9a, 1.5), this.mesh, this.wires, this.outline, this.arrows, this.held, this.shell);
-    this.mesh.frustumCulled = false;
+    this.scene.add(this.mesh, this.inside, this.wires, this.outline, this.arrows, this.held, this.shell);
+    this.mesh.frustumCulled = this.inside.frustumCulled = false;
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = false;
     this.controls.addEventListener("change", () => { this.draw(); this.onCamera(this); });
     this.setRun(run);
+    this.takePaper();
     this.listen();
     new ResizeObserver(() => this.resize()).observe(parent);
     this.resize();
@@ -222,9 +223,9 @@ export class View {
       this.takeShape();
     }
     this.takeColours();
-    this.clip();
     this.shell.visible = choice.shell;
     this.mesh.visible = choice.surface;
+    this.clip();
     this.wires.visible = choice.wireframe;
     this.arrows.visible = choice.normals;
     this.held.visible = choice.connections;
@@ -292,11 +293,18 @@ export class View {
       far.push((this.centres[3 * i] - eye.x) ** 2 + (this.centres[3 * i + 1] - eye.y) ** 2 + (this.centres[3 * i + 2] - eye.z) ** 2);
     const order = far.map((_, i) => i);
     if (this.seeThrough.includes(true)) order.sort((a, b) => (this.seeThrough[a] === this.seeThrough[b] ? (this.seeThrough[a] ? far[b] - far[a] : a - b) : this.seeThrough[a] ? 1 : -1));
+    const solid = order.findIndex((i) => this.seeThrough[i]);
     if (order.length === this.order.length && order.every((i, k) => i === this.order[k])) return;
     this.order = order;
     const index = this.geometry.index!;
-    let at = 0;
-    for (const i of order) for (const v of run.meshes[frame.mesh[i]]) index.array[at++] = v + frame.firstVertex[i];
+    let at = 0, firstSeeThrough = index.count;
+    order.forEach((i, k) => {
+      if (k === solid) firstSeeThrough = at;
+      for (const v of run.meshes[frame.mesh[i]]) index.array[at++] = v + frame.firstVertex[i];
+    });
+    this.geometry.clearGroups();
+    this.geometry.addGroup(0, firstSeeThrough, 0);
+    if (firstSeeThrough < index.count) this.geometry.addGroup(firstSeeThrough, index.count - firstSeeThrough, 1);
     index.needsUpdate = true;
   }
 
@@ -306,10 +314,12 @@ export class View {
       this.plane.normal.set(clip === "x" ? -1 : 0, clip === "y" ? 1 : 0, clip === "z" ? -1 : 0);
       this.plane.constant = (clip === "y" ? -1 : 1) * clipAt * this.size;
     }
-    const planes = clip ? [this.plane] : [], side = clip ? DoubleSide : FrontSide;
-    if (this.material.side !== side) { this.material.side = side; this.material.needsUpdate = true; }
+    const planes = clip ? [this.plane] : [];
+    for (const material of [...this.materials, ...this.inside.material]) material.clippingPlanes = planes;
+    this.inside.material[0].uniforms.lift.value = 0.06 * this.run.radius;
+    this.inside.visible = clip !== "" && this.mesh.visible;
     this.renderer.localClippingEnabled = planes.length > 0;
-    for (const object of [this.mesh, this.wires, this.outline, this.arrows, this.held]) (object.material as MeshLambertMaterial).clippingPlanes = planes;
+    for (const object of [this.wires, this.outline, this.arrows, this.held]) (object.material as LineBasicMaterial).clippingPlanes = planes;
   }
 
   private drawNormals(): void {
@@ -350,15 +360,18 @@ export class View {
     requestAnimationFrame(() => { this.waiting = false; this.drawNow(); });
   }
 
+  /** The page's colours, light or dark. */
+  takePaper(): void {
+    const style = getComputedStyle(document.documentElement), paper = new Color(style.getPropertyValue("--paper").trim() || "#fafaf8");
+    this.renderer.setClearColor(paper);
+    (this.wires.material as LineBasicMaterial).color.set(paper.r + paper.g + paper.b < 1 ? 0xffffff : 0x000000);
+    (this.outline.material as LineBasicMaterial).color.set(style.getPropertyValue("--accent").trim() || "#0b62b5");
+    this.draw();
+  }
+
   drawNow(): void {
     if (!this.frame) return;
     this.sort();
-    const style = getComputedStyle(document.documentElement);
-    const paper = new Color(style.getPropertyValue("--paper").trim() || "#fafaf8");
-    this.renderer.setClearColor(paper);
-    const dark = paper.r + paper.g + paper.b < 1;
-    (this.wires.material as LineBasicMaterial).color.set(dark ? 0xffffff : 0x000000);
-    (this.outline.material as LineBasicMaterial).color.set(style.getPropertyValue("--accent").trim() || "#0b62b5");
     this.renderer.render(this.scene, this.camera);
     if (!this.drawn) performance.mark("morula-first-frame");
     this.drawn = true;
