@@ -26,8 +26,12 @@ void addReplay(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addAccuracy(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
+void addStudy(CLI::App& app, Action& action);
 void addTrail(CLI::App& app, Action& action);
 void addEngineWorker(CLI::App& app, Action& action);
+
+// Below `study`, in the order in which they are used.
+void addStudyPlan(CLI::App& study, Action& action);
 
 /// The command line as typed, for the record of a run.
 std::string commandLine();

@@ -1,0 +1,12 @@
+// morula study: from a study file to its answer. One file per verb below it: study_plan.cpp, …
+#include "cli/verb.h"
+
+namespace morula::cli {
+
+void addStudy(CLI::App& app, Action& action) {
+  auto& study =
+      addGroup(app, "study", "Vary scenarios by policies and seeds, run them all, compare what comes of it");
+  addStudyPlan(study, action);
+}
+
+}  // namespace morula::cli
