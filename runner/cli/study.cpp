@@ -7,6 +7,7 @@ void addStudy(CLI::App& app, Action& action) {
   auto& study =
       addGroup(app, "study", "Vary scenarios by policies and seeds, run them all, compare what comes of it");
   addStudyPlan(study, action);
+  addStudyCompare(study, action);
 }
 
 }  // namespace morula::cli
