@@ -66,7 +66,7 @@ std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t me
   std::vector<std::size_t> levels;
   for (const std::size_t a : axes) levels.push_back(r.axes[a].labels.size());
   MeasureEffects effects{
-      .measure = measure, .axes = axes, .means = {}, .untested = {}, .seeds = bySeed.size()};
+      .measure = measure, .axes = axes, .means = {}, .analysis = {}, .untested = {}, .seeds = bySeed.size()};
   effects.analysis = analyseFactorial(levels, values, true);
   for (std::size_t f = 0; f < axes.size(); ++f) effects.means.push_back(levelMeans(levels, values, f));
   std::size_t still = 0;

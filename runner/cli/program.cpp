@@ -108,7 +108,7 @@ Action parse(int argc, char** argv) {
   }
   const std::string word = argc > 1 ? argv[1] : "";
   checkVerb(app, word);
-  for (const auto* verb : app.get_subcommands(all))
+  for (auto* verb : app.get_subcommands(all))
     if (verb->get_name() == word && !verb->get_subcommands(all).empty())
       checkVerb(*verb, argc > 2 ? argv[2] : "");
   try {

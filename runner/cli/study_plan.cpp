@@ -1,12 +1,11 @@
 // morula study plan: what a study will compute, and what that will cost.
 #include <memory>
 
+#include "base/error.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/verb.h"
-#include "files/folders.h"
-#include "files/write_file.h"
-#include "study/plan.h"
+#include "study/plan_folder.h"
 #include "system/console.h"
 
 namespace morula::cli {
@@ -20,7 +19,24 @@ struct PlanCommand {
   bool dryRun = false, noPredict = false;
 };
 
-int act(const PlanCommand& command) { return fine; }
+int act(const PlanCommand& command) {
+  const Study study = loadStudy(command.study, command.input.allowOutside);
+  const Plan plan = makePlan(study, {.predict = !command.noPredict});
+  const std::filesystem::path folder =
+      command.to.empty() ? studyFolder(study) : std::filesystem::path(command.to);
+  tellWarnings(plan.warnings, command.output.quiet);
+  const bool isNew = !command.dryRun && keepPlan(plan, folder);
+  const std::string file = planFile(folder).string();
+  if (command.output.json) {
+    Json members = summaryOf(plan);
+    members["file"] = command.dryRun ? Json() : Json(file);
+    printJson(members);
+  } else {
+    print(describe(plan));
+    if (!command.dryRun) tell((isNew ? "wrote " : "as planned before in ") + file, command.output.quiet);
+  }
+  return fine;
+}
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 #include "scenario/measure_list.h"
 
+#include "scenario/scenario.h"
+
 namespace morula {
 
 namespace {
@@ -56,6 +58,29 @@ std::string measuresAsJson() {
                  {"cell", rowsAsJson<CellContext>()},
                  {"pair", rowsAsJson<Touch>()}};
   return all.dump(2) + "\n";
+}
+
+std::string lackingFor(Needs needs, const Scenario& scenario) {
+  const auto& mechanics = scenario.scene.mechanics;
+  const auto& reference = scenario.check.reference;
+  const auto unless = [](bool has, const char* what) { return has ? std::string() : what; };
+  switch (needs) {
+    case Needs::nothing:
+      return "";
+    case Needs::bodies:
+      return unless(mechanics.has_value(), "bodies: add a physics block");
+    case Needs::contact:
+      return unless(mechanics && mechanics->contact, "cells that touch: add 'contact: {}' to physics");
+    case Needs::shell:
+      return unless(mechanics && mechanics->physics.shell, "a shell: add physics.shell");
+    case Needs::referenceContacts:
+      return unless(mechanics && mechanics->contact && reference && !reference->contacts.empty(),
+                    "bodies that touch and check.reference.contacts to compare with");
+    case Needs::referencePositions:
+      return unless(mechanics && reference && reference->positions.size() >= 3,
+                    "bodies and check.reference.positions to compare with, three at least");
+  }
+  return "";
 }
 
 }  // namespace morula

@@ -12,6 +12,11 @@ std::string measuresAsMarkdown();
 /// {"world": [{"name", "unit", "meaning", "needs", "sampled"}, …], "cell": …, "pair": …}
 std::string measuresAsJson();
 
+struct Scenario;
+/// What a scenario must get so that measures with these needs find something: "bodies: add a physics block"; "" if it has
+/// all that it takes.
+std::string lackingFor(Needs needs, const Scenario& scenario);
+
 /// Adds each value under its measure's name; null where it was not measured.
 template <class Of>
 void addMeasures(Json& json, const Measured<Of>& measured) {

@@ -123,6 +123,16 @@ Override parseOverride(const std::string& text);
 Scenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
                       bool allowOutside = false);
 
+/// The scenario as if it had been read with that seed.
+Scenario withSeed(Scenario scenario, std::uint64_t seed);
+
+/// What `resolved` and `meaning` are, once more: for who has changed any of the scenario's values.
+void resolveAgain(Scenario& scenario);
+
+/// The folder whose files a scenario or a study may name: its own, or the folder `scenarios` that it lies in, whose
+/// scenarios share DNA and meshes.
+std::filesystem::path sharedFolder(const std::filesystem::path& folder);
+
 /// The folder that a scenario's files are looked for in; "." for a bare name.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 

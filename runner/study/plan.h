@@ -51,12 +51,14 @@ struct RunCost {
 };
 
 struct Plan {
-  Study study;
+  Study study;  // its places, and those of the conditions' scenarios, count from its folder
   std::vector<Condition> conditions;
   std::vector<Task> tasks;            // in the order of the replicates that need them first
   std::vector<Replicate> replicates;  // by condition, then in the order of the seeds
   std::string id;                     // 32 hex digits: of all that decides what is run, kept and compared
-  std::vector<RunCost> costs;         // one for each condition; empty: not predicted. No part of the id.
+  std::vector<std::string>
+      warnings;                // of the scenarios: what works, but may not be meant. No part of the file.
+  std::vector<RunCost> costs;  // one for each condition; empty: not predicted. No part of the id.
 };
 
 struct PlanOptions {

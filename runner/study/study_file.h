@@ -9,6 +9,7 @@
 
 #include "base/choice.h"
 #include "scenario/scenario.h"
+#include "yaml/problems.h"
 
 namespace morula {
 
@@ -28,7 +29,7 @@ struct Axis {
 struct Base {
   std::string label;  // of the axis `base`, if there are several: given, or the file's name without ".yaml"
   std::string file;   // from the study's folder
-  std::string place;  // where the study file names it
+  scenario::Place place;  // where the study file names it
 };
 
 enum class HashesKept { none, end, all };
@@ -90,7 +91,8 @@ struct Study {
   When when;
   Kept keep;
   RunLimits limits;
-  bool allowOutside = false;  // scenarios and their files may lie anywhere
+  std::vector<scenario::Place> measurePlaces;  // where the file names each of them
+  bool allowOutside = false;                   // scenarios and their files may lie anywhere
 };
 
 /// Reads and checks a study file. Throws InputError with one line per mistake, all of them at once, sorted by line:

@@ -1,14 +1,11 @@
 #pragma once
 // The measures that a study may take: all rows of the tables of measures, by names that belong to one row each.
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "simulation/measures.h"
 
 namespace morula {
-
-struct Scenario;
 
 struct StudyMeasure {
   /// As results call it: "sphericity"; where rows of two tables have one name, with its scope: "cell.volume".
@@ -23,10 +20,8 @@ struct StudyMeasure {
 /// World, cell, pair; each in the order of its table.
 const std::vector<StudyMeasure>& studyMeasures();
 
-/// By its name in a study; '-' may stand for '_'. Null if there is none.
+/// By its name in a study; '-' may stand for '_', and a scope may stand before any name. Null if there is none, or if rows
+/// of two tables have that name.
 const StudyMeasure* findStudyMeasure(std::string text);
-
-/// What the scenario lacks for the measure: "bodies (physics)"; "" if it has all.
-std::string missingFor(const StudyMeasure& measure, const Scenario& scenario);
 
 }  // namespace morula
