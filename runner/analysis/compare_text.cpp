@@ -91,7 +91,7 @@ std::string atText(const StudyComparison& c, const PairComparison& pair) {
 std::string pairTable(const StudyComparison& c, std::size_t measure, std::size_t axis) {
   Columns columns;
   columns.add({"a − b", "of the others", "pairs", "difference", "95 % interval", "p", "Holm", "d_z", "g",
-               "higher", "lower", "unpaired", "of it"});
+               "higher", "lower", "unpaired", "paired/unpaired"});
   bool any = false;
   for (const PairComparison& p : c.pairs) {
     if (p.measure != measure || p.axis != axis) continue;

@@ -16,6 +16,7 @@ struct TimedValue {
 /// One distinct run.
 struct ResultTask {
   std::string id, status, reason;               // done, failed or missing; the reason of a failure
+  std::string runId;                            // "" while it is missing
   std::string stateHash;                        // of its last state; "" unless done
   std::vector<std::vector<TimedValue>> values;  // [measure] by time; empty: there was nothing to measure
 };

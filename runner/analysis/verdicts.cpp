@@ -134,11 +134,30 @@ void addMeasure(const StudyComparison& c, std::size_t measure, std::vector<std::
   if (!tellsNothing) addInteractions(c, measure, verdicts);
 }
 
+/// What pairs of one seed save.
+void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& verdicts) {
+  const PairComparison* best = nullptr;
+  double least = INFINITY, most = 0;
+  for (const PairComparison& pair : c.pairs) {
+    const auto ratio = pair.intervalRatio();
+    if (!ratio) continue;
+    if (*ratio < least) least = *ratio, best = &pair;
+    most = std::max(most, *ratio);
+  }
+  if (!best) return;
+  const std::string where = fmt::format("{}: {} and {}{}", c.measureName(best->measure),
+                                        label(c, *best, best->a), label(c, *best, best->b), place(c, *best));
+  verdicts.push_back(fmt::format(
+      "common random numbers: the interval of a paired difference is {}{} of the unpaired one ({})",
+      numberText(least, 2), least < most ? " to " + numberText(most, 2) : "", where));
+}
+
 }  // namespace
 
 std::vector<std::string> verdictsOf(const StudyComparison& c) {
   std::vector<std::string> verdicts;
   for (const std::size_t m : c.measures) addMeasure(c, m, verdicts);
+  addCommonRandomNumbers(c, verdicts);
   return verdicts;
 }
 

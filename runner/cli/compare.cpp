@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "analysis/comparison.h"
+#include "analysis/organisms.h"
 #include "analysis/picture.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
@@ -19,7 +20,7 @@ namespace morula::cli {
 namespace {
 
 struct CompareCommand {
-  std::string database, picture;
+  std::string database, picture, organisms;
   CompareOptions options;
   bool csv = false;
   OutputOptions output;
@@ -27,20 +28,31 @@ struct CompareCommand {
 
 int act(const CompareCommand& command) {
   checkPictureName("compare", command.picture, true);
+  checkPictureName("compare", command.organisms, false);
   if (command.csv && command.output.json)
     throw UsageError("--csv and --json are two forms; leave out one of them");
   std::filesystem::path file = command.database;
   if (isFolder(file)) file /= "study.db";
   const StudyComparison comparison = compareStudy(readStudyResults(file), command.options);
-  if (!command.picture.empty()) writePicture(drawComparedStudy(comparison), command.picture);
+  std::vector<std::string> pictures;
+  if (!command.picture.empty()) {
+    writePicture(drawComparedStudy(comparison), command.picture);
+    pictures.push_back(command.picture);
+  }
+  if (!command.organisms.empty()) {
+    writePicture(drawOrganisms(comparison.results, file, command.output.quiet), command.organisms);
+    pictures.push_back(command.organisms);
+  }
   if (command.csv) {
     print(toCsv(comparison));
   } else if (command.output.json) {
     Json json = toJson(comparison);
-    if (!command.picture.empty()) json["pictures"] = {command.picture};
+    if (!pictures.empty()) json["pictures"] = pictures;
     printJson(json);
   } else {
-    print(describe(comparison) + (command.picture.empty() ? "" : "\npicture  " + command.picture + "\n"));
+    std::string text = describe(comparison);
+    for (const std::string& picture : pictures) text += "\npicture  " + picture;
+    print(text + (pictures.empty() ? "" : "\n"));
   }
   return fine;
 }
@@ -63,6 +75,8 @@ void addCompareTo(CLI::App& above, Action& action) {
              "sphericity=0.01");
   verb.takes("--csv", command->csv, "One table for other programs");
   verb.takes("-o,--output", command->picture, "FILE", "Also draw all values: a .png, .svg or .pdf");
+  verb.takes("--organisms", command->organisms, "FILE",
+             "Also draw one organism of each condition, by running it again: a .png");
   add(verb, command->output);
   verb.does([command] { return act(*command); });
 }

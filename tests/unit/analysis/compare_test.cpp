@@ -67,7 +67,9 @@ TEST_CASE("Sentences say what differs, what does not and what tells nothing") {
   CHECK(std::ranges::any_of(verdicts, [](const std::string& line) {
     return line.starts_with("clones: no difference is shown between none and both");
   }));
-  CHECK(verdicts.size() == 3);
+  CHECK(verdicts.size() == 4);
+  CHECK_THAT(verdicts.back(),
+             ContainsSubstring("common random numbers: the interval of a paired difference is 0."));
 }
 
 TEST_CASE("A condition whose seeds change nothing has one run, is named, and has no interval") {
@@ -235,6 +237,7 @@ TEST_CASE("Other output says the same numbers") {
   CHECK(json["conditions"][0]["distinct"] == 1);
   CHECK(json["conditions"][0]["low"].is_null());
   CHECK(json["pairs"][0]["difference"].get<double>() == c.pairs[0].paired.difference);
+  CHECK(json["verdicts"].size() == 4);
   const std::string csv = toCsv(c);
   CHECK(std::ranges::count(csv, '\n') ==
         1 + 80 + 8 + 4 + 2 * 3);  // title, values, conditions, pairs, effects
