@@ -33,7 +33,11 @@ void addEngineWorker(CLI::App& app, Action& action);
 
 // Below `study`, in the order in which they are used.
 void addStudyPlan(CLI::App& study, Action& action);
+void addStudyRun(CLI::App& study, Action& action);
+void addStudyStatus(CLI::App& study, Action& action);
+void addStudyMerge(CLI::App& study, Action& action);
 void addStudyCompare(CLI::App& study, Action& action);
+void addStudyEmit(CLI::App& study, Action& action);
 
 /// The command line as typed, for the record of a run.
 std::string commandLine();

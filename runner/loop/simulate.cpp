@@ -68,6 +68,20 @@ bool wantsHashes(const Scenario& scenario, bool hasGolden) {
   return hasGolden || scenario.places.contains("check");
 }
 
+RunRecord recordOf(const Scenario& scenario, const Execution& execution, const std::string& command) {
+  RunRecord record;
+  record.scenario = scenario.scene.name;
+  record.scenarioHash = scenario.meaning.text();
+  record.seed = scenario.scene.seed;
+  record.documents = {{"scenario", scenario.file, scenario.bytes}, {"resolved", "", scenario.resolved}};
+  for (const auto& file : scenario.files) record.documents.push_back({file.role, file.path, file.content});
+  if (!buildDiff().empty()) record.documents.push_back({"diff", "", buildDiff()});
+  record.command = command;
+  record.isa = name(execution.isa);
+  record.threads = execution.threads;
+  return record;
+}
+
 RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
   RecordOptions record{.every = scenario.record.every,
                        .atCells = scenario.record.atCells,

@@ -31,6 +31,9 @@ bool wantsHashes(const Scenario& scenario, bool hasGolden);
 /// Another way to compute the same: other kernels and another number of threads.
 Execution otherExecution(const Execution& how);
 
+/// What is known of a run before its first step. `command`: as typed.
+RunRecord recordOf(const Scenario& scenario, const Execution& execution, const std::string& command);
+
 /// What a run of the scenario writes down: its samples, and hashes of the states on the way if somebody looks
 /// at them.
 RecordOptions recordingOf(const Scenario& scenario, bool hashes);

@@ -111,6 +111,7 @@ class Store {
   const std::filesystem::path& file() const { return db_.file(); }
 
  private:
+  friend class TaskFile;
   struct Attempt {
     RunRecord record;
     std::string started;
