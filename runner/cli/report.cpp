@@ -65,7 +65,8 @@ void addReport(CLI::App& app, Action& action) {
   Verb verb(app, action, "report",
             "Write one page of stored runs: verdict, explorer, pictures, checks, where they come from");
   verb.needs("what", options->what, "WHAT",
-             "Databases, report.json of a check, what accuracy --json printed, or folders of these");
+             "Databases of runs or of a merged study, report.json of a check, what accuracy --json printed, "
+             "or folders of these");
   verb.takes("-o,--output", options->output, "FILE",
              "The page, a .html; default: report.html beside the first database");
   verb.takes("--run", options->run, "ID", "Only this run of the database; default: all");

@@ -10,6 +10,7 @@
 #include "loop/stored_scenario.h"
 #include "report/parts.h"
 #include "report/run_blocks.h"
+#include "report/study_part.h"
 #include "report/tables.h"
 #include "report/verdict.h"
 #include "system/child_process.h"
@@ -22,12 +23,12 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Sources {
-  std::vector<std::string> databases, checks, accuracies;
+  std::vector<std::string> databases, studies, checks, accuracies;
 };
 
 /// By what a file holds, not by its name. Whether it is one.
 bool addSource(const std::string& file, Sources& sources) {
-  if (isDatabase(file)) return sources.databases.push_back(file), true;
+  if (isDatabase(file)) return (isStudy(file) ? sources.studies : sources.databases).push_back(file), true;
   const auto first = readHead(file, 1);
   if (first != "{") return false;
   const Json json = Json::parse(readFile(file), nullptr, false);
@@ -54,6 +55,10 @@ Sources sourcesOf(const std::vector<std::string>& what) {
     for (const char* ending : {".db", ".json"})
       for (const fs::path& file : filesBelow(name, ending))
         any = addSource(file.generic_string(), sources) || any;
+    // A merged study holds the runs of all of its tasks.
+    for (const std::string& study : sources.studies)
+      std::erase_if(sources.databases, [tasks = (fs::path(study).parent_path() / "tasks/").generic_string()](
+                                           const std::string& file) { return file.starts_with(tasks); });
     if (!any)
       throw UsageError("'" + name + "': no database and no report in this folder; morula run writes one");
   }
@@ -67,7 +72,15 @@ std::vector<RunFacts> factsOfAll(const Sources& sources, const ReportQuestion& q
     const auto runs = question.run.empty() ? store.runs() : std::vector{store.find(question.run)};
     for (const StoredRun& run : runs) facts.push_back(factsOf(store, run));
   }
-  if (facts.empty() && sources.checks.empty() && sources.accuracies.empty())
+  for (const std::string& file : sources.studies) {
+    auto store = Store::openForReading(file);
+    const std::size_t most = mostExplored - std::min(mostExplored, facts.size());
+    for (const Representative& r : representativesOf(file, most)) {
+      facts.push_back(factsOf(store, store.find(r.run)));
+      facts.back().label = r.condition;
+    }
+  }
+  if (facts.empty() && sources.studies.empty() && sources.checks.empty() && sources.accuracies.empty())
     throw UsageError("there is no run in " + question.what.front() + "; morula run writes one");
   return facts;
 }
@@ -121,12 +134,15 @@ PageBlock explorerBlock(const ReportQuestion& question, const std::vector<Explor
 PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   PagePart part{.title = titleOfPage(runs),
                 .summary = printable(runs[0].scenario.summary),
-                .verdict = verdictOf(runs),
+                .verdict = {},
                 .change = {},
                 .blocks = {}};
   const auto heading = [&](const RunFacts& run) {
     return runs.size() > 1 ? "<h3>" + shown(titleOf(run, runs)) + "</h3>\n" : std::string();
   };
+  // What is said of a study is said of all of its runs, not of those that stand for its conditions.
+  if (std::any_of(runs.begin(), runs.end(), [](const RunFacts& r) { return r.label.empty(); }))
+    part.verdict = verdictOf(runs);
   std::string changes, checks;
   for (const RunFacts& run : runs) {
     if (const std::string change = changeOf(run);
@@ -202,6 +218,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   for (const RunFacts& run : runs)
     if (!run.results.lineage.empty() && explored.size() < mostExplored && (run.again || again == 0))
       explored.push_back(explorerRunOf(run, runs));
+  for (const std::string& file : sources.studies) parts.push_back(studyPart(file));
   if (!runs.empty()) parts.push_back(runPart(runs, question.mostBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
   if (runs.empty()) parts.back().blocks.push_back(programBlock());

@@ -10,9 +10,10 @@
 namespace morula {
 
 struct ReportQuestion {
-  std::vector<std::string> what;  // databases, reports of checks and studies, or folders of them
-  std::string run;                // only the run with this id, or whose id begins so; "": all
-  std::size_t frames = 100;       // of each run that is shown in three dimensions; 0: no run is made again
+  std::vector<std::string>
+      what;  // databases of runs and of merged studies, report.json of checks, output of accuracy --json, or folders of these
+  std::string run;           // only the run with this id, or whose id begins so; "": all
+  std::size_t frames = 100;  // of each run that is shown in three dimensions; 0: no run is made again
   std::size_t mostBytes = 10'000'000;  // of the page
   std::string program;                 // the explorer's; "": without it
   std::string whyNone;                 // why there is none; plain text

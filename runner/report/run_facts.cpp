@@ -62,6 +62,7 @@ void compareWithGolden(RunFacts& facts) {
 
 RunFacts factsOf(Store& store, const StoredRun& run) {
   RunFacts facts{.database = store.file().string(),
+                 .label = {},
                  .run = run,
                  .scenario = storedScenario(store.file().string(), run.id),
                  .documents = store.documents(run.id),

@@ -20,7 +20,8 @@ struct RunAgain {
 };
 
 struct RunFacts {
-  std::string database;  // as given
+  std::string database;    // as given
+  std::string label = {};  // of the condition of a study that it stands for; "" for a run of its own
   StoredRun run;
   Scenario scenario;
   std::vector<Document> documents;

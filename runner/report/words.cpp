@@ -38,7 +38,8 @@ std::string counted(std::uint64_t count, const std::string& what) {
 
 std::string titleOf(const RunFacts& run, const std::vector<RunFacts>& all) {
   const auto called = [](const RunFacts& r) {
-    return r.run.record.scenario + ", seed " + std::to_string(r.run.record.seed);
+    return (r.label.empty() ? r.run.record.scenario : r.label) + ", seed " +
+           std::to_string(r.run.record.seed);
   };
   const auto same =
       std::count_if(all.begin(), all.end(), [&](const RunFacts& r) { return called(r) == called(run); });

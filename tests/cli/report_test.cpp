@@ -99,6 +99,26 @@ TEST_CASE("A check leaves a page of what differs") {
   CHECK(again.code == 0);
 }
 
+TEST_CASE("A page of a study: its verdicts first, then every value and its runs") {
+  Stored stored;
+  writeWhole(stored.folder / "two.study.yaml",
+             "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    less: {physics.drag: 1}\n"
+             "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\n");
+  const auto ran = launch({"study", "run", stored.folder / "two.study.yaml", "--to", stored.folder / "study",
+                           "--no-predict", "--quiet"});
+  INFO(ran.err);
+  REQUIRE(ran.code == 0);
+  const auto launched = launch({"report", stored.folder / "study", "-o", stored.page, "--frames", "2"});
+  INFO(launched.err);
+  REQUIRE(launched.code == 0);
+  const std::string page = readWhole(stored.page);
+  CHECK_THAT(page, ContainsSubstring("2 of 2 distinct runs are done: 2 conditions, 2 seeds."));
+  CHECK_THAT(page, ContainsSubstring("Seeds change nothing under <b>less</b>"));
+  CHECK(page.find("What the study finds") < page.find("id=\"explorer\""));
+  CHECK_THAT(page, ContainsSubstring("less, seed 1"));
+  CHECK_THAT(page, ContainsSubstring("id=\"provenance\""));
+}
+
 TEST_CASE("What report refuses, and why") {
   Stored stored;
   stored.run();
