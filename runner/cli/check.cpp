@@ -19,6 +19,7 @@
 #include "golden/accept.h"
 #include "golden/check_json.h"
 #include "golden/ci_reports.h"
+#include "report/report.h"
 #include "system/console.h"
 
 namespace morula::cli {
@@ -110,13 +111,37 @@ bool hasUnusableGolden(const CheckReport& report) {
   });
 }
 
+/// What `morula report` needs beyond the contract: what differs in words, and where the scenarios are.
+void addForPage(Json& report, const std::vector<CheckReport>& reports,
+                const std::vector<Scenario>& scenarios) {
+  std::size_t i = 0;
+  report["changes"] = report["files"] = Json::object();
+  for (std::size_t k = 0; k < reports.size(); ++k) {
+    if (!reports[k].change.empty()) report["changes"][reports[k].scenario] = reports[k].change;
+    if (k < scenarios.size()) report["files"][reports[k].scenario] = scenarios[k].file;
+    for (const CheckResult& result : reports[k].results) report["results"][i++]["message"] = result.message;
+  }
+}
+
+/// report.html, of what report.json says. Returns the signal that interrupted it, or 0.
+int writePage(const std::filesystem::path& folder, const Execution& how, bool quiet) {
+  ReportQuestion question;
+  question.what = {(folder / "report.json").string()};
+  question.execution = how, question.quiet = quiet;
+  findExplorer(question);
+  const ReportAnswer page = makeReport(question);
+  if (page.signal == 0) writeFile(folder / "report.html", page.bytes, Content::page);
+  return page.signal;
+}
+
 /// `table`: what stands beside, or "".
 void writeReports(const std::filesystem::path& folder, const std::vector<CheckReport>& reports,
-                  const Json& found, const std::string& table) {
+                  const std::vector<Scenario>& scenarios, const Json& found, const std::string& table) {
   makeFolder(folder);
   writeFile(folder / "junit.xml", junitXml(reports), Content::report);
   Json report{{"morula", 1}};
   report.update(found);
+  addForPage(report, reports, scenarios);
   writeFile(folder / "report.json", printable(jsonText(report, 2)) + '\n', Content::report);
   writeFile(folder / "summary.md", summaryPage(reports) + (table.empty() ? "" : "\n" + printable(table)),
             Content::report);
@@ -184,8 +209,10 @@ int act(const CheckOptions& options) {
   }
   if (options.output.json) printJson(found);
   else if (!table.empty()) print(table);
-  if (!options.reports.empty()) writeReports(options.reports, reports, found, table);
+  if (!options.reports.empty()) writeReports(options.reports, reports, scenarios, found, table);
   tellWorkflow(reports, options.output.json);
+  if (!options.reports.empty())
+    if (const int signal = writePage(options.reports, how, options.output.quiet)) return signalled + signal;
   return code;
 }
 
@@ -195,7 +222,8 @@ void addCheck(CLI::App& app, Action& action) {
   auto options = std::make_shared<CheckOptions>();
   Verb verb(app, action, "check", "Run scenarios again and compare them with their golden files");
   verb.takes("scenario", options->scenarios, "FILE", "Scenario files; default: all under scenarios/");
-  verb.takes("--reports", options->reports, "FOLDER", "Write junit.xml, report.json and summary.md there");
+  verb.takes("--reports", options->reports, "FOLDER",
+             "Write junit.xml, report.json, summary.md and the page report.html there");
   verb.takes("--beside", options->beside, "ENGINES",
              "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
              "(its contact law), bullet, b1, b2, b3");

@@ -95,9 +95,11 @@ Action parse(int argc, char** argv) {
   addLineage(app, action);
   addReplay(app, action);
   addExport(app, action);
+  addReport(app, action);
   addAccuracy(app, action);
   addBench(app, action);
   addStudy(app, action);
+  addCompare(app, action);
   addTrail(app, action);
   addEngineWorker(app, action);
   const auto all = [](CLI::App*) { return true; };

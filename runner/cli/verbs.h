@@ -24,9 +24,11 @@ void addRender(CLI::App& app, Action& action);
 void addLineage(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
+void addReport(CLI::App& app, Action& action);
 void addAccuracy(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 void addStudy(CLI::App& app, Action& action);
+void addCompare(CLI::App& app, Action& action);
 void addTrail(CLI::App& app, Action& action);
 void addEngineWorker(CLI::App& app, Action& action);
 
@@ -35,6 +37,7 @@ void addStudyPlan(CLI::App& study, Action& action);
 void addStudyRun(CLI::App& study, Action& action);
 void addStudyStatus(CLI::App& study, Action& action);
 void addStudyMerge(CLI::App& study, Action& action);
+void addStudyCompare(CLI::App& study, Action& action);
 void addStudyEmit(CLI::App& study, Action& action);
 
 /// The command line as typed, for the record of a run.

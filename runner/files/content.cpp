@@ -23,6 +23,7 @@ Content contentOf(std::string_view head) {
   if (head.starts_with(std::string_view("SQLite format 3\0", 16))) return Content::database;
   for (const auto report : {junitBeginning, summaryBeginning, jsonBeginning})
     if (head.starts_with(report)) return Content::report;
+  if (head.starts_with(pageBeginning)) return Content::page;
   if (hasLine(head, "morula golden ")) return Content::golden;  // also below the marker of a merge
   if (hasLine(head, "morula:") || hasLine(head, "morula-study:") || head.find("\"morula\":") != head.npos)
     return Content::scenario;
@@ -48,6 +49,8 @@ const char* name(Content content) {
       return "DNA";
     case Content::report:
       return "a report";
+    case Content::page:
+      return "a page";
     case Content::other:
       break;
   }

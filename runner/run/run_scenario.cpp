@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "check/ambiguous.h"
 #include "check/check_run.h"
 #include "check/sanity.h"
-#include "division/rules.h"
 #include "engines/bullet_check.h"
 #include "files/folders.h"
 #include "golden/accept.h"
@@ -52,21 +52,6 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
   const FolderLock lock(settings.folder);
   outcome.pictures.push_back((settings.folder / "bullet.png").string());
   writePicture(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
-}
-
-/// Where the longest extent decides, and hardly differs from the next one.
-std::vector<DivisionRecord> ambiguousDivisions(const World& world) {
-  std::vector<DivisionRecord> ambiguous;
-  const auto& mechanics = world.model.mechanics;
-  if (!mechanics) return ambiguous;
-  const std::vector<std::uint32_t> order = orderByPath(world.lineage);
-  const auto isByExtent = [&](const CellPath& mother) {
-    const StateId state = find(world.lineage, order, mother)->state;  // as it was when she divided
-    return planeFor(mechanics->division, world.biology->describe(state)).plane == DivisionPlane::longest;
-  };
-  for (const DivisionRecord& d : world.divisions)
-    if (d.extentRatio && *d.extentRatio < ambiguousExtentRatio && isByExtent(d.path)) ambiguous.push_back(d);
-  return ambiguous;
 }
 
 }  // namespace
@@ -127,7 +112,9 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   if (outcome.checks) run.results.checks = outcome.checks->results;
   run.results.checks.insert(run.results.checks.end(), outcome.sanity.begin(), outcome.sanity.end());
   store.finish(outcome.id, run.end, run.results);
-  outcome.ambiguous = ambiguousDivisions(run.world);
+  outcome.ambiguous = ambiguousDivisions(
+      run.world.model, run.world.lineage.entries,
+      [&](StateId state) { return run.world.biology->describe(state); }, run.world.divisions);
   if (done && settings.draw) {
     // Runs of the same folder draw one after the other; the pictures that stay are those of the last one.
     const FolderLock lock(settings.folder);

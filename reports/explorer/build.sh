@@ -1,0 +1,34 @@
+#!/bin/sh
+# The explorer of the pages that `morula report` writes, out of the sources beside this script:
+#
+#   build.sh FOLDER [--tests]     makes FOLDER/explorer.js, unless it is as new as its sources
+#
+# FOLDER gets the packages that package-lock.json names, too; with --tests also those that only tests need.
+# Exit codes: 0 it is there, 77 there is no Node.js or no npm, 1 it could not be built.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+mkdir -p "$1"
+folder=$(cd "$1" && pwd)
+tests=${2-}
+
+command -v node >/dev/null && command -v npm >/dev/null || exit 77
+
+# One at a time.
+exec 8>"$folder/lock"
+if command -v flock >/dev/null; then flock 8; fi
+
+has_packages() {
+  cmp -s "$here/package-lock.json" "$folder/package-lock.json" && [ -e "$folder/installed" ] &&
+    { [ -z "$tests" ] || [ -d "$folder/node_modules/axe-core" ]; }
+}
+if ! has_packages; then
+  rm -f "$folder/installed"
+  cp "$here/package.json" "$here/package-lock.json" "$folder"
+  # Scripts of packages are not run: none of these needs one.
+  (cd "$folder" && npm ci --ignore-scripts --no-audit --no-fund ${tests:+--include=dev} $([ -n "$tests" ] || echo --omit=dev)) >&2 || exit 1
+  : >"$folder/installed"
+fi
+
+if [ ! -e "$folder/explorer.js" ] || [ -n "$(find "$here" -newer "$folder/explorer.js" -type f -print -quit)" ]; then
+  node "$here/build.mjs" "$folder" >&2 || exit 1
+fi

@@ -1,0 +1,175 @@
+// What the page holds for the explorer, as runner/report/explorer_data.cpp and frames.h write it.
+
+export type Fate = "alive" | "divided" | "died";
+
+/** One cell that ever was. Times in the scene's unit. */
+export interface Cell {
+  path: string; // "" the egg, then A and B
+  name: string; // "" without
+  born: number;
+  ended: number; // of those alive: the run's end
+  fate: Fate;
+  state: number;
+  label: string;
+  mother: Cell | null;
+  daughters: Cell[];
+}
+
+export interface Contact { a: number; b: number; area: number }
+
+/** The living cells at one time; index i below is a cell of this frame. */
+export interface Frame {
+  time: number;
+  step: number;
+  count: number;
+  cell: Uint32Array; // [i] number in Run.cells
+  mesh: Uint32Array;
+  state: Uint32Array;
+  values: Float32Array; // [i * measures + m]
+  contacts: Contact[];
+  connections: [number, number][];
+  positions: Float32Array; // xyz of all vertices, cell after cell
+  firstVertex: Uint32Array; // [i], and one more: the number of all
+}
+
+interface FrameHead { time: number; step: number; cells: number; contacts: number; connections: number; offset: number }
+
+export class Run {
+  readonly title: string;
+  readonly end: number;
+  readonly cells: Cell[];
+  readonly byPath = new Map<string, Cell>();
+  readonly states: string[];
+  readonly colours: string[];
+  readonly legend: [string, string][];
+  readonly measures: string[];
+  readonly meshes: Uint32Array[];
+  readonly vertexCounts: number[];
+  readonly shell: { axes?: number[]; vertices?: number[]; faces?: number[] } | null;
+  readonly radius: number;
+  readonly times: number[];
+  private readonly heads: FrameHead[] = [];
+  private readonly bytes: ArrayBuffer;
+  private readonly kept = new Map<number, Frame>(); // decoded, the last few
+
+  constructor(json: any, bytes: ArrayBuffer) {
+    this.title = json.title;
+    this.end = json.end;
+    this.states = json.states;
+    this.colours = json.colours;
+    this.legend = json.legend;
+    this.measures = json.measures;
+    this.shell = json.shell;
+    this.radius = json.radius;
+    this.meshes = json.meshes.map((faces: number[]) => Uint32Array.from(faces));
+    this.vertexCounts = this.meshes.map((faces) => faces.reduce((most, v) => Math.max(most, v), -1) + 1);
+    this.bytes = bytes;
+    this.cells = json.cells.map(([path, name, born, ended, fate, state]: any): Cell => ({
+      path, name, born, ended, fate, state, label: name || path || "egg", mother: null, daughters: [],
+    }));
+    for (const cell of this.cells) this.byPath.set(cell.path, cell);
+    for (const cell of this.cells) {
+      cell.mother = cell.path === "" ? null : this.byPath.get(cell.path.slice(0, -1)) ?? null;
+      cell.mother?.daughters.push(cell);
+    }
+    for (const cell of this.cells) cell.daughters.sort((a, b) => (a.path < b.path ? -1 : 1));
+    let offset = 0;
+    for (const [time, step, cells, contacts, connections, size] of json.frames) {
+      this.heads.push({ time, step, cells, contacts, connections, offset });
+      offset += size;
+    }
+    this.times = this.heads.map((head) => head.time);
+  }
+
+  /** Whether any of its cells are ever connected. */
+  get connected(): boolean { return this.heads.some((head) => head.connections > 0); }
+
+  get hasBodies(): boolean { return this.heads.length > 0; }
+
+  /** The last frame at that time or before; the first one if all are later. */
+  frameNumber(time: number): number {
+    let low = 0, high = this.times.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.times[middle] <= time * (1 + 1e-12)) low = middle + 1; else high = middle;
+    }
+    return Math.max(0, low - 1);
+  }
+
+  frame(number: number): Frame {
+    const known = this.kept.get(number);
+    if (known) return known;
+    const frame = this.decode(this.heads[number]);
+    if (this.kept.size >= 8) this.kept.delete(this.kept.keys().next().value!);
+    this.kept.set(number, frame);
+    return frame;
+  }
+
+  /** Of all cells of a frame, without its shapes: [i * measures + m]. */
+  valuesOf(number: number): Float32Array {
+    const head = this.heads[number], m = this.measures.length, words = 9 + m;
+    const reals = new Float32Array(this.bytes, head.offset, head.cells * words), values = new Float32Array(head.cells * m);
+    for (let i = 0; i < head.cells; ++i) values.set(reals.subarray(i * words + 9, (i + 1) * words), i * m);
+    return values;
+  }
+
+  private decode(head: FrameHead): Frame {
+    const m = this.measures.length, words = 9 + m;
+    const numbers = new Uint32Array(this.bytes, head.offset, head.cells * words);
+    const reals = new Float32Array(this.bytes, head.offset, head.cells * words);
+    const frame: Frame = {
+      time: head.time, step: head.step, count: head.cells,
+      cell: new Uint32Array(head.cells), mesh: new Uint32Array(head.cells), state: new Uint32Array(head.cells),
+      values: new Float32Array(head.cells * m), contacts: [], connections: [],
+      positions: new Float32Array(0), firstVertex: new Uint32Array(head.cells + 1),
+    };
+    for (let i = 0; i < head.cells; ++i) {
+      const at = i * words;
+      frame.cell[i] = numbers[at];
+      frame.mesh[i] = numbers[at + 1];
+      frame.state[i] = numbers[at + 2];
+      frame.values.set(reals.subarray(at + 9, at + words), i * m);
+      frame.firstVertex[i + 1] = frame.firstVertex[i] + this.vertexCounts[frame.mesh[i]];
+    }
+    let place = head.offset + 4 * head.cells * words;
+    const pairs = new Uint32Array(this.bytes, place, 3 * head.contacts), areas = new Float32Array(this.bytes, place, 3 * head.contacts);
+    for (let k = 0; k < head.contacts; ++k) frame.contacts.push({ a: pairs[3 * k], b: pairs[3 * k + 1], area: areas[3 * k + 2] });
+    place += 12 * head.contacts;
+    const held = new Uint32Array(this.bytes, place, 2 * head.connections);
+    for (let k = 0; k < head.connections; ++k) frame.connections.push([held[2 * k], held[2 * k + 1]]);
+    place += 8 * head.connections;
+    const vertices = frame.firstVertex[head.cells];
+    const grid = new Uint16Array(this.bytes, place, 3 * vertices);
+    frame.positions = new Float32Array(3 * vertices);
+    for (let i = 0; i < head.cells; ++i) {
+      const low = reals.subarray(i * words + 3, i * words + 6), step = reals.subarray(i * words + 6, i * words + 9);
+      for (let k = 3 * frame.firstVertex[i]; k < 3 * frame.firstVertex[i + 1]; k += 3)
+        for (let axis = 0; axis < 3; ++axis) frame.positions[k + axis] = low[axis] + step[axis] * grid[k + axis];
+    }
+    return frame;
+  }
+}
+
+export interface Data { runs: Run[]; units: Record<string, string>; scale: string[]; series: string[] }
+
+function bytesOf(text: string): ArrayBuffer {
+  const binary = atob(text), bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes.buffer;
+}
+
+export function readData(): Data {
+  const json = JSON.parse(document.getElementById("data")!.textContent!);
+  return {
+    units: json.units, scale: json.scale, series: json.series,
+    runs: json.runs.map((run: any, i: number) => new Run(run, bytesOf(document.getElementById(`frames-${i}`)?.textContent ?? ""))),
+  };
+}
+
+export function isWithin(path: string, ancestor: string): boolean { return path.startsWith(ancestor); }
+
+/** Four digits are enough to look at. */
+export function numberText(x: number): string {
+  if (!Number.isFinite(x)) return "not measured";
+  return Number.isInteger(x) && Math.abs(x) < 1e6 ? String(x) : Number(x.toPrecision(4)).toString();
+}

@@ -1,0 +1,317 @@
+// The explorer: builds its parts into #explore and keeps them together.
+import { Clock } from "./clock";
+import { Colouring } from "./colours";
+import { setUpCompare } from "./compare";
+import { isWithin, numberText, readData, type Data, type Run } from "./data";
+import { Info } from "./info";
+import { State, type Choice } from "./state";
+import { Tree } from "./tree";
+import { standpoints, View } from "./view";
+
+function element<K extends keyof HTMLElementTagNameMap>(name: K, className = "", text = ""): HTMLElementTagNameMap[K] {
+  const made = document.createElement(name);
+  if (className) made.className = className;
+  if (text) made.textContent = text;
+  return made;
+}
+
+function choiceOf(options: [string, string][], label: string): [HTMLLabelElement, HTMLSelectElement] {
+  const made = element("label", "", label + " "), select = element("select");
+  for (const [value, text] of options) {
+    const option = element("option", "", text);
+    option.value = value;
+    select.append(option);
+  }
+  made.append(select);
+  return [made, select];
+}
+
+class Explorer {
+  private readonly state: State;
+  private readonly colouring: Colouring;
+  private readonly views: View[] = [];
+  private readonly tree: Tree;
+  private readonly info: Info;
+  private readonly clock: Clock;
+  private readonly tip = element("div", "tip");
+  private readonly bar = element("div", "bar");
+  private readonly panes = element("div", "panes");
+  private readonly viewRow = element("div", "views");
+  private hasGraphics = true;
+  private linking = false;
+
+  constructor(root: HTMLElement, private readonly data: Data) {
+    const second = data.runs.length > 1 ? 1 : -1;
+    const initial: Choice = {
+      time: Math.max(data.runs[0].end, second > 0 ? data.runs[1].end : 0), selected: null, hovered: null, colour: "substance", scaleNow: false, surface: true, wireframe: false, normals: false,
+      connections: false, shell: true, opacity: 1, clip: "", clipAt: 0, left: 0, right: second, camera: null,
+    };
+    this.state = new State(initial, { runs: data.runs.length, time: Math.max(...data.runs.map((r) => r.end)), isCell: (path) => data.runs.some((r) => r.byPath.has(path)) });
+    this.colouring = new Colouring(data);
+    const anyBodies = data.runs.some((run) => run.hasBodies);
+    const treePane = element("div", "tree");
+    treePane.id = "tree";
+    const infoBox = element("div");
+    infoBox.id = "info";
+    infoBox.setAttribute("aria-live", "polite");
+    const clockBox = element("div", "clock");
+    this.tip.hidden = true;
+    document.body.append(this.tip);
+    const tools = this.makeTools(anyBodies);
+    root.append(tools, this.panes, this.bar, clockBox, infoBox);
+    if (anyBodies) this.panes.append(this.viewRow);
+    else this.panes.style.gridTemplateColumns = "minmax(0, 1fr)";
+    this.panes.append(treePane);
+    if (anyBodies) this.makeViews();
+    this.tree = new Tree(treePane, this.firstRun(), this.state, this.colouring);
+    this.info = new Info(infoBox, data, this.state);
+    this.clock = new Clock(clockBox, data, this.state);
+    this.fitButton(tools);
+    for (const part of [this.tree, this.info]) part.onPick = (path: string) => this.pick(path);
+    this.tree.onHover = (path, x, y) => this.hover(path, x, y);
+    this.state.listen((changed) => this.changed(changed));
+    root.addEventListener("keydown", (e) => this.key(e));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.views.forEach((v) => v.takePaper()));
+    if (this.state.choice.camera) this.views.forEach((v) => v.putAt(this.state.choice.camera!));
+    this.updateAll();
+  }
+
+  private firstRun(): Run { return this.data.runs[this.state.choice.left]; }
+  private shown(): number[] { const { left, right } = this.state.choice; return right >= 0 ? [left, right] : [left]; }
+
+  private makeViews(): void {
+    this.views.length = 0;
+    this.viewRow.replaceChildren();
+    for (const number of this.shown()) {
+      const run = this.data.runs[number], box = element("div", "view");
+      this.viewRow.append(box);
+      if (!run.hasBodies || !this.hasGraphics) { this.showPicture(box, number); continue; }
+      try {
+        const view = new View(box, run, this.state, this.colouring);
+        view.onPick = (path) => { if (path === null) this.state.set({ selected: null }); else this.pick(path); };
+        view.onHover = (path, x, y) => this.hover(path, x, y);
+        view.onCamera = (moved) => this.link(moved);
+        const caption = element("div", "caption", this.data.runs.length > 1 ? run.title : ""), scale = element("div", "scale");
+        box.append(caption, scale);
+        this.views.push(view);
+      } catch {
+        this.hasGraphics = false;
+        box.replaceChildren();
+        this.showPicture(box, number);
+      }
+    }
+    this.scaleBars();
+  }
+
+  /** Without WebGL, or without shapes: the picture that the page has of the run. */
+  private showPicture(box: HTMLElement, number: number): void {
+    const stored = document.querySelector<HTMLImageElement>(`#picture-${number} img`), run = this.data.runs[number];
+    if (stored) {
+      const picture = stored.cloneNode() as HTMLImageElement;
+      box.append(picture);
+    }
+    box.append(element("div", "caption", run.hasBodies ? "This browser has no WebGL: the stored picture instead." : `${run.title}: no shapes are kept in this page.`));
+  }
+
+  private toggle(key: "scaleNow" | "surface" | "wireframe" | "normals" | "connections" | "shell", text: string): HTMLElement {
+    const label = element("label"), box = element("input");
+    box.type = "checkbox";
+    box.name = key;
+    box.checked = this.state.choice[key];
+    box.addEventListener("change", () => this.state.set({ [key]: box.checked }));
+    this.state.listen((changed) => { if (changed.has(key)) box.checked = this.state.choice[key]; });
+    label.append(box, text);
+    return label;
+  }
+
+  private range(key: "opacity" | "clipAt", text: string, least: number, most: number): HTMLElement {
+    const label = element("label", "", text + " "), range = element("input");
+    range.type = "range";
+    range.name = key;
+    range.min = String(least);
+    range.max = String(most);
+    range.step = "0.01";
+    range.value = String(this.state.choice[key]);
+    range.addEventListener("input", () => this.state.set({ [key]: Number(range.value) }));
+    this.state.listen((changed) => { if (changed.has(key)) range.value = String(this.state.choice[key]); });
+    label.append(range);
+    return label;
+  }
+
+  private select(key: "colour" | "clip" | "left" | "right", text: string, options: [string, string][]): HTMLElement {
+    const [label, select] = choiceOf(options, text);
+    select.name = key;
+    select.value = String(this.state.choice[key]);
+    select.addEventListener("change", () => this.state.set({ [key]: key === "left" || key === "right" ? Number(select.value) : select.value }));
+    this.state.listen((changed) => { if (changed.has(key)) select.value = String(this.state.choice[key]); });
+    return label;
+  }
+
+  private makeTools(bodies: boolean): HTMLElement {
+    const tools = element("div", "tools"), { runs } = this.data;
+    tools.setAttribute("role", "group");
+    tools.setAttribute("aria-label", "What the explorer shows");
+    if (runs.length > 1) {
+      const names = runs.map((run, i): [string, string] => [String(i), run.title]);
+      tools.append(this.select("left", "Left", names), this.select("right", "Right", [["-1", "none"], ...names]));
+    }
+    const colours = this.colouring.choices();
+    if (!colours.includes(this.state.choice.colour)) this.state.set({ colour: "substance" });
+    tools.append(this.select("colour", "Colour", colours.map((c) => [c, c.replace(/_/g, " ")])));
+    if (!bodies) return tools;
+    const now = this.toggle("scaleNow", "scale of this time");
+    const show = () => (now.hidden = !this.data.runs.some((run) => run.measures.includes(this.state.choice.colour)));
+    this.state.listen((changed) => { if (changed.has("colour")) show(); });
+    show();
+    tools.append(now);
+    tools.append(this.toggle("surface", "surface"), this.toggle("wireframe", "wireframe"), this.toggle("normals", "normals"));
+    if (runs.some((run) => run.hasBodies && this.everConnected(run))) tools.append(this.toggle("connections", "connections"));
+    if (runs.some((run) => run.shell)) tools.append(this.toggle("shell", "shell"));
+    tools.append(this.range("opacity", "Opacity", 0.1, 1), this.select("clip", "Clip", [["", "none"], ["x", "x"], ["y", "y"], ["z", "z"]]), this.range("clipAt", "at", -1, 1));
+    const [label, from] = choiceOf([["", "…"], ...Object.keys(standpoints).map((s): [string, string] => [s, s])], "View from");
+    from.name = "view";
+    from.addEventListener("change", () => {
+      if (from.value) this.views.forEach((view) => view.look(standpoints[from.value]));
+      from.value = "";
+    });
+    tools.append(label);
+    return tools;
+  }
+
+  private everConnected(run: Run): boolean { return run.connected; }
+
+  private fitButton(tools: HTMLElement): void {
+    const button = element("button", "", "");
+    button.type = "button";
+    const show = () => { button.textContent = this.tree.isWhole ? "Tree: every label" : "Tree: all of it"; button.hidden = !this.tree.canFit; };
+    button.addEventListener("click", () => { this.tree.fit(!this.tree.isWhole); show(); });
+    show();
+    tools.append(button);
+  }
+
+  /** Cameras go together. */
+  private link(moved: View): void {
+    if (this.linking) return;
+    this.linking = true;
+    for (const view of this.views) if (view !== moved) view.putAt(moved.place());
+    this.linking = false;
+    this.scaleBars();
+    this.state.set({ camera: moved.place() });
+  }
+
+  private scaleBars(): void {
+    for (const view of this.views) {
+      const bar = view.canvas.parentElement!.querySelector<HTMLElement>(".scale"), perPixel = view.lengthPerPixel();
+      if (!bar || !(perPixel > 0)) continue;
+      const power = 10 ** Math.floor(Math.log10(120 * perPixel)), length = [5, 2, 1].map((x) => x * power).find((x) => x <= 120 * perPixel) ?? power;
+      bar.textContent = numberText(length);
+      bar.style.width = `${length / perPixel}px`;
+    }
+  }
+
+  private pick(path: string): void {
+    const { choice } = this.state, run = this.data.runs[this.shown().find((n) => this.data.runs[n].byPath.has(path)) ?? choice.left], cell = run.byPath.get(path);
+    if (!cell) return;
+    // A cell that does not live now, nor any descendant: then go to its time, so that it is seen in both.
+    const isSeen = run.cells.some((c) => isWithin(c.path, path) && c.born <= choice.time && (choice.time < c.ended || c.fate === "alive"));
+    let time = choice.time;
+    if (!isSeen) {
+      const frames = run.times.filter((t) => t >= cell.born && (t < cell.ended || cell.fate === "alive"));
+      time = frames.length ? frames[frames.length >> 1] : (cell.born + cell.ended) / 2;
+    }
+    this.state.set({ selected: path, time });
+    this.tree.reveal(path, false);
+  }
+
+  private hover(path: string | null, x: number, y: number): void {
+    if (this.state.choice.hovered !== path) this.state.set({ hovered: path });
+    const cell = path === null ? undefined : this.shown().map((n) => this.data.runs[n].byPath.get(path)).find((c) => c);
+    this.tip.hidden = !cell || (x === 0 && y === 0);
+    if (!cell) return;
+    this.tip.textContent = cell.label + (cell.name ? ` (${cell.path || "egg"})` : "");
+    this.tip.style.left = `${Math.min(x + 12, innerWidth - 160) + scrollX}px`;
+    this.tip.style.top = `${y + 14 + scrollY}px`;
+  }
+
+  private key(event: KeyboardEvent): void {
+    const at = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey || ["INPUT", "SELECT", "TEXTAREA", "BUTTON"].includes(at.tagName)) return;
+    const inTree = at.closest("#tree") !== null, view = this.views.find((v) => v.canvas === at);
+    if (!inTree && !view) return;
+    const run = this.firstRun(), cell = run.byPath.get(this.state.choice.selected ?? "") ?? run.cells[0];
+    const sister = cell.mother?.daughters.find((d) => d !== cell);
+    let to: string | undefined;
+    if (event.shiftKey && view) {
+      const turns: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
+      if (!turns[event.key]) return;
+      view.turn(...turns[event.key]);
+    } else if (event.key === "ArrowLeft") to = cell.mother?.path;
+    else if (event.key === "ArrowRight") to = cell.daughters[0]?.path;
+    else if (event.key === "ArrowUp" || event.key === "ArrowDown") to = sister?.path;
+    else if (event.key === "Home") to = run.cells[0].path;
+    else if (event.key === "Enter" || (event.key === " " && inTree)) to = at.getAttribute("data-path") ?? undefined;
+    else if (event.key === "Escape") this.state.set({ selected: null });
+    else if (event.key === " ") this.clock.toggle();
+    else if (event.key === "." || event.key === ",") this.clock.step(event.key === "." ? 1 : -1);
+    else return;
+    event.preventDefault();
+    if (to === undefined) return;
+    // The first arrow selects the egg, from where the others walk.
+    this.pick(this.state.choice.selected === null && event.key !== "Enter" ? cell.path : to);
+    if (inTree) this.tree.reveal(this.state.choice.selected!, true);
+  }
+
+  private changed(changed: Set<keyof Choice>): void {
+    if (changed.has("left") || changed.has("right")) {
+      if (this.viewRow.isConnected) {
+        this.views.forEach((view) => view.dispose());
+        this.makeViews();
+      }
+      this.tree.setRun(this.firstRun());
+      this.clock.setRuns();
+      this.updateAll();
+      return;
+    }
+    if (changed.has("camera") && this.state.choice.camera && !this.linking) this.views.forEach((v) => { if (changed.size > 1) v.putAt(this.state.choice.camera!); });
+    if (changed.size === 1 && changed.has("camera")) return;
+    if (changed.size === 1 && changed.has("hovered")) {
+      this.tree.hover(this.state.choice.hovered);
+      this.views.forEach((view) => view.update());
+      return;
+    }
+    this.updateAll();
+  }
+
+  private updateAll(): void {
+    this.views.forEach((view) => view.update());
+    this.tree.update();
+    this.clock.update();
+    this.info.update();
+    this.legend();
+    this.scaleBars();
+  }
+
+  private legend(): void {
+    const { colour } = this.state.choice, run = this.firstRun();
+    const chip = (text: string, css: string) => {
+      const made = element("span", "chip"), swatch = element("i");
+      swatch.style.background = css;
+      made.append(swatch, text);
+      return made;
+    };
+    if (colour === "substance") this.bar.replaceChildren(...run.legend.map(([label, css]) => chip(label, css)));
+    else if (colour === "generation") {
+      const most = Math.max(...run.cells.map((c) => c.path.length));
+      this.bar.replaceChildren(...Array.from({ length: Math.min(most, 15) + 1 }, (_, g) => chip(String(g), this.data.series[g % this.data.series.length])));
+    } else if (colour === "clone") this.bar.replaceChildren(...["AA", "AB", "BA", "BB"].map((p, i) => chip(run.byPath.get(p)?.label ?? p, this.data.series[i])));
+    else {
+      const [low, high] = this.colouring.range(colour, this.state.choice.scaleNow ? this.state.choice.time : null), ramp = element("span", "ramp");
+      ramp.style.background = `linear-gradient(to right, ${this.data.scale.join(",")})`;
+      this.bar.replaceChildren(`${colour.replace(/_/g, " ")}${this.data.units[colour] ? ` [${this.data.units[colour]}]` : ""}: ${numberText(low)}`, ramp, numberText(high));
+    }
+  }
+}
+
+const place = document.getElementById("explore");
+if (place && document.getElementById("data")) new Explorer(place, readData());
+setUpCompare();

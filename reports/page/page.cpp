@@ -1,0 +1,80 @@
+#include "page/page.h"
+
+#include "page/html.h"
+
+namespace morula {
+
+namespace {
+
+/// Everything is in the file, so nothing may be fetched; of programs only those of these very bytes run.
+std::string policy(const Page& page) {
+  std::string text =
+      "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
+  if (!page.program.empty()) text += "; script-src 'sha256-" + base64(sha256(page.program)) + "'";
+  return text;
+}
+
+std::string commandsHtml(const std::vector<std::string>& commands) {
+  if (commands.empty()) return {};
+  std::string html = "<div class=\"again\"><span>Make this again:</span>";
+  for (const std::string& command : commands) html += "<code>" + htmlText(command) + "</code>";
+  return html + "</div>\n";
+}
+
+}  // namespace
+
+std::string pageFile(const Page& page) {
+  std::string html =
+      "<!DOCTYPE html>\n<!-- Morula report -->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+      htmlText(policy(page)) +
+      "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" +
+      htmlText(page.title) + "</title>\n<style>\n" + pageStyle() +
+      "</style>\n</head>\n<body>\n<header>\n<h1>" + htmlText(page.title) + "</h1>\n";
+  if (!page.summary.empty()) html += "<p class=\"summary\">" + htmlText(page.summary) + "</p>\n";
+  html +=
+      "</header>\n<main>\n<section id=\"verdict\" aria-label=\"Verdict\">\n" + page.verdict + "</section>\n";
+  for (const PageBlock& block : page.blocks)
+    html += "<section id=\"" + block.id + "\">\n<h2>" + htmlText(block.title) + "</h2>\n" + block.html +
+            commandsHtml(block.commands) + "</section>\n";
+  html += "</main>\n";
+  if (!page.program.empty() && !page.data.empty()) {
+    html += "<script type=\"application/json\" id=\"data\">" + scriptJson(page.data) + "</script>\n";
+    for (const PageBytes& bytes : page.bytes)
+      html += "<script type=\"text/plain\" id=\"" + bytes.id + "\">" + base64(bytes.bytes) + "</script>\n";
+  }
+  if (!page.program.empty()) html += "<script>" + page.program + "</script>\n";
+  return html + "</body>\n</html>\n";
+}
+
+std::string htmlTable(const std::string& caption, const std::vector<std::string>& head,
+                      const std::vector<std::vector<std::string>>& rows) {
+  std::string html = "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + htmlText(caption) +
+                     "\"><table>\n<caption>" + htmlText(caption) + "</caption>\n";
+  if (!head.empty()) {
+    html += "<thead><tr>";
+    for (const std::string& cell : head) html += "<th scope=\"col\">" + cell + "</th>";
+    html += "</tr></thead>\n";
+  }
+  html += "<tbody>\n";
+  for (const auto& row : rows) {
+    html += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      html += i == 0 ? "<th scope=\"row\">" + row[i] + "</th>" : "<td>" + row[i] + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string htmlPicture(const std::string& type, const std::string& bytes, const std::string& what,
+                        const std::string& caption) {
+  return "<figure><img src=\"" + dataUri(type, bytes) + "\" alt=\"" + htmlText(what) + "\"><figcaption>" +
+         htmlText(caption) + "</figcaption></figure>\n";
+}
+
+std::string htmlFolded(const std::string& title, const std::string& html) {
+  return "<details><summary>" + htmlText(title) + "</summary>\n" + html + "</details>\n";
+}
+
+}  // namespace morula

@@ -1,0 +1,82 @@
+// morula report: one page of stored runs, which opens anywhere and needs no network.
+#include "report/report.h"
+
+#include <memory>
+
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/verb.h"
+#include "files/folders.h"
+#include "files/write_file.h"
+#include "system/console.h"
+#include "system/usage_error.h"
+
+namespace morula::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct ReportOptions {
+  std::vector<std::string> what;
+  std::string run, output, frames = "100", limit = "10M";
+  ExecutionOptions execution;
+  OutputOptions messages;
+};
+
+/// results/unique-four-5/run.db → report.html beside it.
+fs::path defaultName(const std::string& what) {
+  const fs::path path = what;
+  return (isFolder(path) ? path : path.parent_path()) / "report.html";
+}
+
+int act(const ReportOptions& options) {
+  ReportQuestion question;
+  question.what = options.what;
+  question.run = options.run;
+  question.frames = naturalOption("--frames", options.frames, 0, 10'000);
+  question.mostBytes = static_cast<std::size_t>(sizeOption("--size-limit", options.limit));
+  question.execution = execution(options.execution);
+  question.quiet = options.messages.quiet;
+  findExplorer(question);
+  const fs::path file = options.output.empty() ? defaultName(options.what.front()) : fs::path(options.output);
+  if (const auto ending = file.extension(); ending != ".html" && ending != ".htm")
+    throw UsageError("--output: '" + file.string() +
+                     "' does not end in .html, and a page is all that report writes");
+  const ReportAnswer answer = makeReport(question);
+  if (answer.signal) return signalled + answer.signal;
+  writeFile(file, answer.bytes, Content::page);
+  if (question.program.empty())
+    tell("report: without the explorer: " + question.whyNone, options.messages.quiet);
+  for (const std::string& remark : answer.remarks) tell("report: " + remark, options.messages.quiet);
+  if (options.messages.json)
+    printJson({{"report", file.string()},
+               {"runs", answer.runs},
+               {"bytes", answer.bytes.size()},
+               {"explorer", !question.program.empty()}});
+  else print(file.string() + "\n");
+  return fine;
+}
+
+}  // namespace
+
+void addReport(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ReportOptions>();
+  Verb verb(app, action, "report",
+            "Write one page of stored runs: verdict, explorer, pictures, checks, where they come from");
+  verb.needs("what", options->what, "WHAT",
+             "Databases of runs or of a merged study, report.json of a check, what accuracy --json printed, "
+             "or folders of these");
+  verb.takes("-o,--output", options->output, "FILE",
+             "The page, a .html; default: report.html beside the first database");
+  verb.takes("--run", options->run, "ID", "Only this run of the database; default: all");
+  verb.takes("--frames", options->frames, "N",
+             "Shapes of each run, evenly over its time; 0: none, and nothing is run again");
+  verb.takes("--size-limit", options->limit, "SIZE",
+             "Bytes of the page; frames that do not fit are left out, which the page says");
+  add(verb, options->execution);
+  add(verb, options->messages);
+  verb.does([options] { return act(*options); });
+}
+
+}  // namespace morula::cli

@@ -1,0 +1,169 @@
+// A check of many scenarios: which differ, and how.
+#include <algorithm>
+#include <set>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "check/check_run.h"
+#include "files/folders.h"
+#include "files/read_file.h"
+#include "golden/check_json.h"
+#include "pictures/pictures.h"
+#include "report/parts.h"
+#include "report/verdict.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::size_t mostTold = 40;  // failed scenarios with all that differs
+
+std::size_t failures(const CheckReport& report) {
+  return static_cast<std::size_t>(std::count_if(report.results.begin(), report.results.end(),
+                                                [](const CheckResult& r) { return !r.passed; }));
+}
+
+std::string classesOf(const CheckReport& report) {
+  std::set<std::string> classes;
+  for (const CheckResult& r : report.results)
+    if (!r.passed) classes.insert(r.failureClass);
+  std::string text;
+  for (const std::string& c : classes) text += (text.empty() ? "" : ", ") + c;
+  return text;
+}
+
+/// The largest share of a tolerance that a check of the scenario has used.
+std::string largestShare(const CheckReport& report) {
+  std::optional<double> largest;
+  for (const CheckResult& r : report.results)
+    if (r.share) largest = std::max(largest.value_or(0), *r.share);
+  return largest ? numberText(100 * *largest, 3) + " %" : "";
+}
+
+std::string overview(const std::vector<CheckedScenario>& checked) {
+  std::vector<std::vector<std::string>> rows;
+  for (const bool wantFailed : {true, false})
+    for (const CheckedScenario& c : checked) {
+      const std::size_t failed = failures(c.report);
+      if ((failed > 0) != wantFailed) continue;
+      rows.push_back({shown(c.report.scenario),
+                      failed ? "<span class=\"mark bad\">✗ " + std::to_string(failed) + " of " +
+                                   std::to_string(c.report.results.size()) + " differ</span>"
+                             : "<span class=\"mark good\">✓ all " + std::to_string(c.report.results.size()) +
+                                   " pass</span>",
+                      shown(classesOf(c.report)), largestShare(c.report)});
+    }
+  return htmlTable("Scenarios", {"Scenario", "Checks", "What differs", "Largest share of a tolerance"}, rows);
+}
+
+std::string blockOf(const CheckedScenario& c) {
+  std::string html;
+  const CellNames names = c.again ? c.again->scenario.names : CellNames{};
+  if (!c.report.change.empty())
+    html += "<pre tabindex=\"0\">" + shown(withNames(c.report.change, names.function())) + "</pre>\n";
+  if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
+    html += "<div class=\"pictures\">" +
+            htmlPicture("image/png",
+                        pngFile(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario))),
+                        c.report.scenario + ": the organism as it is now",
+                        "as it is now, at time " + numberText(c.again->simulation.end.time, 6)) +
+            "</div>\n";
+  return html + checksOf(c.report.results, names);
+}
+
+[[noreturn]] void refuse(const std::string& file, const std::string& why) {
+  throw InputError(file + ": " + why + "; needs the report.json that morula check --reports has written");
+}
+
+}  // namespace
+
+std::vector<CheckedScenario> readChecked(const std::string& file) {
+  const Json json = Json::parse(readFile(file), nullptr, false);
+  if (json.is_discarded() || !json.is_object() || !json.contains("results"))
+    refuse(file, "no results of a check");
+  std::vector<CheckedScenario> checked;
+  std::map<std::string, std::size_t> places;
+  try {
+    for (const Json& result : json.at("results")) {
+      const auto name = result.at("scenario").get<std::string>();
+      const auto [place, isNew] = places.emplace(name, checked.size());
+      if (isNew) {
+        CheckedScenario next;
+        next.report.scenario = name;
+        if (json.contains("changes") && json["changes"].contains(name))
+          next.report.change = json["changes"][name].get<std::string>();
+        if (json.contains("files") && json["files"].contains(name))
+          next.file = json["files"][name].get<std::string>();
+        checked.push_back(std::move(next));
+      }
+      Json whole = result;
+      if (!whole.contains("message")) whole["message"] = "";
+      checked[place->second].report.results.push_back(checkResultFrom(whole));
+    }
+  } catch (const Json::exception&) { refuse(file, "results that are none of a check"); }
+  return checked;
+}
+
+int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question) {
+  for (CheckedScenario& c : checked) {
+    if (most == 0) break;
+    if (failures(c.report) == 0 || c.file.empty() || !fileExists(c.file)) continue;
+    try {
+      Scenario scenario = loadScenario(c.file);
+      World world = makeScenarioWorld(scenario, question.execution);
+      // Where a run ends is not always known before: then frames are spread over the longest it may take.
+      const auto end = plannedEnd(scenario.scene);
+      if (!end) continue;
+      FrameTaker taker(*end, question.frames);
+      Progress progress(scenario.scene.name, question.quiet);
+      auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
+                          [&](const World& w) { taker.observe(w); });
+      if (run.signal) return run.signal;
+      c.again = std::make_unique<FailedAgain>(
+          FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
+      --most;
+    } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
+    }
+  }
+  return 0;
+}
+
+PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file) {
+  std::vector<Finding> findings;
+  std::size_t failed = 0, told = 0;
+  PagePart part{.title = "morula check", .summary = {}, .verdict = {}, .change = {}, .blocks = {}};
+  for (const CheckedScenario& c : checked) {
+    const std::size_t differ = failures(c.report);
+    if (differ == 0) continue;
+    ++failed;
+    findings.push_back(
+        {Finding::Kind::bad, "<b>" + shown(c.report.scenario) + "</b>: " + std::to_string(differ) + " of " +
+                                 counted(c.report.results.size(), "check") +
+                                 (differ == 1 ? " differs: " : " differ: ") + shown(classesOf(c.report))});
+    if (++told > mostTold) continue;
+    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c), {}});
+    if (!c.file.empty())
+      part.blocks.back().commands = {"./morula check " + shellWord(c.file),
+                                     "./morula explain " + shellWord(c.file),
+                                     "./morula review " + shellWord(c.file)};
+  }
+  part.title = failed ? "morula check: " + std::to_string(failed) + " of " +
+                            counted(checked.size(), "scenario") + (failed == 1 ? " differs" : " differ")
+                      : "morula check: " + counted(checked.size(), "scenario") +
+                            (checked.size() == 1 ? " passes" : " pass");
+  if (!failed) findings.push_back({Finding::Kind::good, "Every scenario gives what is accepted"});
+  if (told > mostTold)
+    findings.push_back({Finding::Kind::warning,
+                        "What differs is shown of the first " + std::to_string(mostTold) + " scenarios"});
+  part.verdict = "<p class=\"said\">" + std::to_string(checked.size() - failed) + " of " +
+                 counted(checked.size(), "scenario") + (checked.size() == 1 ? " passes" : " pass") +
+                 ".</p>\n" + findingsHtml(findings);
+  part.blocks.push_back({"checks",
+                         "Scenarios",
+                         overview(checked),
+                         {"./morula check --reports " +
+                          shellWord(std::filesystem::path(file).parent_path().generic_string())}});
+  return part;
+}
+
+}  // namespace morula

@@ -1,0 +1,151 @@
+#include "report/explorer_data.h"
+
+#include <cstdio>
+#include <set>
+
+#include "drawing/palette.h"
+#include "files/printable.h"
+#include "pictures/pictures.h"
+#include "report/words.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::size_t colourSteps = 33;  // of the scale
+
+std::string hex(Colour colour) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", colour.r, colour.g, colour.b);
+  return text;
+}
+
+/// Faces as numbers in one row.
+Json flat(const std::vector<Face>& faces) {
+  Json numbers = Json::array();
+  for (const Face& face : faces)
+    for (const auto vertex : face) numbers.push_back(vertex);
+  return numbers;
+}
+
+Json shellOf(const Scenario& scenario) {
+  if (!scenario.scene.mechanics || !scenario.scene.mechanics->physics.shell) return {};
+  const auto& shell = *scenario.scene.mechanics->physics.shell;
+  if (!shell.mesh) return {{"axes", {shell.semiAxes[0], shell.semiAxes[1], shell.semiAxes[2]}}};
+  Json vertices = Json::array();
+  for (const Point& p : shell.mesh->mesh.vertices)
+    for (const double x : {p.x, p.y, p.z}) vertices.push_back(x);
+  return {{"vertices", vertices}, {"faces", flat(shell.mesh->mesh.faces)}};
+}
+
+/// The states that cells of the run have or had, with their substances and colours.
+class States {
+ public:
+  explicit States(const ExplorerRun& run) : run_(run), palette_(*run.scenario) {
+    if (run.frames)
+      for (const StateId state : run.frames->states) number(state);
+  }
+  std::size_t number(StateId state) {
+    const auto [entry, isNew] = numbers_.emplace(state, numbers_.size());
+    if (!isNew) return entry->second;
+    const std::string substances = run_.describe(state);
+    texts_.push_back(printableLine(substances));
+    colours_.push_back(hex(palette_.colourOf(substances)));
+    return entry->second;
+  }
+  void addTo(Json& json) const {
+    json["states"] = texts_, json["colours"] = colours_;
+    json["legend"] = Json::array();
+    for (const LegendEntry& e : palette_.legend())
+      json["legend"].push_back({printableLine(e.label), hex(e.colour)});
+  }
+
+ private:
+  const ExplorerRun& run_;
+  Palette palette_;
+  std::map<StateId, std::size_t> numbers_;
+  Json texts_ = Json::array(), colours_ = Json::array();
+};
+
+Json unitsOf() {
+  Json units = Json::object();
+  for (const auto& m : sampledMeasures<CellContext>()) units[m.name] = m.unit;
+  return units;
+}
+
+Json dataOf(const ExplorerRun& run) {
+  Json json{{"title", printableLine(run.title)}, {"end", run.end}};
+  States states(run);
+  Json cells = Json::array();
+  for (std::size_t i = 0; i < std::min(run.lineage->size(), mostTreeCells); ++i) {
+    const LineageEntry& cell = (*run.lineage)[i];
+    const auto called = run.scenario->names.of(cell.path);
+    cells.push_back({cell.path.text(), called ? printableLine(*called) : "", cell.born,
+                     cell.fate == Fate::alive ? run.end : cell.ended, name(cell.fate),
+                     states.number(cell.state)});
+  }
+  json["cells"] = std::move(cells);
+  states.addTo(json);
+  json["shell"] = shellOf(*run.scenario);
+  json["radius"] = run.scenario->scene.mechanics ? run.scenario->scene.mechanics->physics.cell.radius : 1;
+  json["measures"] = Json::array(), json["frames"] = Json::array(), json["meshes"] = Json::array();
+  if (!run.frames) return json;
+  json["measures"] = run.frames->measures;
+  for (const auto& faces : run.frames->meshes) json["meshes"].push_back(flat(faces));
+  for (const Frame& f : run.frames->frames)
+    json["frames"].push_back({f.time, f.step, f.cells, f.contacts, f.connections, f.bytes.size()});
+  return json;
+}
+
+}  // namespace
+
+Json explorerData(const std::vector<ExplorerRun>& runs) {
+  Json json{{"morula", 1},
+            {"units", unitsOf()},
+            {"scale", Json::array()},
+            {"series", Json::array()},
+            {"runs", Json::array()}};
+  for (std::size_t i = 0; i < colourSteps; ++i)
+    json["scale"].push_back(hex(scaleColour(double(i) / (colourSteps - 1))));
+  for (std::size_t i = 0; i < manySeries; ++i) json["series"].push_back(hex(seriesColour(i)));
+  for (const ExplorerRun& run : runs) json["runs"].push_back(dataOf(run));
+  return json;
+}
+
+std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs) {
+  std::vector<PageBytes> all;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    PageBytes bytes{"frames-" + std::to_string(i), ""};
+    if (runs[i].frames)
+      for (const Frame& f : runs[i].frames->frames) bytes.bytes += f.bytes;
+    all.push_back(std::move(bytes));
+  }
+  return all;
+}
+
+std::string leftOutOf(const std::vector<ExplorerRun>& runs) {
+  std::string html;
+  const auto say = [&](const ExplorerRun& run, const std::string& what) {
+    html +=
+        "<p class=\"note\">" + (runs.size() > 1 ? shown(run.title) + ": " : std::string()) + what + "</p>\n";
+  };
+  for (const ExplorerRun& run : runs) {
+    if (run.lineage->size() > mostTreeCells)
+      say(run, "The tree shows the " + std::to_string(mostTreeCells) + " cells that were born first, of " +
+                   std::to_string(run.lineage->size()) + ".");
+    if (!run.scenario->scene.mechanics)
+      say(run, "These cells have no bodies: there is a tree, and nothing to see in three dimensions.");
+    if (!run.frames) continue;
+    const std::size_t kept = run.frames->frames.size(), taken = run.frames->worlds.size();
+    if (kept == 0 && taken > 0)
+      say(run,
+          "One frame alone would make the page too large: a larger --size-limit shows it in three "
+          "dimensions.");
+    else if (kept < taken)
+      say(run, "Thinned: " + std::to_string(kept) + " of " + std::to_string(taken) +
+                   " frames fit into the page; a larger --size-limit keeps more.");
+  }
+  return html;
+}
+
+}  // namespace morula

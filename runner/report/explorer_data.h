@@ -1,0 +1,33 @@
+#pragma once
+// What the explorer is told: JSON, and the frames' bytes beside it. reports/explorer/src/data.ts reads it.
+#include <string>
+#include <vector>
+
+#include "loop/simulate.h"
+#include "page/page.h"
+#include "report/frames.h"
+#include "system/json.h"
+
+namespace morula {
+
+/// One run as it can be explored.
+struct ExplorerRun {
+  std::string title;
+  const Scenario* scenario;
+  const std::vector<LineageEntry>* lineage;      // in the order that frames count cells
+  std::function<std::string(StateId)> describe;  // a state's substances
+  double end = 0;                                // [time]
+  const Frames* frames = nullptr;                // null: nothing but the tree
+};
+
+/// Cells of a tree that the explorer shows at most; of larger ones those that were born first.
+inline constexpr std::size_t mostTreeCells = 20000;
+
+/// The page's `data`. Frames of run number i are in the bytes `frames-i`.
+Json explorerData(const std::vector<ExplorerRun>& runs);
+std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs);
+
+/// What to say below the explorer of what was left out, HTML; "" if nothing was.
+std::string leftOutOf(const std::vector<ExplorerRun>& runs);
+
+}  // namespace morula

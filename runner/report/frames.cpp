@@ -1,0 +1,136 @@
+#include "report/frames.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace morula {
+
+namespace {
+
+void put(std::string& bytes, std::uint32_t number) {
+  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift);
+}
+
+void put(std::string& bytes, float number) { put(bytes, std::bit_cast<std::uint32_t>(number)); }
+
+/// The box that holds a cell's vertices, and how far apart the 65536 places along each of its sides are.
+struct Grid {
+  std::array<float, 3> low, step;
+
+  explicit Grid(const std::vector<Point>& vertices) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double least = HUGE_VAL, most = -HUGE_VAL;
+      for (const Point& p : vertices) {
+        const double x = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+        least = std::min(least, x), most = std::max(most, x);
+      }
+      low[axis] = static_cast<float>(least), step[axis] = static_cast<float>((most - least) / 65535);
+    }
+  }
+
+  std::uint16_t place(std::size_t axis, double x) const {
+    if (!(step[axis] > 0)) return 0;
+    return static_cast<std::uint16_t>(std::clamp(std::nearbyint((x - low[axis]) / step[axis]), 0.0, 65535.0));
+  }
+};
+
+std::uint32_t numberAmong(const World& world, const CellPath& path) {
+  return static_cast<std::uint32_t>(cellNumber(world.cells, path));
+}
+
+}  // namespace
+
+FrameTaker::FrameTaker(double end, std::size_t most) : end_(end), most_(most) {
+  for (const CellMeasure& m : sampledMeasures<CellContext>()) frames_.measures.push_back(m.name);
+}
+
+std::uint32_t FrameTaker::meshNumber(const std::vector<Face>& faces) {
+  auto& meshes = frames_.meshes;
+  const auto found = std::find(meshes.begin(), meshes.end(), faces);
+  if (found != meshes.end()) return static_cast<std::uint32_t>(found - meshes.begin());
+  meshes.push_back(faces);
+  return static_cast<std::uint32_t>(meshes.size() - 1);
+}
+
+std::uint32_t FrameTaker::stateNumber(StateId state) {
+  const auto [entry, isNew] = stateNumbers_.emplace(state, frames_.states.size());
+  if (isNew) frames_.states.push_back(state);
+  return entry->second;
+}
+
+void FrameTaker::observe(const World& world) {
+  const auto due = [&](std::size_t k) {
+    return most_ < 2 || k + 1 >= most_ ? end_
+                                       : end_ * static_cast<double>(k) / static_cast<double>(most_ - 1);
+  };
+  if (!world.bodies || next_ >= most_ || world.clock.time < due(next_)) return;
+  while (next_ < most_ && world.clock.time >= due(next_)) ++next_;
+
+  const Observation now(world);
+  const auto measured = measureCells(now);
+  const std::size_t count = world.cells.path.size();
+  Frame frame{.time = world.clock.time,
+              .step = world.clock.step,
+              .cells = static_cast<std::uint32_t>(count),
+              .bytes = {}};
+  std::string places;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Mesh mesh = cellMesh(world, world.cells.path[i]);
+    const Grid grid(mesh.vertices);
+    put(frame.bytes, world.cells.entry[i]);
+    put(frame.bytes, meshNumber(mesh.faces));
+    put(frame.bytes, stateNumber(world.cells.state[i]));
+    for (const float x : grid.low) put(frame.bytes, x);
+    for (const float x : grid.step) put(frame.bytes, x);
+    for (const auto& value : measured[i].values)
+      put(frame.bytes, value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN());
+    for (const Point& p : mesh.vertices)
+      for (const std::uint16_t n : {grid.place(0, p.x), grid.place(1, p.y), grid.place(2, p.z)})
+        places += static_cast<char>(n), places += static_cast<char>(n >> 8);
+  }
+  for (const ContactArea& contact : now.contacts()) {
+    put(frame.bytes, static_cast<std::uint32_t>(contact.a));
+    put(frame.bytes, static_cast<std::uint32_t>(contact.b));
+    put(frame.bytes, static_cast<float>(contact.area));
+    ++frame.contacts;
+  }
+  if (world.connections)
+    for (const std::size_t place : world.connections->active) {
+      const ConnectionRecord& held = world.connections->history[place];
+      put(frame.bytes, numberAmong(world, held.a));
+      put(frame.bytes, numberAmong(world, held.b));
+      ++frame.connections;
+    }
+  frame.bytes += places;
+  while (frame.bytes.size() % 4 != 0) frame.bytes += '\0';
+  frames_.frames.push_back(std::move(frame));
+  frames_.worlds.push_back(measureWorld(now));
+}
+
+std::size_t bytesOf(const Frames& frames) {
+  std::size_t bytes = 0;
+  for (const Frame& frame : frames.frames) bytes += frame.bytes.size();
+  return bytes;
+}
+
+void thinFrames(Frames& frames, std::size_t mostBytes) {
+  auto& all = frames.frames;
+  // Number k of `count` that stay, evenly over all; the last one stays longest.
+  const auto place = [&](std::size_t k, std::size_t count) {
+    return count < 2 ? all.size() - 1 : (k * (all.size() - 1) + (count - 1) / 2) / (count - 1);
+  };
+  std::size_t count = all.size();
+  for (; count > 0; --count) {
+    std::size_t bytes = 0;
+    for (std::size_t k = 0; k < count; ++k) bytes += all[place(k, count)].bytes.size();
+    if (bytes <= mostBytes) break;
+  }
+  if (count == all.size()) return;
+  std::vector<Frame> kept;
+  for (std::size_t k = 0; k < count; ++k) kept.push_back(std::move(all[place(k, count)]));
+  all = std::move(kept);
+}
+
+}  // namespace morula

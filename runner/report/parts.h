@@ -1,0 +1,45 @@
+#pragma once
+// What each kind of source gives to a page.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "report/explorer_data.h"
+#include "report/report.h"
+#include "report/words.h"
+
+namespace morula {
+
+struct PagePart {
+  std::string title, summary;     // plain text
+  std::string verdict;            // HTML
+  std::vector<PageBlock> change;  // what stands before the pictures
+  std::vector<PageBlock> blocks;
+};
+
+/// A scenario that failed its check, run again to be looked at.
+struct FailedAgain {
+  Scenario scenario;
+  Simulation simulation;
+  Frames frames;
+};
+
+struct CheckedScenario {
+  CheckReport report;
+  std::string file;                    // of the scenario; "" where it is not known
+  std::unique_ptr<FailedAgain> again;  // of the first failed ones
+};
+
+/// A report.json of `morula check --reports`. Throws InputError for one that it did not write.
+std::vector<CheckedScenario> readChecked(const std::string& file);
+/// Runs up to `most` of those that failed again. Returns the signal that interrupted it, or 0.
+int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question);
+PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file);
+
+/// What `morula accuracy --json` has printed. Throws InputError for other JSON.
+PagePart accuracyPart(const std::string& file);
+
+/// The program that makes the page, where no run says where it comes from.
+PageBlock programBlock();
+
+}  // namespace morula

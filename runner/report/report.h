@@ -1,0 +1,40 @@
+#pragma once
+// One page of runs, of a check or of what else there is, from files to its bytes.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "golden/check_result.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+struct ReportQuestion {
+  std::vector<std::string>
+      what;  // databases of runs and of merged studies, report.json of checks, output of accuracy --json, or folders of these
+  std::string run;           // only the run with this id, or whose id begins so; "": all
+  std::size_t frames = 100;  // of each run that is shown in three dimensions; 0: no run is made again
+  std::size_t mostBytes = 10'000'000;  // of the page
+  std::string program;                 // the explorer's; "": without it
+  std::string whyNone;                 // why there is none; plain text
+  Execution execution;
+  bool quiet = false;
+};
+
+struct ReportAnswer {
+  std::string bytes;  // of the page
+  std::size_t runs = 0;
+  std::vector<std::string> remarks;  // what was left out, for people
+  int signal = 0;                    // that interrupted it; then there is no page
+};
+
+/// Takes the explorer's program from beside the running one, where ./morula builds it, or says why there is none.
+void findExplorer(ReportQuestion& question);
+
+/// Throws UsageError for what is nothing to report on, FileError, InputError.
+ReportAnswer makeReport(const ReportQuestion& question);
+
+/// Runs that are shown in three dimensions at most; the explorer shows two of them side by side.
+inline constexpr std::size_t mostExplored = 4;
+
+}  // namespace morula

@@ -1,0 +1,101 @@
+#include "report/run_facts.h"
+
+#include "base/error.h"
+#include "check/ambiguous.h"
+#include "check/check_run.h"
+#include "files/content.h"
+#include "files/folders.h"
+#include "golden/accept.h"
+#include "golden/change.h"
+#include "golden/facts.h"
+#include "loop/stored_scenario.h"
+#include "scenario/deciding_values.h"
+
+namespace morula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The golden file of the scenario that the run was read from, if it is here: below the current folder, for the database
+/// says where the scenario was, and must not reach other files.
+std::string goldenOf(const std::vector<Document>& documents) {
+  for (const Document& document : documents) {
+    if (document.role != "scenario" || document.path.empty()) continue;
+    const fs::path golden = goldenPath(document.path);
+    if (fileExists(golden) && liesWithin(golden, currentFolder()) && contentOfFile(golden) == Content::golden)
+      return golden.lexically_normal().generic_string();
+  }
+  return {};
+}
+
+/// What the run's golden would say, from what is stored of it.
+GoldenData goldenDataOf(const RunFacts& facts) {
+  const RunResults& results = facts.results;
+  GoldenFacts golden;
+  golden.scenario = facts.run.record.scenario;
+  golden.scenarioHash = facts.run.record.scenarioHash;
+  golden.seed = facts.run.record.seed;
+  golden.steps = facts.run.steps;
+  golden.lineage = results.lineage;
+  golden.describe = [&](StateId state) { return results.stateTexts.at(state); };
+  for (const TimeStepRecord& t : results.timeSteps) golden.timeSteps.push_back({t.step, t.time, t.timeStep});
+  golden.mechanics = facts.scenario.scene.mechanics.has_value() && !results.samples.empty();
+  if (golden.mechanics) {
+    golden.end = results.samples.back().world;
+    golden.cells = results.samples.back().cells;
+  }
+  GoldenData data = makeGoldenData(golden);
+  data.parameters = decidingValues(facts.scenario);
+  return data;
+}
+
+void compareWithGolden(RunFacts& facts) {
+  facts.golden = goldenOf(facts.documents);
+  if (facts.golden.empty() || facts.run.status != RunStatus::done) return;
+  try {
+    facts.change = changeInWords(readGoldenFile(facts.golden).data, goldenDataOf(facts));
+  } catch (const InputError& error) { facts.unusableGolden = error.what(); }
+}
+
+}  // namespace
+
+RunFacts factsOf(Store& store, const StoredRun& run) {
+  RunFacts facts{.database = store.file().string(),
+                 .label = {},
+                 .run = run,
+                 .scenario = storedScenario(store.file().string(), run.id),
+                 .documents = store.documents(run.id),
+                 .results = store.results(run.id),
+                 .checks = store.checks(run.id),
+                 .ambiguous = {},
+                 .golden = {},
+                 .change = {},
+                 .unusableGolden = {},
+                 .again = {}};
+  facts.ambiguous = ambiguousDivisions(
+      facts.scenario.scene, facts.results.lineage,
+      [&](StateId state) { return facts.results.stateTexts.at(state); }, facts.results.divisions);
+  compareWithGolden(facts);
+  return facts;
+}
+
+bool canRunAgain(const RunFacts& facts) {
+  return facts.scenario.scene.mechanics &&
+         (facts.run.status == RunStatus::done || facts.run.status == RunStatus::failed);
+}
+
+int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool quiet) {
+  Progress progress(facts.run.record.scenario, quiet);
+  FrameTaker taker(facts.run.time, frames);
+  auto run = simulate(makeScenarioWorld(facts.scenario, how), {.nameOf = facts.scenario.names.function()},
+                      progress, [&](const World& world) { taker.observe(world); });
+  if (run.signal) return run.signal;
+  const bool same = facts.run.status == RunStatus::done
+                        ? run.end.stateHash && run.end.stateHash->text() == facts.run.stateHash
+                        : run.end.status == facts.run.status && run.end.failure == facts.run.failure;
+  facts.again = std::make_unique<RunAgain>(RunAgain{std::move(run), std::move(taker.frames()), same});
+  return 0;
+}
+
+}  // namespace morula

@@ -1,0 +1,46 @@
+#pragma once
+// What a page says of one run: what the database holds of it, what its scenario and its golden file say, and the run once more,
+// for its shapes, which no database keeps.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loop/simulate.h"
+#include "report/frames.h"
+#include "store/store.h"
+
+namespace morula {
+
+/// The run made again from its record.
+struct RunAgain {
+  Simulation simulation;
+  Frames frames;
+  bool same = false;  // it ended in the stored state, bit for bit
+};
+
+struct RunFacts {
+  std::string database;    // as given
+  std::string label = {};  // of the condition of a study that it stands for; "" for a run of its own
+  StoredRun run;
+  Scenario scenario;
+  std::vector<Document> documents;
+  RunResults results;
+  std::vector<CheckResult> checks;
+  std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
+  std::string golden;                     // the accepted result's file; "" where there is none
+  std::string change;                     // how the run differs from it, in words; "" where it does not
+  std::string unusableGolden;             // why it cannot be read; ""
+  std::unique_ptr<RunAgain> again;
+};
+
+/// Reads what is stored. Throws FileError if the record was changed.
+RunFacts factsOf(Store& store, const StoredRun& run);
+
+/// Whether there is something to look at when it runs again: bodies, and an end or a failure to come to.
+bool canRunAgain(const RunFacts& facts);
+
+/// Runs it again to where it ended, and keeps up to `frames` frames. Returns the signal that interrupted it, or 0.
+int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool quiet);
+
+}  // namespace morula

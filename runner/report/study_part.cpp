@@ -1,0 +1,160 @@
+#include "report/study_part.h"
+
+#include <set>
+
+#include "analysis/comparison.h"
+#include "analysis/measure_words.h"
+#include "analysis/picture.h"
+#include "base/number_text.h"
+#include "page/html.h"
+#include "store/store.h"
+
+namespace morula {
+
+namespace {
+
+Database openStudy(const std::string& file) {
+  return Database(file, Database::Mode::existing, std::chrono::milliseconds(30'000));
+}
+
+std::string withInterval(double mean, const std::optional<Interval>& interval) {
+  return numberText(mean) + (interval ? " <span class=\"note\">[" + numberText(interval->low) + ", " +
+                                            numberText(interval->high) + "]</span>"
+                                      : "");
+}
+
+std::string conditionTable(const StudyComparison& c) {
+  std::vector<std::string> head{"Condition"};
+  for (const std::size_t m : c.measures) {
+    const std::string unit = unitOfMeasure(c.measureName(m));
+    head.push_back(shown(c.measureName(m) + (unit.empty() ? "" : " [" + unit + "]")));
+  }
+  head.push_back("Values");
+  head.push_back("Distinct");
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t k = 0; k < c.results.conditions.size(); ++k) {
+    std::vector<std::string> row{shown(c.results.nameOf(c.results.conditions[k]))};
+    std::string values, distinct;
+    for (const std::size_t m : c.measures) {
+      std::string cell = "none";
+      for (const ConditionSummary& s : c.conditions)
+        if (s.measure == m && s.condition == k && !s.values.empty())
+          cell = withInterval(s.mean, s.interval), values = std::to_string(s.values.size()),
+          distinct = std::to_string(s.distinct);
+      row.push_back(cell);
+    }
+    row.push_back(values);
+    row.push_back(distinct);
+    rows.push_back(std::move(row));
+  }
+  return htmlTable("Means and their 95 % intervals", head, rows);
+}
+
+std::string pairTable(const StudyComparison& c) {
+  std::vector<std::vector<std::string>> rows;
+  for (const PairComparison& p : c.pairs) {
+    const auto& labels = c.results.axes[p.axis].labels;
+    std::string fixed;
+    for (std::size_t axis = 0; axis < p.at.size(); ++axis)
+      if (p.at[axis]) fixed += (fixed.empty() ? " at " : ", ") + c.results.axes[axis].labels[*p.at[axis]];
+    const bool estimated = p.known == Known::estimated;
+    rows.push_back(
+        {shown(c.measureName(p.measure)), shown(labels[p.a] + " − " + labels[p.b] + fixed),
+         std::to_string(p.of.size()),
+         estimated ? withInterval(p.paired.difference, p.paired.interval) : numberText(p.meanA - p.meanB),
+         estimated                 ? numberText(p.corrected, 3)
+         : p.known == Known::exact ? "exact"
+                                   : "one seed",
+         estimated && p.effect.dz ? numberText(*p.effect.dz, 3) : "", p.isShown() ? "<b>differs</b>" : ""});
+  }
+  if (rows.empty()) return {};
+  return "<h3>Differences, seed by seed</h3>\n" +
+         htmlTable("Paired differences",
+                   {"Measure", "Levels", "Pairs", "Difference", "p (Holm)", "Effect d<sub>z</sub>", ""},
+                   rows);
+}
+
+/// Tells a failed or missing run from conditions that are the same runs.
+Finding troubleOf(const std::string& line) {
+  const bool same = line.starts_with("the same runs");
+  return {same || line.starts_with("missing") ? Finding::Kind::warning : Finding::Kind::bad, shown(line)};
+}
+
+}  // namespace
+
+bool isStudy(const std::string& database) {
+  Database db = openStudy(database);
+  return db.integer(
+             "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('study', 'replicate', "
+             "'result')") == 3;
+}
+
+PagePart studyPart(const std::string& database) {
+  const StudyComparison c = compareStudy(readStudyResults(database), {});
+  const StudyResults& r = c.results;
+  std::size_t done = 0;
+  for (const ResultTask& task : r.tasks) done += task.status == "done";
+  PagePart part{.title = "Study " + r.name, .summary = r.summary, .verdict = {}, .change = {}, .blocks = {}};
+  std::vector<Finding> findings;
+  for (const std::string& line : troublesOf(r)) findings.push_back(troubleOf(line));
+  for (const std::size_t k : c.seedless)
+    findings.push_back({Finding::Kind::warning, "Seeds change nothing under <b>" +
+                                                    shown(r.nameOf(r.conditions[k])) +
+                                                    "</b>: its runs are one, and it has no interval"});
+  part.verdict = "<p class=\"said\">" + std::to_string(done) + " of " +
+                 counted(r.tasks.size(), "distinct run") + (r.tasks.size() == 1 ? " is" : " are") +
+                 " done: " + counted(r.conditions.size(), "condition") + ", " +
+                 counted(r.seeds.size(), "seed") + ".</p>\n" + findingsHtml(findings);
+  std::string said;
+  for (const std::string& sentence : verdictsOf(c)) said += "<li>" + shown(sentence) + "</li>\n";
+  const std::string file = shellWord(database);
+  part.change.push_back(
+      {"findings",
+       "What the study finds",
+       said.empty() ? "<p>Nothing: no measure has values.</p>\n" : "<ul>\n" + said + "</ul>\n",
+       {"./morula study compare " + file}});
+  part.blocks.push_back(
+      {"strips",
+       "Every value",
+       htmlPicture("image/svg+xml", drawComparedStudy(c).file(PictureFormat::svg),
+                   "strips of all values of each condition, with their means and 95 % intervals",
+                   "A dot a run; line and bar: the mean and its 95 % interval"),
+       {"./morula study compare " + file + " -o strips.svg"}});
+  const auto csv = toCsv(c), json = jsonText(toJson(c), 1);
+  const auto link = [&](const std::string& name, const char* type, const std::string& bytes) {
+    return bytes.size() > 1'000'000
+               ? ""
+               : "<a download=\"" + name + "\" href=\"" + dataUri(type, bytes) + "\">" + name + "</a>\n";
+  };
+  part.blocks.push_back(
+      {"comparison",
+       "Comparison",
+       conditionTable(c) + pairTable(c) + htmlFolded("All of it, as text", shownBlock(describe(c))) +
+           "<div class=\"downloads\">" + link("comparison.csv", "text/csv", csv) +
+           link("comparison.json", "application/json", json) + "</div>\n",
+       {"./morula study compare " + file + " --csv", "./morula study compare " + file + " --json"}});
+  return part;
+}
+
+std::vector<Representative> representativesOf(const std::string& database, std::size_t most) {
+  const StudyResults r = readStudyResults(database);
+  Database db = openStudy(database);
+  Statement find(db, "SELECT run_id FROM task WHERE task_id = ? AND run_id IS NOT NULL");
+  std::vector<Representative> all;
+  std::set<std::string> known;
+  for (const ResultCondition& condition : r.conditions) {
+    for (const std::size_t t : condition.tasks) {
+      if (all.size() >= most) return all;
+      if (t == noTask || r.tasks[t].status != "done") continue;
+      std::string run;
+      find.start(r.tasks[t].id);
+      while (find.next()) run = find.line(0);
+      if (run.empty() || !known.insert(run).second) continue;
+      all.push_back({r.nameOf(condition), run});
+      break;
+    }
+  }
+  return all;
+}
+
+}  // namespace morula

@@ -1,0 +1,21 @@
+#pragma once
+// A study on a page: its verdicts, every value of every condition, and one organism of each.
+#include <string>
+#include <vector>
+
+#include "report/parts.h"
+
+namespace morula {
+
+/// Whether the database is a merged study.
+bool isStudy(const std::string& database);
+
+PagePart studyPart(const std::string& database);
+
+struct Representative {
+  std::string condition, run;  // its name, the run's id
+};
+/// The first run that is done of each of the first `most` conditions that have one; equal runs once.
+std::vector<Representative> representativesOf(const std::string& database, std::size_t most);
+
+}  // namespace morula

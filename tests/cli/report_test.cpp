@@ -1,0 +1,140 @@
+// morula report: what stands on the page, the same bytes every time, and what it refuses.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+
+namespace {
+
+const std::string scene = R"(morula: 1
+name: small
+summary: two <b>cells</b>
+dna: |
+  START: a0
+  g1(divide|a0)
+stop: {time: 1.5}
+physics: {mesh: {icosphere: 1}, contact: {}}
+)";
+
+struct Stored {
+  TemporaryFolder folder;
+  std::string database = folder / "run.db", page = folder / "page.html";
+  Stored() { writeWhole(folder / "small.yaml", scene); }
+  void run(std::vector<std::string> more = {}) {
+    more.insert(more.begin(),
+                {"run", folder / "small.yaml", "--db", database, "--out", folder.path(), "--quiet"});
+    const auto launched = launch(more);
+    INFO(launched.err);
+    REQUIRE(launched.code == 0);
+  }
+  std::string report(std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"report", database, "-o", page});
+    const auto launched = launch(more);
+    INFO(launched.err);
+    REQUIRE(launched.code == 0);
+    CHECK(launched.out == page + "\n");
+    return readWhole(page);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("A page of a run: verdict first, where it comes from, and the same bytes again") {
+  Stored stored;
+  stored.run();
+  const std::string page = stored.report();
+  CHECK(page == stored.report());
+  CHECK(page.starts_with("<!DOCTYPE html>\n<!-- Morula report -->\n"));
+  CHECK(page.find("id=\"verdict\"") < page.find("id=\"explorer\""));
+  CHECK_THAT(page, ContainsSubstring("id=\"provenance\""));
+  CHECK_THAT(page, ContainsSubstring("two &lt;b&gt;cells&lt;/b&gt;"));
+  CHECK_THAT(page, ContainsSubstring("The run is done, with 2 cells at time 1.5"));
+  CHECK_THAT(page, ContainsSubstring("download=\"lineage.nwk\""));
+  CHECK_THAT(page, ContainsSubstring("./morula replay"));
+}
+
+TEST_CASE("Nothing is run again when no shapes are asked for, and little room is kept to") {
+  Stored stored;
+  stored.run();
+  CHECK_THAT(stored.report({"--frames", "0"}), !ContainsSubstring("the organism at the end"));
+  CHECK_THAT(stored.report({"--frames", "3"}), ContainsSubstring("the organism at the end"));
+}
+
+TEST_CASE("Seeds that change nothing are no replicates, and the page says so") {
+  Stored stored;
+  stored.run({"--seeds", "1..3"});
+  const std::string page = stored.report({"--frames", "2"});
+  CHECK_THAT(page, ContainsSubstring("3 seeds of small gave one and the same result, bit for bit"));
+  CHECK_THAT(page, ContainsSubstring("The scenarios are the same but for their seeds."));
+}
+
+TEST_CASE("A run that failed says why, first of all") {
+  Stored stored;
+  const auto launched = launch({"run", stored.folder / "small.yaml", "--db", stored.database, "--out",
+                                stored.folder.path(), "--quiet", "--set", "physics.pressure.constant=-400"});
+  if (launched.code != 4) return;  // refused before it ran
+  CHECK_THAT(stored.report(), ContainsSubstring("The run failed: "));
+}
+
+TEST_CASE("A check leaves a page of what differs") {
+  const TemporaryFolder folder;
+  const std::string scenario = folder / "small.yaml";
+  writeWhole(scenario, scene);
+  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}})
+              .code == 0);
+  REQUIRE(launch({"check", scenario, "--reports", folder / "out"}).code == 0);
+  CHECK_THAT(readWhole(folder / "out/report.html"), ContainsSubstring("1 of 1 scenario passes"));
+  std::string other = scene;
+  writeWhole(scenario, other.replace(other.find("stop: {time: 1.5}"), 17, "stop: {time: 1.6}"));
+  REQUIRE(launch({"check", scenario, "--reports", folder / "out"}).code == 1);
+  const std::string page = readWhole(folder / "out/report.html");
+  CHECK_THAT(page, ContainsSubstring("1 of 1 scenario differs"));
+  CHECK_THAT(page, ContainsSubstring("stop.time: 1.5 → 1.6"));
+  CHECK_THAT(page, ContainsSubstring("./morula explain"));
+  const auto again = launch({"report", folder / "out", "-o", folder / "again.html"});
+  INFO(again.err);
+  CHECK(again.code == 0);
+}
+
+TEST_CASE("A page of a study: its verdicts first, then every value and its runs") {
+  Stored stored;
+  writeWhole(stored.folder / "two.study.yaml",
+             "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    less: {physics.drag: 1}\n"
+             "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\n");
+  const auto ran = launch({"study", "run", stored.folder / "two.study.yaml", "--to", stored.folder / "study",
+                           "--no-predict", "--quiet"});
+  INFO(ran.err);
+  REQUIRE(ran.code == 0);
+  const auto launched = launch({"report", stored.folder / "study", "-o", stored.page, "--frames", "2"});
+  INFO(launched.err);
+  REQUIRE(launched.code == 0);
+  const std::string page = readWhole(stored.page);
+  CHECK_THAT(page, ContainsSubstring("2 of 2 distinct runs are done: 2 conditions, 2 seeds."));
+  CHECK_THAT(page, ContainsSubstring("Seeds change nothing under <b>less</b>"));
+  CHECK(page.find("What the study finds") < page.find("id=\"explorer\""));
+  CHECK_THAT(page, ContainsSubstring("less, seed 1"));
+  CHECK_THAT(page, ContainsSubstring("id=\"provenance\""));
+}
+
+TEST_CASE("What report refuses, and why") {
+  Stored stored;
+  stored.run();
+  const auto refused = [&](const std::vector<std::string>& arguments, int code, const std::string& why) {
+    const auto launched = launch(arguments);
+    CHECK(launched.code == code);
+    CHECK_THAT(launched.err, ContainsSubstring(why));
+  };
+  refused({"report"}, 2, "what");
+  refused({"report", stored.folder / "none.db"}, 6, "no such file or folder");
+  refused({"report", stored.folder / "small.yaml"}, 2, "is a scenario; report needs a database");
+  refused({"report", stored.database, "-o", stored.folder / "page.pdf"}, 2, "does not end in .html");
+  refused({"report", stored.database, "--frames", "-1"}, 2, "--frames");
+  refused({"report", stored.database, "--run", "ffff"}, 6, "ffff");
+  writeWhole(stored.folder / "mine.html", "<p>by hand</p>");
+  refused({"report", stored.database, "-o", stored.folder / "mine.html"}, 6, "mine.html");
+  const TemporaryFolder empty;
+  refused({"report", empty.path()}, 2, "no database");
+}
