@@ -28,6 +28,7 @@ struct RecordParameters {
   std::optional<double> pictures;      // [time] between pictures of a sequence; absent: only the end is drawn
   std::vector<std::uint64_t> atCells;  // rising; also when first so many cells live
   std::vector<std::string> measures;   // on demand [simulation/measures.h], at every sample
+  std::optional<double> meshes;        // [time] between surfaces in the database; absent: none are kept
 };
 
 struct Bounds {
@@ -82,7 +83,7 @@ struct Scenario {
   EggMesh mesh;
   /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
-  CellNames names;  // of cells, by their paths
+  CellNames names;                       // of cells, by their paths
   std::optional<std::string> shellMesh;  // the file that physics.shell.mesh names
   /// [1] Of the shell's volume, the egg's: the shell's semi-axes, or its mesh, are given as a shape alone, and have been scaled.
   std::optional<double> shellFill;

@@ -58,16 +58,32 @@ void insertSamples(Database& db, const std::string& id, const RunResults& result
   Statement cell(db, insertInto("cell_sample", "run_id, time, path, state", ofCell));
   Statement contact(db, insertInto("contact", "run_id, time, a, b", ofPair));
   Statement more(db, insertInto("measure", "run_id, time, scope, name, a, b, value"));
+  Statement surface(db, insertInto("mesh_sample",
+                                   "run_id, time, path, mesh, low_x, low_y, low_z, step_x, step_y, step_z, "
+                                   "vertices"));
   for (const Sample& s : results.samples) {
     const WorldMeasures& w = s.world;
     if (!isNew(w.step, after)) continue;
     whole.run(id, w.time, w.step, valuesOf(w, world));
     for (const TakenMeasure& m : s.more)
       more.run(id, w.time, name(m.scope), m.name, m.a.text(), m.b.text(), m.value);
+    for (const CellSurface& c : s.surfaces) {
+      const std::string numbers = numberBytes(c);
+      surface.run(id, w.time, c.path.text(), c.mesh, c.low.x, c.low.y, c.low.z, c.step.x, c.step.y, c.step.z,
+                  Blob{numbers});
+    }
     for (const CellMeasures& c : s.cells)
       cell.run(id, w.time, c.path.text(), stateText(results, c.state), valuesOf(c, ofCell));
     for (const ContactMeasures& c : s.contacts)
       contact.run(id, w.time, c.a.text(), c.b.text(), valuesOf(c, ofPair));
+  }
+}
+
+void insertFaces(Database& db, const std::string& id, const std::vector<MeshFaces>& meshes) {
+  Statement insert(db, insertInto("mesh_faces", "run_id, mesh, vertices, faces") + " ON CONFLICT DO NOTHING");
+  for (const MeshFaces& m : meshes) {
+    const std::string faces = faceBytes(m);
+    insert.run(id, m.mesh, m.vertices, Blob{faces});
   }
 }
 
@@ -125,14 +141,16 @@ void endRun(Database& db, const std::string& id, const RunEnd& end) {
 }
 
 void deleteResults(Database& db, const std::string& id) {
-  for (const char* table : {"cell", "sample", "cell_sample", "contact", "measure", "connection", "time_step",
-                            "division", "step_hash", "cell_hash", "bullet_sample"})
+  for (const char* table :
+       {"cell", "sample", "cell_sample", "contact", "measure", "mesh_faces", "mesh_sample", "connection",
+        "time_step", "division", "step_hash", "cell_hash", "bullet_sample"})
     Statement(db, std::string("DELETE FROM ") + table + " WHERE run_id = ?").run(id);
 }
 
 void insertRecords(Database& db, const std::string& id, const RunResults& results,
                    std::optional<std::uint64_t> after) {
   insertSamples(db, id, results, after);
+  insertFaces(db, id, results.meshes);
   insertChain(db, id, results.chain, after);
 }
 
