@@ -20,7 +20,7 @@ std::string quotedIfNeeded(std::string_view text) {
 }  // namespace
 
 CsvTable::CsvTable(const std::vector<std::string>& columns) {
-  for (const std::string& c : columns) add(c);
+  for (const std::string& c : columns) add(std::string_view(c));
   endRow();
 }
 

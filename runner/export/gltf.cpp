@@ -1,6 +1,7 @@
 #include "export/gltf.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "base/error.h"

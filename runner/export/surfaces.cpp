@@ -35,7 +35,7 @@ bool isAt(const Sample& sample, double time, const RunResults& results) {
   return std::abs(t - time) <= rounding * time || (t >= time && t - time < stepBefore(results, t));
 }
 
-/// Nothing that is known of the run says when its surfaces were kept.
+/// "0, 0.5 and 7 more"; "" for none.
 std::string keptTimes(const std::vector<Sample>& samples) {
   std::string text;
   std::size_t count = 0;
