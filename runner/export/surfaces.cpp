@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -120,7 +119,8 @@ int ExportedRun::cellNumber(const CellPath& path) const {
 
 std::string ExportedRun::nameOf(const LineageEntry& cell) const {
   if (const auto named = results.names.find(cell.path); named != results.names.end()) return named->second;
-  return cell.path.isEgg() ? "egg" : cell.path.text();
+  const std::string path = cell.path.isEgg() ? "egg" : cell.path.text();
+  return givenNames.contains(path) ? '/' + path : path;
 }
 
 const MeshFaces& ExportedRun::meshOf(const CellSurface& surface) const {
@@ -139,7 +139,7 @@ int ExportedRun::stateNumber(StateId state) const {
 }
 
 ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest& request) {
-  ExportedRun out{run, {}, {}, {}, 0};
+  ExportedRun out{run, {}, {}, {}, {}, 0};
   const bool tree = request.wanted == Wanted::tree;
   out.results = tree ? store.lineage(run.id) : store.results(run.id);
   const Scenario scenario = storedScenario(store.file().string(), run.id);
@@ -164,6 +164,7 @@ ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest
     throw UsageError(fmt::format("--format: run {} of {} has no living cell {}, and so no surfaces", run.id,
                                  run.record.scenario, request.time ? "then" : "at its end"));
   std::ranges::sort(out.results.lineage, {}, &LineageEntry::path);
+  for (const auto& [path, name] : out.results.names) out.givenNames.insert(name);
   Palette palette(scenario);
   std::set<std::string> texts;
   for (const auto& [state, text] : out.results.stateTexts)

@@ -3,6 +3,7 @@
 // them, and else from running it again: the same bits come out.
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,11 +32,12 @@ struct ExportedRun {
   RunResults results;                 // lineage by path; samples as wanted
   std::map<StateId, Colour> colours;  // as the scenario has them
   std::vector<std::string> states;    // the distinct texts of states, in their order
+  std::set<std::string> givenNames;   // those in results.names
   int signal = 0;                     // that interrupted it; then there is nothing to write
 
   /// The place of a cell in results.lineage; −1: there never was one. O(log cells)
   int cellNumber(const CellPath& path) const;
-  /// What people call a cell: its name, or else its path, or "egg".
+  /// What people call a cell: its name, or else its path, or "egg"; with a '/' before it where that is another one's name.
   std::string nameOf(const LineageEntry& cell) const;
   const MeshFaces& meshOf(const CellSurface& surface) const;
   /// What a sample measured of a cell; null without.

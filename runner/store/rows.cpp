@@ -79,11 +79,18 @@ void insertSamples(Database& db, const std::string& id, const RunResults& result
   }
 }
 
+/// As documents: runs with one mesh share them. Those that the run's record has already are the same.
 void insertFaces(Database& db, const std::string& id, const std::vector<MeshFaces>& meshes) {
-  Statement insert(db, insertInto("mesh_faces", "run_id, mesh, vertices, faces") + " ON CONFLICT DO NOTHING");
+  constexpr int behindOthers = 1000;
+  Statement content(db, insertInto("document", "hash, content") + " ON CONFLICT DO NOTHING");
+  Statement known(db, "SELECT 1 FROM run_document WHERE run_id = ? AND role = 'faces' AND path = ?");
+  Statement use(db, insertInto("run_document", "run_id, number, role, path, hash"));
   for (const MeshFaces& m : meshes) {
-    const std::string faces = faceBytes(m);
-    insert.run(id, m.mesh, m.vertices, Blob{faces});
+    const std::string faces = faceBytes(m), number = std::to_string(m.mesh);
+    if (known.start(id, number).next()) continue;
+    const std::string hash = Hasher().add(faces).digest().text();
+    content.run(hash, Blob{faces});
+    use.run(id, behindOthers + m.mesh, "faces", number, hash);
   }
 }
 
@@ -141,9 +148,8 @@ void endRun(Database& db, const std::string& id, const RunEnd& end) {
 }
 
 void deleteResults(Database& db, const std::string& id) {
-  for (const char* table :
-       {"cell", "sample", "cell_sample", "contact", "measure", "mesh_faces", "mesh_sample", "connection",
-        "time_step", "division", "step_hash", "cell_hash", "bullet_sample"})
+  for (const char* table : {"cell", "sample", "cell_sample", "contact", "measure", "mesh_sample",
+                            "connection", "time_step", "division", "step_hash", "cell_hash", "bullet_sample"})
     Statement(db, std::string("DELETE FROM ") + table + " WHERE run_id = ?").run(id);
 }
 

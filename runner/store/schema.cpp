@@ -278,22 +278,15 @@ CREATE TABLE measure (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
-// Surfaces of cells, where a scenario's record keeps them. A table with row numbers: SQLite fits rows of this size
+// Surfaces of cells, where a scenario's record keeps them; the faces of mesh m are the run's document with the role faces
+// and the path m: three corners a face from 0, little-endian, 16 bits each up to 65536 vertices, else 32. A table with row numbers: SQLite fits rows of this size
 // four to a page, and in tables without them one row a page.
 const char* const versionSurfaces = R"sql(
-CREATE TABLE mesh_faces (
-  run_id   TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
-  mesh     INTEGER NOT NULL,         -- 0 the egg's, 1 ... the coarser ones
-  vertices INTEGER NOT NULL,         -- of each surface with this mesh
-  faces    BLOB NOT NULL,            -- three corners a face, from 0, little-endian: 16 bits each up to 65536 vertices, else 32
-  PRIMARY KEY (run_id, mesh)
-) STRICT, WITHOUT ROWID;
-
 CREATE TABLE mesh_sample (
   run_id   TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
   time     REAL NOT NULL,            -- as in sample
   path     TEXT NOT NULL,
-  mesh     INTEGER NOT NULL,         -- as in mesh_faces
+  mesh     INTEGER NOT NULL,         -- 0 the egg's, 1 ... the coarser ones
   low_x    REAL NOT NULL,            -- x of a vertex = low_x + number * step_x, off by at most step_x / 2
   low_y    REAL NOT NULL,
   low_z    REAL NOT NULL,

@@ -198,11 +198,17 @@ double finiteFrom(const Statement& s, int column) {
 }
 
 void readFaces(Database& db, const std::string& id, std::vector<MeshFaces>& meshes) {
-  Statement s(db, "SELECT mesh, vertices, faces FROM mesh_faces WHERE run_id = ? ORDER BY mesh");
+  Statement s(
+      db,
+      "SELECT CAST(d.path AS INTEGER), content, "
+      "(SELECT length(vertices) / 6 FROM mesh_sample m WHERE m.run_id = d.run_id AND m.mesh = "
+      "CAST(d.path AS INTEGER) LIMIT 1) "
+      "FROM run_document d JOIN document USING (hash) WHERE run_id = ? AND role = 'faces' ORDER BY 1");
   for (s.start(id); s.next();) {
+    if (s.isNull(2)) continue;  // no surface has this mesh
     MeshFaces& m = meshes.emplace_back();
-    m.mesh = smallFrom(s, 0, 0), m.vertices = s.natural(1);
-    if (!facesFrom(s.text(2), m.vertices, m.faces)) s.refuse(2, "needs three corners a face, each a vertex");
+    m.mesh = smallFrom(s, 0, 0), m.vertices = s.natural(2);
+    if (!facesFrom(s.text(1), m.vertices, m.faces)) s.refuse(1, "needs three corners a face, each a vertex");
   }
 }
 
@@ -220,7 +226,7 @@ void readSurfaces(Database& db, const std::string& id, RunResults& results) {
       c.low = {real(2), real(3), real(4)}, c.step = {real(5), real(6), real(7)};
       const auto mesh = std::ranges::find(results.meshes, c.mesh, &MeshFaces::mesh);
       const std::string numbers = s.text(8);
-      if (mesh == results.meshes.end()) s.refuse(1, "needs the number of a mesh in mesh_faces");
+      if (mesh == results.meshes.end()) s.refuse(1, "needs the number of a mesh among the documents");
       if (numbers.size() % 6 != 0 || numbers.size() / 6 != mesh->vertices)
         s.refuse(8, "needs six bytes for each vertex of the mesh");
       c.numbers = numbersFrom(numbers);

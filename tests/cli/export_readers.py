@@ -49,7 +49,8 @@ def kept_surface(time, cell):
     mesh, *box, numbers = rows(
         "SELECT mesh, low_x, low_y, low_z, step_x, step_y, step_z, vertices FROM mesh_sample "
         "WHERE run_id = ? AND time = ? AND path = ?", run, time, cell)[0]
-    ((faces,),) = rows("SELECT faces FROM mesh_faces WHERE run_id = ? AND mesh = ?", run, mesh)
+    ((faces,),) = rows("SELECT content FROM run_document JOIN document USING (hash) "
+                       "WHERE run_id = ? AND role = 'faces' AND path = ?", run, str(mesh))
     numbers = numpy.frombuffer(numbers, "<u2").reshape(-1, 3)
     return box[:3] + numbers * numpy.array(box[3:]), numpy.frombuffer(faces, "<u2").reshape(-1, 3)
 
@@ -62,11 +63,13 @@ def volume(points, faces):
 cells = rows("SELECT path, name, born, ended, fate, state FROM cell WHERE run_id = ? ORDER BY path", run)
 paths = [c[0] for c in cells]
 states = sorted({s for (s,) in rows("SELECT state FROM cell WHERE run_id = ?1 UNION SELECT state FROM cell_sample WHERE run_id = ?1", run)})
+names = {c[1] for c in cells}
+label = {c[0]: c[1] or ("/" if c[0] in names else "") + (c[0] or "egg") for c in cells}
 colours = {"a1": "#e41a1c", "a3": "#377eb8", "a4": "#4daf4a", "a5": "#ff7f00"}
 times = [t for (t,) in rows("SELECT DISTINCT time FROM mesh_sample WHERE run_id = ? ORDER BY time", run)]
 end = rows("SELECT time FROM run WHERE run_id = ?", run)[0][0]
 same(len(times), 6, "0, 1, 2, 3, 4 and the end")
-same(len(rows("SELECT * FROM mesh_faces WHERE run_id = ?", run)), 2, "meshes")
+same(len(rows("SELECT * FROM run_document WHERE run_id = ? AND role = 'faces'", run)), 2, "meshes")
 expect({"died", "divided", "alive"} == {c[4] for c in cells}, "every fate")
 
 
@@ -88,7 +91,7 @@ def comparable(row):
 def check_csv():
     tables = {"runs": "run", "cells": "cell", "samples": "sample", "cell_samples": "cell_sample", "contacts": "contact",
               "connections": "connection", "divisions": "division", "time_steps": "time_step", "checks": "check_result"}
-    for where, which in (("kept.csv", [run]), ("both.csv", runs)):
+    for where, which in (("tables", [run]), ("both.tables", runs)):
         for file, table in tables.items():
             with open(path(where, file + ".csv"), newline="", encoding="utf-8") as stream:
                 text = stream.read()
@@ -100,24 +103,23 @@ def check_csv():
             stored = query.fetchall()
             same(len(read) - 1, len(stored), f"rows of {file}")
             same(sorted(map(comparable, read[1:]), key=str), sorted(map(comparable, stored), key=str), f"rows of {file}")
-    with open(path("kept.csv", "cells.csv"), newline="") as stream:
+    with open(path("tables", "cells.csv"), newline="") as stream:
         raw = stream.read()
     expect(f'{run},"",,0' in raw, "the egg's path is an empty text, its mother nothing")
     with open(path("cells.csv"), newline="") as stream:
         same(stream.read(), raw, "one table alone")
-    with open(path("kept.csv", "measures_cell.csv"), newline="") as stream:
+    with open(path("tables", "measures_cell.csv"), newline="") as stream:
         wide = list(csv.DictReader(stream))
     same({(r["run_id"], float(r["time"]), r["path"], float(r["generation"])) for r in wide},
          set(rows("SELECT run_id, time, a, value FROM measure WHERE run_id = ? AND name = 'generation'", run)), "generations")
-    expect(os.path.exists(path("kept.csv", "measures_world.csv")) and os.path.exists(path("kept.csv", "measures_pair.csv")),
+    expect(os.path.exists(path("tables", "measures_world.csv")) and os.path.exists(path("tables", "measures_pair.csv")),
            "a table for each scope")
 
 
 def check_newick():
     tree = Phylo.read(path("kept.newick"), "newick")
-    label = {c[0]: c[1] or c[0] or "egg" for c in cells}
     life = {label[p]: (end if ended is None else ended) - born for p, _, born, ended, _, _ in cells}
-    expect("P_1" in life and "E(x)" in life, "names that need quotes")
+    expect("/AB" in life and "P_1" in life and "E(x)" in life, "names that need quotes")
     clades = list(tree.find_clades())
     same(sorted(c.name for c in clades), sorted(life), "labels")
     for clade in clades:
@@ -163,15 +165,16 @@ def check_vtk():
         expect((triangles[:, 0] == 3).all(), "triangles")
         fieldOf = {data.GetCellData().GetArrayName(i): vtk_to_numpy(data.GetCellData().GetArray(i))
                    for i in range(data.GetCellData().GetNumberOfArrays())}
-        measured = rows("SELECT path, volume, pressure, area, neighbours, state FROM cell_sample WHERE run_id = ? AND time = ? ORDER BY path", run, time)
+        measured = rows("SELECT path, volume, pressure, area, neighbours, state, x, y, z, sphericity FROM cell_sample WHERE run_id = ? AND time = ? ORDER BY path", run, time)
         first = 0
-        for cell, vol, pressure, area, neighbours, state in measured:
+        for cell, vol, pressure, area, neighbours, state, *more in measured:
             exact, faces = kept_surface(time, cell)
             expect((points[first:first + len(exact)] == exact).all(), "points are the database's")
             of = fieldOf["cell"] == paths.index(cell)
             expect((triangles[of][:, 1:] - first == faces).all(), "faces are the database's")
             first += len(exact)
-            for name, value in (("volume", vol), ("pressure", pressure), ("area", area), ("neighbours", neighbours)):
+            for name, value in (("volume", vol), ("pressure", pressure), ("area", area), ("neighbours", neighbours),
+                                *zip("xyz", more), ("sphericity", more[3])):
                 expect((fieldOf[name][of] == value).all(), f"{name} of {cell}")
             same({read_states[i]["substances"] for i in fieldOf["state"][of]}, {state}, "state")
             if colour_of(state):
@@ -251,11 +254,10 @@ def check_glb(file):
         return array
 
     same(document["scenes"][0]["nodes"], list(range(len(document["nodes"]))), "all nodes are in the scene")
-    measured = rows("SELECT c.path, coalesce(l.name, nullif(c.path, ''), 'egg'), c.state, c.volume FROM cell_sample c "
-                    "JOIN cell l USING (run_id, path) WHERE run_id = ? AND time = 2 ORDER BY c.path", run)
+    measured = rows("SELECT path, state, volume FROM cell_sample WHERE run_id = ? AND time = 2 ORDER BY path", run)
     same(len(document["nodes"]), len(measured), "a node a cell")
-    for node, (cell, name, state, vol) in zip(document["nodes"], measured):
-        same((node["name"], node["extras"]["path"], node["extras"]["state"], node["extras"]["volume"]), (name, cell, state, vol), "node")
+    for node, (cell, state, vol) in zip(document["nodes"], measured):
+        same((node["name"], node["extras"]["path"], node["extras"]["state"], node["extras"]["volume"]), (label[cell], cell, state, vol), "node")
         mesh = document["meshes"][node["mesh"]]
         (primitive,) = mesh["primitives"]
         exact, faces = kept_surface(2, cell)

@@ -42,7 +42,7 @@ colours: {a1: '#e41a1c', a3: '#377eb8', a4: '#4daf4a', a5: '#ff7f00'}
 names: {egg: P0, cells: {A: "AB", B: "P_1", BA: "E(x)"}}
 variation: {cycle: 0.05}
 physics:
-  mesh: {icosphere: 2, coarsen: 0.3}
+  mesh: {icosphere: 3, coarsen: 0.3}
   cell: {radius: 0.95}
   drag: 2
   shell: {sphere: 1}
@@ -53,11 +53,15 @@ YAML
 sed 's/name: kept/name: again/; s/ meshes: 1,//' "$work/kept.yaml" >"$work/again.yaml"
 run() { "$morula" run --quiet --no-pictures --db "$work/$1.db" "$work/$1.yaml" "${@:2}" >/dev/null; }
 export_as() { # DATABASE FORMAT PATH OPTIONS...
-  "$morula" export "$work/$1.db" --format "$2" -o "$work/$3" "${@:4}" >>"$work/files" 2>>"$work/messages"
+  "$morula" export "$work/$1.db" --format "$2" -o "$work/$3" "${@:4}" >>"$work/files" 2>>"$work/messages" || {
+    tail -n 3 "$work/messages"
+    exit 1
+  }
 }
 run kept
 run again
-for format in csv newick vtk npz; do export_as kept $format "kept.$format"; done
+for format in newick vtk npz; do export_as kept $format "kept.$format"; done
+export_as kept csv tables
 export_as kept ply kept.ply
 export_as kept ply kept.series
 export_as kept gltf kept.glb --time 2
@@ -72,5 +76,5 @@ done
 run kept --seed 4 # a second run in the same database
 export_as kept newick both.newick
 export_as kept npz both.npz --time 1
-export_as kept csv both.csv
+export_as kept csv both.tables
 "$python" "$here/export_readers.py" "$work"

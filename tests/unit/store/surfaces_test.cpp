@@ -202,12 +202,12 @@ TEST_CASE("what the database has of surfaces is what was given to it") {
 TEST_CASE("surfaces that cannot be are refused with their column") {
   for (const auto& [change, because] :
        {std::pair("UPDATE mesh_sample SET vertices = x'0000' WHERE path = 'A'", "six bytes for each vertex"),
-        {"UPDATE mesh_sample SET mesh = 7 WHERE path = 'A'", "the number of a mesh in mesh_faces"},
+        {"UPDATE mesh_sample SET mesh = 7 WHERE path = 'A'", "the number of a mesh among the documents"},
         {"UPDATE mesh_sample SET mesh = -1 WHERE path = 'A'", "mesh"},
         {"UPDATE mesh_sample SET low_x = 9e999 WHERE path = 'A'", "a finite number"},
         {"UPDATE mesh_sample SET path = 'C' WHERE path = 'A'", "a cell's path"},
-        {"UPDATE mesh_faces SET vertices = 2 WHERE mesh = 0", "three corners a face"},
-        {"UPDATE mesh_faces SET faces = x'00' WHERE mesh = 0", "three corners a face"}}) {
+        {"UPDATE document SET content = x'000001000300' WHERE length(content) = 12", "three corners a face"},
+        {"UPDATE document SET content = x'00' WHERE length(content) = 12", "three corners a face"}}) {
     INFO(change);
     TemporaryFolder folder;
     Store store = Store::openForWriting(folder / "runs.db");
