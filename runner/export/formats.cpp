@@ -150,7 +150,7 @@ Exported exportTables(Store& store, const ExportRequest& request) {
 /// Why a run cannot be exported among others; "" if it can.
 std::string whyNot(const StoredRun& run, const Format& format) {
   if (run.status == RunStatus::running) return "has not finished";
-  if (run.status != RunStatus::done && format.wanted != Wanted::tree)
+  if (run.status != RunStatus::done && format.wanted == Wanted::surfaces)
     return std::string("did not come to its end: ") + (run.failure.empty() ? name(run.status) : run.failure);
   return {};
 }

@@ -148,9 +148,15 @@ ExportedRun exportedRun(Store& store, const StoredRun& run, const SurfaceRequest
     throw UsageError(
         fmt::format("--format: run {} of {} has no bodies, and so no surfaces; needs csv, newick or npz",
                     run.id, run.record.scenario));
-  if (bodies && !tree)
-    if (auto times = missingTimes(out.results, run, request); !times.empty())
-      out.signal = simulateAgain(store, run, scenario, std::move(times), request, out.results);
+  auto times = bodies && !tree ? missingTimes(out.results, run, request) : std::vector<double>();
+  const bool canDoWithout =
+      request.wanted == Wanted::samples && !request.time && run.status != RunStatus::done;
+  if (!times.empty() && canDoWithout)
+    tell(fmt::format("run {} did not come to its end ({}), so there are no surfaces of it", run.id,
+                     name(run.status)),
+         request.quiet);
+  else if (!times.empty())
+    out.signal = simulateAgain(store, run, scenario, std::move(times), request, out.results);
   if (out.signal) return out;
   auto& samples = out.results.samples;
   if (!bodies && request.time) {  // of a lineage: the first moment at or after it

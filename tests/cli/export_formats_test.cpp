@@ -154,11 +154,13 @@ TEST_CASE("a run that failed is left out among others, which is said, and keeps 
   Stored stored(bodies);
   const std::string good = stored.id;
   stored.run(bodies, {"--set", "physics.membrane.production=40"}, 4);
-  const auto launched = stored.exported("npz", "all");
+  const auto launched = stored.exported("vtk", "all");
   CHECK(launched.code == 0);
   CHECK_THAT(launched.err,
              ContainsSubstring("run " + stored.id + " is left out: it did not come to its end: "));
-  CHECK(stored.files("all") == std::vector<std::string>{good + ".npz"});
+  CHECK(stored.files("all") == std::vector<std::string>{good});
+  CHECK_THAT(stored.exported("npz", "failed.npz", {"--run", stored.id}).err,
+             ContainsSubstring("did not come to its end (failed), so there are no surfaces of it"));
   CHECK(stored.exported("newick", "trees").code == 0);
   CHECK(stored.files("trees").size() == 2);
   refuses(stored.exported("vtk", "failed", {"--run", stored.id}), 6, "did not come to its end (failed)");
