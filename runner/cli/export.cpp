@@ -1,5 +1,5 @@
-// morula export: a stored run for others, as a folder that describes itself; without one, which runs there
-// are.
+// morula export: stored runs for others, as tables, trees, surfaces or a folder that describes itself; without one,
+// which runs there are.
 #include <fmt/format.h>
 
 #include <memory>
@@ -8,6 +8,7 @@
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/verb.h"
+#include "export/formats.h"
 #include "export/license.h"
 #include "export/run_crate.h"
 #include "loop/stored_scenario.h"
@@ -21,7 +22,9 @@ namespace {
 
 struct ExportOptions {
   std::string database, run, crate, pictures, agent, license;
+  std::string format, path, time, table;
   bool list = false;
+  ExecutionOptions execution;
   OutputOptions output;
 };
 
@@ -64,7 +67,44 @@ int listTables(Store& store, const ExportOptions& options) {
   return fine;
 }
 
+/// What belongs to a format alone.
+void requireNoFormatOptions(const ExportOptions& options) {
+  for (const auto& [name, word] :
+       {std::pair("--output", options.path), {"--time", options.time}, {"--table", options.table}})
+    if (!word.empty()) throw UsageError(std::string(name) + ": only with --format");
+}
+
+int writeFormat(const ExportOptions& options) {
+  if (options.list || !options.crate.empty())
+    throw UsageError("export: only one of --format, --ro-crate and --list");
+  if (!options.pictures.empty() || !options.agent.empty() || !options.license.empty())
+    throw UsageError("export: --pictures, --agent and --license belong to --ro-crate");
+  ExportRequest request;
+  request.format = formatCalled(options.format);
+  if (options.path.empty()) throw UsageError("--format: needs -o PATH, where to write");
+  request.output = options.path, request.run = options.run, request.table = options.table;
+  if (!options.time.empty()) request.time = nonNegativeOption("--time", options.time);
+  request.execution = execution(options.execution);
+  request.quiet = options.output.quiet;
+  auto store = Store::openForReading(options.database);
+  const Exported exported = exportRuns(store, request);
+  if (exported.signal) return signalled + exported.signal;
+  Json runs = Json::array();
+  for (const ExportedFiles& run : exported.runs) {
+    Json files = Json::array();
+    for (const fs::path& file : run.files) {
+      files.push_back(file.string());
+      if (!options.output.json) print(file.string() + "\n");
+    }
+    runs.push_back({{"run_id", run.run.empty() ? Json() : Json(run.run)}, {"files", files}});
+  }
+  if (options.output.json) printJson({{"format", request.format}, {"runs", runs}});
+  return fine;
+}
+
 int act(const ExportOptions& options) {
+  if (!options.format.empty()) return writeFormat(options);
+  requireNoFormatOptions(options);
   auto store = Store::openForReading(options.database);
   if (options.list && !options.crate.empty()) throw UsageError("export: --list or --ro-crate, not both");
   if (options.crate.empty()) {
@@ -72,7 +112,7 @@ int act(const ExportOptions& options) {
       return listTables(store, options);
     if (!options.run.empty() || !options.pictures.empty() || !options.agent.empty() ||
         !options.license.empty())
-      throw UsageError("export: --ro-crate FOLDER says what to make of the run");
+      throw UsageError("export: --format or --ro-crate says what to make of the run");
     return listRuns(store, options);
   }
   const StoredRun run = store.find(options.run);
@@ -92,9 +132,18 @@ int act(const ExportOptions& options) {
 
 void addExport(CLI::App& app, Action& action) {
   auto options = std::make_shared<ExportOptions>();
-  Verb verb(app, action, "export", "List the runs of a database, or give one to others as a folder");
+  Verb verb(
+      app, action, "export",
+      "List the runs of a database, or give them to others: as tables, trees, surfaces, arrays or a folder");
   verb.needs("file", options->database, "FILE", "A database");
-  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
+  verb.takes("--run", options->run, "ID",
+             "Which run of the database; default: the latest, and with --format all");
+  verb.takes("--format", options->format, "NAME", formatList());
+  verb.takes(
+      "-o,--output", options->path, "PATH",
+      "With --format: the file or folder, which must be new; of several runs a folder with one for each");
+  verb.takes("--time", options->time, "TIME", "With surfaces: of this time alone");
+  verb.takes("--table", options->table, "NAME", "With --format csv: only this one, as cells or samples");
   verb.takes("--list", options->list,
              "List the tables: rows, bytes, who reads them; of all runs, or of --run alone");
   verb.takes("--ro-crate", options->crate, "FOLDER", "Write a Process Run Crate (RO-Crate 1.1) there");
@@ -103,6 +152,7 @@ void addExport(CLI::App& app, Action& action) {
   verb.takes("--agent", options->agent, "WHO", "Who ran it: a name, or a URI such as an ORCID");
   verb.takes("--license", options->license, "LICENCE",
              "The results' licence: an SPDX identifier, as CC-BY-4.0, or a URI");
+  add(verb, options->execution);
   add(verb, options->output);
   verb.does([options] { return act(*options); });
 }

@@ -24,6 +24,15 @@ CrateFile crateFile(const Document& d) {
   if (d.role == "diff")
     return {"program.diff", Role::about, "What the program's sources had that their commit had not", "",
             d.content,      {}};
+  if (d.role == "faces")
+    return {"faces/" + safeName(d.path, "mesh") + ".bin",
+            Role::about,
+            "Which vertices the surfaces in run.db join: three corners a face, little-endian, 16 bits each "
+            "up to 65536 "
+            "vertices, else 32",
+            "",
+            d.content,
+            {}};
   const char* what = d.role == "dna"         ? "The genes that the scenario names"
                      : d.role == "mesh"      ? "The egg's mesh that the scenario names"
                      : d.role == "shell"     ? "The egg shell's mesh that the scenario names"

@@ -30,11 +30,11 @@ std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const
 void requireMemoryForRecords(const World& world, const Recorder& recorder) {
   const double most = world.execution.memoryLimit / 2;
   if (recorder.bytes() <= most) return;
-  throw NumericalError("", world.clock.step,
-                       "samples and hashes take " + bytesText(recorder.bytes()) +
-                           ", more than half of the memory limit of " +
-                           bytesText(world.execution.memoryLimit),
-                       "record less often (record.every), stop earlier, or raise --memory-limit");
+  throw NumericalError(
+      "", world.clock.step,
+      "samples, surfaces and hashes take " + bytesText(recorder.bytes()) +
+          ", more than half of the memory limit of " + bytesText(world.execution.memoryLimit),
+      "record less often (record.every, record.meshes), stop earlier, or raise --memory-limit");
 }
 
 }  // namespace
@@ -87,7 +87,8 @@ RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
                        .atCells = scenario.record.atCells,
                        .measures = scenario.record.measures,
                        .reference = scenario.check.reference,
-                       .nameOf = scenario.names.function()};
+                       .nameOf = scenario.names.function(),
+                       .meshes = scenario.record.meshes};
   if (hashes) record.hashEvery = scenario.scene.mechanics ? stepsPerHash : 1;
   return record;
 }

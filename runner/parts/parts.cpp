@@ -119,6 +119,10 @@ void addRecord(std::vector<Part>& parts, const Scenario& scenario, const RunAsk&
   parts.push_back(record.every ? Part{"samples", true, fmt::format("every {:.6g}", *record.every),
                                       why.of({"record.every"})}
                                : Part{"samples", true, "start and end", "default"});
+  parts.push_back(record.meshes
+                      ? Part{"surfaces", true, fmt::format("of all cells, every {:.6g}", *record.meshes),
+                             why.of({"record.meshes"})}
+                      : absent("surfaces", "record.meshes"));
   const std::string golden = ask.golden.empty() ? "" : "golden file " + ask.golden;
   if (wantsHashes(scenario, !golden.empty()))
     parts.push_back(

@@ -28,6 +28,7 @@ struct Sums {
   double cellSearches = 0;
   double changes = 0;  // cells that are there when others are born or die, over all such moments
   double samples = 0, sampledCells = 0;
+  double surfaces = 0;  // kept in samples
 };
 
 double samplesIn(const Era& era, bool last, double every) {
@@ -48,7 +49,11 @@ Sums addUp(const Life& life, const std::vector<EraCounts>& eras, const Scenario&
     if (i > 0) s.changes += cells;
     const bool last = i + 1 == life.eras.size();
     const auto& every = scenario.record.every;
-    const double n = every ? samplesIn(life.eras[i], last, *every) : (i == 0) + last;  // start and end
+    const auto& meshes = scenario.record.meshes;
+    const double kept = meshes ? samplesIn(life.eras[i], last, *meshes) : 0;
+    const double asked = every ? samplesIn(life.eras[i], last, *every) : (i == 0) + last;  // start and end
+    const double n = std::max(asked, kept);
+    s.surfaces += kept * cells;
     s.samples += n;
     s.sampledCells += n * cells;
   }
@@ -60,7 +65,11 @@ double recordBytes(const Sums& sums, const World& world) {
   if (world.contacts)
     perCell +=
         6 * double(sizeof(ContactMeasures) + ContactMeasures::bytes());  // a dozen neighbours, shared by two
-  return sums.samples * sizeof(Sample) + (world.bodies ? sums.sampledCells * perCell : 0);
+  if (!world.bodies) return sums.samples * sizeof(Sample);
+  const Bodies& b = *world.bodies;
+  const double vertices = double(b.areSpheres() ? b.surface.vertices.size() : b.mesh.mesh.vertices.size());
+  return sums.samples * sizeof(Sample) + sums.sampledCells * perCell +
+         sums.surfaces * (sizeof(CellSurface) + 6 * vertices);
 }
 
 /// Without bodies: the genes, and what is written down.

@@ -287,7 +287,7 @@ void checkMeasures(const Scenario& scenario, Reading& reading, const Node& root)
   }
   const RecordParameters& record = scenario.record;
   if (std::ranges::find(record.measures, "contact_duration") != record.measures.end() && !record.every &&
-      record.atCells.empty() && scenario.scene.cells.empty())
+      !record.meshes && record.atCells.empty() && scenario.scene.cells.empty())
     reading.problems.add(placeOf(root, "record.measures"), "record.measures",
                          "contact_duration would always be 0: between the egg and the end there is no sample",
                          "needs record.every or record.at-cells");
@@ -337,6 +337,10 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
   checkSenses(scenario, reading, root);
   checkInterval("record.every", scenario.record.every, 1e7, "samples", scenario, reading, root);
   checkInterval("record.pictures", scenario.record.pictures, 1e5, "pictures", scenario, reading, root);
+  checkInterval("record.meshes", scenario.record.meshes, 1e6, "samples of surfaces", scenario, reading, root);
+  if (scenario.record.meshes && !scenario.scene.mechanics)
+    reading.problems.add(placeOf(root, "record.meshes"), "record.meshes",
+                         "cells without bodies have no surfaces", "add a physics block or remove this");
   if (scenario.record.pictures && !scenario.scene.mechanics)
     reading.problems.add(placeOf(root, "record.pictures"), "record.pictures",
                          "cells without bodies cannot be drawn", "add a physics block or remove this");

@@ -207,6 +207,10 @@ std::vector<Parameter> parameters() {
                    AT(record.every)),
       presentation(optionalReal("record.pictures", "time", positive, "", "one picture, of the end",
                                 "Time between pictures of a sequence", AT(record.pictures))),
+      later(optionalReal("record.meshes", "time", positive, "", "no surfaces are kept",
+                         "Time between samples that also keep the surface of every cell, 16 bits a "
+                         "coordinate; there is one at the end, and where at-cells asks for a sample",
+                         AT(record.meshes))),
       recordAtCells(),
       recordMeasures(),
 

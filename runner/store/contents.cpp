@@ -25,6 +25,7 @@ constexpr Purpose purposes[] = {
     {"cell_sample", "each cell at the times of `sample`"},
     {"contact", "each pair of touching cells at the times of `sample`, in a scene with contact"},
     {"measure", "what `record.measures` asks for, at the times of `sample`; replay and queries read it"},
+    {"mesh_sample", "each cell's surface, as often as `record.meshes` says; export and replay read it"},
     {"connection", "every connection that was ever made, in a scene with connections"},
     {"division", "every division: its axis and how the volume was shared"},
     {"time_step", "in a scene with bodies: the time step and its changes; replay reads it"},

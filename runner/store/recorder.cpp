@@ -5,28 +5,47 @@
 #include <limits>
 #include <utility>
 
+#include "base/error.h"
 #include "base/multiples.h"
 #include "simulation/hash.h"
 #include "simulation/world.h"
 
 namespace morula {
 
+namespace {
+
+/// Copies the faces of that mesh, unless they are there.
+void keepFaces(std::vector<MeshFaces>& kept, const std::vector<MeshFaces>& from, int mesh) {
+  const auto place = std::ranges::lower_bound(kept, mesh, {}, &MeshFaces::mesh);
+  if (place != kept.end() && place->mesh == mesh) return;
+  const auto found = std::ranges::find(from, mesh, &MeshFaces::mesh);
+  MORULA_CHECK(found != from.end(), "each surface has faces");
+  kept.insert(place, *found);
+}
+
+}  // namespace
+
 void Recorder::observe(const World& world) {
   sampled_ = false;
   const Clock& clock = world.clock;
   if (options_.hashEvery && clock.step % *options_.hashEvery == 0) hash(world);
-  const bool reached = reaches(world.cells.path.size()), due = isDue(clock.time);
-  if (!divided(world) && !reached && !due) return;
-  sample(world);
+  const bool reached = reaches(world.cells.path.size()), due = isDue(clock.time),
+             surfaces = surfacesAreDue(clock.time);
+  if (!divided(world) && !reached && !due && !surfaces) return;
+  sample(world, surfaces || (reached && options_.meshes));
   if (due) expectNext(clock.time);
+  if (surfaces) expectNextSurfaces(clock.time);
 }
 
 std::uint64_t Recorder::stepsUntilDue(const World& world) const {
   const Clock& clock = world.clock;
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
   if (options_.hashEvery) steps = *options_.hashEvery - clock.step % *options_.hashEvery;
-  if (options_.every && world.bodies)
-    steps = std::min(steps, stepsUntil(clock, static_cast<double>(next_) * *options_.every));
+  if (!world.bodies) return steps;
+  const auto at = [&](double time) { steps = std::min(steps, stepsUntil(clock, time)); };
+  if (options_.every) at(static_cast<double>(next_) * *options_.every);
+  if (options_.meshes) at(static_cast<double>(nextMeshes_) * *options_.meshes);
+  if (nextAt_ < options_.meshesAt.size()) at(options_.meshesAt[nextAt_]);
   return steps;
 }
 
@@ -36,6 +55,16 @@ bool Recorder::isDue(double time) const {
 
 void Recorder::expectNext(double time) {
   next_ = options_.every ? firstMultipleAfter(time, *options_.every) : 1;
+}
+
+bool Recorder::surfacesAreDue(double time) const {
+  return (options_.meshes && time >= static_cast<double>(nextMeshes_) * *options_.meshes) ||
+         (nextAt_ < options_.meshesAt.size() && time >= options_.meshesAt[nextAt_]);
+}
+
+void Recorder::expectNextSurfaces(double time) {
+  if (options_.meshes) nextMeshes_ = firstMultipleAfter(time, *options_.meshes);
+  while (nextAt_ < options_.meshesAt.size() && time >= options_.meshesAt[nextAt_]) ++nextAt_;
 }
 
 bool Recorder::reaches(std::uint64_t cells) {
@@ -55,11 +84,15 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
   for (const auto& [state, text] : earlier.stateTexts) here[state] = world.biology->stateOf(text);
   for (Sample s : earlier.samples) {
     if (s.world.step > world.clock.step || s.world.time > world.clock.time) continue;
-    const bool reached = reaches(static_cast<std::uint64_t>(s.world.at("cells"))), due = isDue(s.world.time);
-    if (!reached && !due && !options_.atDivisions) continue;
+    const bool reached = reaches(static_cast<std::uint64_t>(s.world.at("cells"))), due = isDue(s.world.time),
+               surfaces = surfacesAreDue(s.world.time);
+    if (!reached && !due && !surfaces && !options_.atDivisions) continue;
+    if (!surfaces && !(reached && options_.meshes)) s.surfaces.clear();  // kept because the run was stopped
+    for (const CellSurface& surface : s.surfaces) keepFaces(results_.meshes, earlier.meshes, surface.mesh);
     for (CellMeasures& c : s.cells) describe(world, c.state = here.at(c.state));
     keepTouching(s.contacts, s.world.time);
     if (due) expectNext(s.world.time);
+    if (surfaces) expectNextSurfaces(s.world.time);
     results_.samples.push_back(std::move(s));
   }
   for (const ChainLink& link : earlier.chain)
@@ -83,7 +116,20 @@ void Recorder::keepTouching(const std::vector<ContactMeasures>& contacts, double
   }
 }
 
-void Recorder::sample(const World& world) {
+void Recorder::keepSurfaces(const World& world, Sample& sample) {
+  if (!world.bodies) return;
+  const Bodies& bodies = *world.bodies;
+  for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
+    const int slot = bodies.slots[i],
+              level = bodies.blocks[static_cast<std::size_t>(slot / blockLanes)].meshLevel;
+    Mesh surface = takeSurface(bodies, slot);
+    sample.surfaces.push_back(quantise(world.cells.path[i], level, surface.vertices));
+    bytes_ += double(sizeof(CellSurface) + 6 * surface.vertices.size());
+    keepFaces(results_.meshes, {{level, surface.vertices.size(), std::move(surface.faces)}}, level);
+  }
+}
+
+void Recorder::sample(const World& world, bool withSurfaces) {
   Observation now(world);
   if (options_.reference) now.reference = &*options_.reference;
   Sample s{measureWorld(now), measureCells(now), measureContacts(now), {}};
@@ -92,6 +138,7 @@ void Recorder::sample(const World& world) {
   for (const auto& [pair, since] : touchingSince_) durations.push_back(now.time - since);
   now.contactDurations = durations;
   s.more = takeMeasures(now, options_.measures);
+  if (withSurfaces) keepSurfaces(world, s);
   results_.samples.push_back(std::move(s));
   for (const CellMeasures& c : results_.samples.back().cells) describe(world, c.state);
   const Sample& taken = results_.samples.back();
@@ -109,7 +156,9 @@ void Recorder::describe(const World& world, StateId state) {
 RunResults Recorder::take(const World& world, bool failed) {
   const bool measuredAlready =
       !results_.samples.empty() && results_.samples.back().world.step == world.clock.step;
-  if (!failed && !measuredAlready) sample(world);
+  if (!failed && !measuredAlready) sample(world, options_.meshes.has_value());
+  else if (!failed && options_.meshes && results_.samples.back().surfaces.empty())
+    keepSurfaces(world, results_.samples.back());
   const bool hashesEnd = options_.hashEnd || options_.hashEvery;
   if (hashesEnd && !failed && (results_.chain.empty() || results_.chain.back().step != world.clock.step))
     hash(world);

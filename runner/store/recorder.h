@@ -25,6 +25,11 @@ struct RecordOptions {
   std::optional<Reference> reference{};      // that some of them compare with
   /// What people call a cell; empty: cells go by their paths. Nothing that is recorded depends on it but the names.
   std::function<std::optional<std::string>(const CellPath&)> nameOf{};
+  // Of cells with bodies
+  std::optional<double>
+      meshes{};  // [time] a sample with all surfaces at 0, meshes, 2·meshes, …, where atCells asks for
+                 // one, and at the end; absent: none
+  std::vector<double> meshesAt{};  // [time] rising; also a sample with all surfaces at each
 };
 
 class Recorder {
@@ -59,23 +64,28 @@ class Recorder {
   RunResults take(const World& world, bool failed = false);
 
  private:
-  void sample(const World& world);
+  void sample(const World& world, bool withSurfaces);
+  void keepSurfaces(const World& world, Sample& sample);
   void hash(const World& world);
   /// A sample at `time` [time] sees these contacts, by (a, b). Does nothing unless contact_duration is asked for.
   void keepTouching(const std::vector<ContactMeasures>& contacts, double time);
   void describe(const World& world, StateId state);
   bool isDue(double time) const;
   void expectNext(double time);
+  bool surfacesAreDue(double time) const;
+  void expectNextSurfaces(double time);
   /// True if `cells` is a number to look for, or more, for the first time.
   bool reaches(std::uint64_t cells);
   /// True if cells have divided since the last call, and atDivisions asks.
   bool divided(const World& world);
 
   RecordOptions options_;
-  std::uint64_t next_ = 0;   // number of the next due sample: due at time next_·every; without `every` only
-                             // number 0 is ever due
-  std::size_t reached_ = 0;  // of atCells
-  std::size_t divisions_ = 0;  // that have been seen
+  std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every; without `every` only
+                            // number 0 is ever due
+  std::uint64_t nextMeshes_ = 0;  // the same of `meshes`
+  std::size_t nextAt_ = 0;        // of meshesAt
+  std::size_t reached_ = 0;       // of atCells
+  std::size_t divisions_ = 0;     // that have been seen
   bool sampled_ = false;
   double bytes_ = 0;
   RunResults results_;

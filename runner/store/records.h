@@ -14,6 +14,7 @@
 #include "simulation/hash.h"
 #include "simulation/measures.h"
 #include "store/build_info.h"
+#include "store/cell_surface.h"
 #include "store/machine_info.h"
 
 namespace morula {
@@ -64,6 +65,7 @@ struct Sample {
   std::vector<CellMeasures> cells;        // by path; empty in a lineage-only scene
   std::vector<ContactMeasures> contacts;  // by (a, b); empty without contact
   std::vector<TakenMeasure> more{};       // on demand, as the scenario's record asks
+  std::vector<CellSurface> surfaces{};    // by path; empty unless they are kept at this time
 };
 
 /// A change of the time step; the first entry is the start.
@@ -80,6 +82,7 @@ struct RunResults {
   std::map<StateId, std::string> stateTexts;  // the substances of each state in `lineage`
   std::map<CellPath, std::string> names;      // optional labels of cells
   std::vector<Sample> samples;                // by time
+  std::vector<MeshFaces> meshes;              // by number; of those that surfaces in `samples` have
   std::vector<ConnectionRecord> connections;  // in the order in which they were made
   std::vector<TimeStepRecord> timeSteps;
   std::vector<DivisionRecord> divisions;  // of cells with bodies

@@ -58,16 +58,39 @@ void insertSamples(Database& db, const std::string& id, const RunResults& result
   Statement cell(db, insertInto("cell_sample", "run_id, time, path, state", ofCell));
   Statement contact(db, insertInto("contact", "run_id, time, a, b", ofPair));
   Statement more(db, insertInto("measure", "run_id, time, scope, name, a, b, value"));
+  Statement surface(db, insertInto("mesh_sample",
+                                   "run_id, time, path, mesh, low_x, low_y, low_z, step_x, step_y, step_z, "
+                                   "vertices"));
   for (const Sample& s : results.samples) {
     const WorldMeasures& w = s.world;
     if (!isNew(w.step, after)) continue;
     whole.run(id, w.time, w.step, valuesOf(w, world));
     for (const TakenMeasure& m : s.more)
       more.run(id, w.time, name(m.scope), m.name, m.a.text(), m.b.text(), m.value);
+    for (const CellSurface& c : s.surfaces) {
+      const std::string numbers = numberBytes(c);
+      surface.run(id, w.time, c.path.text(), c.mesh, c.low.x, c.low.y, c.low.z, c.step.x, c.step.y, c.step.z,
+                  Blob{numbers});
+    }
     for (const CellMeasures& c : s.cells)
       cell.run(id, w.time, c.path.text(), stateText(results, c.state), valuesOf(c, ofCell));
     for (const ContactMeasures& c : s.contacts)
       contact.run(id, w.time, c.a.text(), c.b.text(), valuesOf(c, ofPair));
+  }
+}
+
+/// As documents: runs with one mesh share them. Those that the run's record has already are the same.
+void insertFaces(Database& db, const std::string& id, const std::vector<MeshFaces>& meshes) {
+  constexpr int behindOthers = 1000;
+  Statement content(db, insertInto("document", "hash, content") + " ON CONFLICT DO NOTHING");
+  Statement known(db, "SELECT 1 FROM run_document WHERE run_id = ? AND role = 'faces' AND path = ?");
+  Statement use(db, insertInto("run_document", "run_id, number, role, path, hash"));
+  for (const MeshFaces& m : meshes) {
+    const std::string faces = faceBytes(m), number = std::to_string(m.mesh);
+    if (known.start(id, number).next()) continue;
+    const std::string hash = Hasher().add(faces).digest().text();
+    content.run(hash, Blob{faces});
+    use.run(id, behindOthers + m.mesh, "faces", number, hash);
   }
 }
 
@@ -125,14 +148,15 @@ void endRun(Database& db, const std::string& id, const RunEnd& end) {
 }
 
 void deleteResults(Database& db, const std::string& id) {
-  for (const char* table : {"cell", "sample", "cell_sample", "contact", "measure", "connection", "time_step",
-                            "division", "step_hash", "cell_hash", "bullet_sample"})
+  for (const char* table : {"cell", "sample", "cell_sample", "contact", "measure", "mesh_sample",
+                            "connection", "time_step", "division", "step_hash", "cell_hash", "bullet_sample"})
     Statement(db, std::string("DELETE FROM ") + table + " WHERE run_id = ?").run(id);
 }
 
 void insertRecords(Database& db, const std::string& id, const RunResults& results,
                    std::optional<std::uint64_t> after) {
   insertSamples(db, id, results, after);
+  insertFaces(db, id, results.meshes);
   insertChain(db, id, results.chain, after);
 }
 

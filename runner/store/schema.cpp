@@ -284,7 +284,28 @@ ALTER TABLE run ADD COLUMN
   condition_id INTEGER;              -- of a study's merged database; NULL elsewhere
 )sql";
 
-constexpr std::array migrations{&version1, &version2, &version3, &version4, &version5, &version6, &version7};
+// Version 7 to 8: surfaces of cells, where a scenario's record keeps them; the faces of mesh m are the run's document with the role faces
+// and the path m: three corners a face from 0, little-endian, 16 bits each up to 65536 vertices, else 32. A table with row numbers: SQLite fits rows of this size
+// four to a page, and in tables without them one row a page.
+const char* const version8 = R"sql(
+CREATE TABLE mesh_sample (
+  run_id   TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
+  time     REAL NOT NULL,            -- as in sample
+  path     TEXT NOT NULL,
+  mesh     INTEGER NOT NULL,         -- 0 the egg's, 1 ... the coarser ones
+  low_x    REAL NOT NULL,            -- x of a vertex = low_x + number * step_x, off by at most step_x / 2
+  low_y    REAL NOT NULL,
+  low_z    REAL NOT NULL,
+  step_x   REAL NOT NULL,            -- a 65535th of the extent along x
+  step_y   REAL NOT NULL,
+  step_z   REAL NOT NULL,
+  vertices BLOB NOT NULL,            -- the numbers of x, y and z of each vertex, 16 bits each, little-endian
+  PRIMARY KEY (run_id, time, path)
+) STRICT;
+)sql";
+
+constexpr std::array migrations{&version1, &version2, &version3, &version4,
+                                &version5, &version6, &version7, &version8};
 
 /// Throws unless the file is empty or Morula's and not newer than this program. Returns its version, 0 when empty.
 int checkedVersion(Database& db) {

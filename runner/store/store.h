@@ -20,6 +20,7 @@
 #include "store/database.h"
 #include "store/records.h"
 #include "store/table_difference.h"
+#include "store/table_rows.h"
 
 namespace morula {
 
@@ -104,6 +105,13 @@ class Store {
                                               const std::string& idAgain);
   /// Which tables the file has, what they hold and why; `id`: rows of this run alone, "": of all.
   std::vector<TableContents> contents(const std::string& id = {});
+
+  /// A table's rows as they stand [store/table_rows.h]. `id`: of this run alone, "": of all.
+  std::vector<std::string> columns(const std::string& table) { return columnNames(db_, table); }
+  void eachRow(const std::string& table, const std::string& id,
+               const std::function<void(const TableRow&)>& take) {
+    morula::eachRow(db_, table, id, take);
+  }
 
   /// Makes a file that holds this run alone. It must not be there yet.
   void copyRun(const std::string& id, const std::filesystem::path& file);

@@ -1,4 +1,6 @@
 // What a file holds, back as plain data.
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -189,6 +191,48 @@ void readSamples(Database& db, const std::string& id, RunResults& results, State
   }
 }
 
+double finiteFrom(const Statement& s, int column) {
+  const double value = s.real(column);
+  if (!std::isfinite(value)) s.refuse(column, "needs a finite number");
+  return value;
+}
+
+void readFaces(Database& db, const std::string& id, std::vector<MeshFaces>& meshes) {
+  Statement s(
+      db,
+      "SELECT CAST(d.path AS INTEGER), content, "
+      "(SELECT length(vertices) / 6 FROM mesh_sample m WHERE m.run_id = d.run_id AND m.mesh = "
+      "CAST(d.path AS INTEGER) LIMIT 1) "
+      "FROM run_document d JOIN document USING (hash) WHERE run_id = ? AND role = 'faces' ORDER BY 1");
+  for (s.start(id); s.next();) {
+    if (s.isNull(2)) continue;  // no surface has this mesh
+    MeshFaces& m = meshes.emplace_back();
+    m.mesh = smallFrom(s, 0, 0), m.vertices = s.natural(2);
+    if (!facesFrom(s.text(1), m.vertices, m.faces)) s.refuse(1, "needs three corners a face, each a vertex");
+  }
+}
+
+/// To `samples`, which are there.
+void readSurfaces(Database& db, const std::string& id, RunResults& results) {
+  readFaces(db, id, results.meshes);
+  Statement s(db,
+              "SELECT path, mesh, low_x, low_y, low_z, step_x, step_y, step_z, vertices FROM mesh_sample "
+              "WHERE run_id = ? AND time = ? ORDER BY path");
+  for (Sample& sample : results.samples)
+    for (s.start(id, sample.world.time); s.next();) {
+      const auto real = [&](int column) { return finiteFrom(s, column); };
+      CellSurface& c = sample.surfaces.emplace_back();
+      c.path = pathFrom(s, 0), c.mesh = smallFrom(s, 1, 0);
+      c.low = {real(2), real(3), real(4)}, c.step = {real(5), real(6), real(7)};
+      const auto mesh = std::ranges::find(results.meshes, c.mesh, &MeshFaces::mesh);
+      const std::string numbers = s.text(8);
+      if (mesh == results.meshes.end()) s.refuse(1, "needs the number of a mesh among the documents");
+      if (numbers.size() % 6 != 0 || numbers.size() / 6 != mesh->vertices)
+        s.refuse(8, "needs six bytes for each vertex of the mesh");
+      c.numbers = numbersFrom(numbers);
+    }
+}
+
 }  // namespace
 
 std::vector<StoredRun> Store::runs() {
@@ -222,6 +266,7 @@ RunResults Store::results(const std::string& id) {
   StateNumbers numberOf(results.stateTexts);
   readLineage(db_, id, results, numberOf);
   readSamples(db_, id, results, numberOf);
+  readSurfaces(db_, id, results);
 
   Statement connection(db_,
                        "SELECT a, b, made, released, cause FROM connection WHERE run_id = ? ORDER BY number");

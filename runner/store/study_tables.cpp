@@ -170,9 +170,9 @@ void insertTiming(Database& db, const std::string& task, const TimingRow& t) {
 }
 
 const std::vector<std::string>& tablesOfResults() {
-  static const std::vector<std::string> tables{"cell",      "sample",     "cell_sample",  "contact",
-                                               "measure",   "connection", "time_step",    "division",
-                                               "step_hash", "cell_hash",  "check_result", "result"};
+  static const std::vector<std::string> tables{
+      "cell",     "sample",    "cell_sample", "contact",      "measure", "connection", "time_step",
+      "division", "step_hash", "cell_hash",   "check_result", "result",  "mesh_sample"};
   return tables;
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstring>
 
+#include "base/hash.h"
 #include "store/database.h"
 
 namespace morula {
@@ -67,7 +68,7 @@ Form formOf(Database& db, const std::string& table) {
 }
 
 struct Value {
-  enum class Kind { null, integer, real, bytes } kind = Kind::null;
+  enum class Kind { null, integer, real, bytes, blob } kind = Kind::null;
   std::int64_t integer = 0;
   double real = 0;
   std::string bytes;
@@ -83,12 +84,14 @@ int compare(const Value& a, const Value& b) {
   const auto order = [](const auto& x, const auto& y) { return x < y ? -1 : y < x ? 1 : 0; };
   if (a.kind != b.kind) return order(a.kind, b.kind);
   if (a.kind == Value::Kind::real) return order(a.real, b.real);
-  return a.kind == Value::Kind::bytes ? order(a.bytes, b.bytes) : order(a.integer, b.integer);
+  return a.kind >= Value::Kind::bytes ? order(a.bytes, b.bytes) : order(a.integer, b.integer);
 }
 
 std::string text(const Value& v) {
   if (v.kind == Value::Kind::null) return "nothing";
   if (v.kind == Value::Kind::bytes) return "'" + v.bytes + "'";
+  if (v.kind == Value::Kind::blob)
+    return std::to_string(v.bytes.size()) + " bytes with the hash " + Hasher().add(v.bytes).digest().text();
   if (v.kind == Value::Kind::integer) return std::to_string(v.integer);
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, v.real).ptr};
@@ -129,7 +132,7 @@ class Rows {
     if (statement_.isNull(place)) return v;
     if (type == "REAL") v.kind = Value::Kind::real, v.real = statement_.real(place);
     else if (type == "INTEGER") v.kind = Value::Kind::integer, v.integer = statement_.integer(place);
-    else v.kind = Value::Kind::bytes, v.bytes = statement_.text(place);
+    else v.kind = type == "BLOB" ? Value::Kind::blob : Value::Kind::bytes, v.bytes = statement_.text(place);
     return v;
   }
 

@@ -27,6 +27,7 @@ struct RecordParameters {
   std::optional<double> pictures;      // [time] between pictures of a sequence; absent: only the end is drawn
   std::vector<std::uint64_t> atCells;  // rising; also when first so many cells live
   std::vector<std::string> measures;   // on demand [simulation/measures.h], at every sample
+  std::optional<double> meshes;        // [time] between surfaces in the database; absent: none are kept
 };
 
 struct Bounds {

@@ -34,7 +34,7 @@ physics:
   shell: {sphere: 1}
   contact: {friction: 0.3}
 connections: {}
-record: {every: 0.25, pictures: 1}
+record: {every: 0.25, pictures: 1, meshes: 0.625}
 check: {}
 )";
 

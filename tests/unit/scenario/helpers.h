@@ -51,7 +51,7 @@ division:
 variation: {cycle: 0.1, share: 0.05, start: 0.125, tilt: 5}
 connections: {make: by-gene, on-division: both, strength: 0.4, release-distance: 1.5, release-age: 4, most: 3}
 senses: {}
-record: {every: 0.25, pictures: 0.5, at-cells: [2, 3], measures: [contact_f1, position_rmsd]}
+record: {every: 0.25, pictures: 0.5, meshes: 0.75, at-cells: [2, 3], measures: [contact_f1, position_rmsd]}
 names: {egg: P0, daughters: [l, r], cells: {A: AB}}
 check: {volume: [0.5, 2], extent: 9, energy: 100, momentum: 0.5, end-volume: [0.9, 1.1], end-roundness: 0.75,
   end-overlap: 0.125, fails: [springs, physics.time_step], sane: false, because: it stops,

@@ -135,6 +135,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
       {"connections.strength", "0.5"},
       {"connections.release-distance", "2"},
       {"record.every", "0.5"},
+      {"record.meshes", "0.5"},
       {"record.at-cells", "[2, 4]"},
       {"record.measures", "[position_rmsd, contact_f1]"},
       {"physics.shell.fill", "0.01"},

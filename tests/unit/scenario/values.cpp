@@ -13,6 +13,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(s.colours == std::map<std::string, std::string>{{"a*", "#abcdef"}, {"a0", "#102030"}});
   CHECK(s.record.every == 0.25);
   CHECK(s.record.pictures == 0.5);
+  CHECK(s.record.meshes == 0.75);
   CHECK(s.record.atCells == std::vector<std::uint64_t>{2, 3});
   CHECK(s.record.measures == std::vector<std::string>{"contact_f1", "position_rmsd"});
   CHECK(s.names.given.size() == 2);
@@ -145,6 +146,7 @@ TEST_CASE("what is not said has the defaults of the structs") {
   CHECK(s.scene.seed == 0);
   CHECK(s.scene.cycle.length == CycleParameters{}.length);
   CHECK(!s.record.every);
+  CHECK(!s.record.meshes);
 }
 
 TEST_CASE("a share of automatic time steps is part of what a scenario means, and all of it is not") {

@@ -1,0 +1,118 @@
+#include "export/csv_tables.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "export/csv.h"
+
+namespace morula {
+
+namespace {
+
+struct Source {
+  const char* name;   // of the file
+  const char* table;  // of the database
+};
+
+/// Written even where they have no rows, so that a script finds them.
+constexpr Source always[] = {
+    {"runs", "run"},
+    {"cells", "cell"},
+    {"samples", "sample"},
+    {"cell_samples", "cell_sample"},
+    {"contacts", "contact"},
+    {"connections", "connection"},
+    {"divisions", "division"},
+    {"time_steps", "time_step"},
+    {"checks", "check_result"},
+};
+constexpr Source ofStudies[] = {
+    {"conditions", "condition"}, {"replicates", "replicate"}, {"tasks", "task"}, {"results", "result"}};
+constexpr std::pair<const char*, const char*> ofScopes[] = {
+    {"measures_world", "world"}, {"measures_cell", "cell"}, {"measures_pair", "pair"}};
+
+/// As it stands. Seeds from 2⁶³ on, which SQLite's signed integers hold as negative ones, become what they are.
+std::string plainTable(Store& store, const std::string& table, const std::string& id,
+                       const std::vector<std::string>& columns) {
+  CsvTable csv(columns);
+  store.eachRow(table, id, [&](const TableRow& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto* seed = columns[i] == "seed" ? std::get_if<std::int64_t>(&row[i]) : nullptr;
+      if (seed && *seed < 0) csv.add(std::string_view(std::to_string(static_cast<std::uint64_t>(*seed))));
+      else csv.add(row[i]);
+    }
+    csv.endRow();
+  });
+  return csv.text();
+}
+
+/// One row a time and cell or pair, and a column a measure: what the table `measure` has in a row each.
+std::optional<std::string> wideMeasures(Store& store, const std::string& scope, const std::string& id) {
+  const auto text = [](const TableValue& v) { return std::get<std::string>(v); };
+  enum Column { run, time, scopeOf, name, a, b, value };  // of `measure`
+  std::set<std::string> names;
+  store.eachRow("measure", id, [&](const TableRow& r) {
+    if (text(r[scopeOf]) == scope) names.insert(text(r[name]));
+  });
+  if (names.empty()) return {};
+  std::vector<std::string> columns{"run_id", "time"};
+  if (scope == "cell") columns.push_back("path");
+  if (scope == "pair") columns.insert(columns.end(), {"a", "b"});
+  const std::size_t keys = columns.size();
+  columns.insert(columns.end(), names.begin(), names.end());
+  CsvTable csv(columns);
+
+  std::pair<std::string, double> now;  // run and time of the rows that are gathered
+  std::map<std::pair<std::string, std::string>, std::map<std::string, double>> rows;
+  const auto write = [&] {
+    for (const auto& [cells, values] : rows) {
+      csv.add(std::string_view(now.first)).add(std::optional(now.second));
+      if (keys > 2) csv.add(std::string_view(cells.first));
+      if (keys > 3) csv.add(std::string_view(cells.second));
+      for (const std::string& n : names) {
+        const auto found = values.find(n);
+        csv.add(found == values.end() ? std::nullopt : std::optional(found->second));
+      }
+      csv.endRow();
+    }
+    rows.clear();
+  };
+  store.eachRow("measure", id, [&](const TableRow& r) {  // by run, time, scope and name
+    if (text(r[scopeOf]) != scope || !std::holds_alternative<double>(r[value])) return;
+    const std::pair when(text(r[run]), std::get<double>(r[time]));
+    if (when != now) write();
+    now = when;
+    rows[{text(r[a]), text(r[b])}][text(r[name])] = std::get<double>(r[value]);
+  });
+  write();
+  return csv.text();
+}
+
+}  // namespace
+
+std::vector<std::string> csvTableNames() {
+  std::vector<std::string> names;
+  for (const Source& s : always) names.push_back(s.name);
+  for (const auto& [file, scope] : ofScopes) names.push_back(file);
+  for (const Source& s : ofStudies) names.push_back(s.name);
+  return names;
+}
+
+std::vector<NamedTable> csvTables(Store& store, const std::string& id, const std::string& only) {
+  std::vector<NamedTable> tables;
+  const auto isWanted = [&](const std::string& name) { return only.empty() || only == name; };
+  const auto add = [&](const Source& s) {
+    const auto columns = isWanted(s.name) ? store.columns(s.table) : std::vector<std::string>();
+    if (!columns.empty()) tables.push_back({s.name, plainTable(store, s.table, id, columns)});
+  };
+  for (const Source& s : always) add(s);
+  for (const auto& [file, scope] : ofScopes)
+    if (isWanted(file))
+      if (auto text = wideMeasures(store, scope, id)) tables.push_back({file, std::move(*text)});
+  for (const Source& s : ofStudies) add(s);
+  return tables;
+}
+
+}  // namespace morula

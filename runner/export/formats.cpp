@@ -1,0 +1,218 @@
+#include "export/formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/did_you_mean.h"
+#include "base/error.h"
+#include "export/csv.h"
+#include "export/csv_tables.h"
+#include "export/gltf.h"
+#include "export/newick.h"
+#include "export/npz.h"
+#include "export/ply.h"
+#include "export/run_tables.h"
+#include "export/surfaces.h"
+#include "export/vtk.h"
+#include "files/folders.h"
+#include "files/text.h"
+#include "files/write_file.h"
+#include "loop/stored_scenario.h"
+#include "system/console.h"
+#include "system/usage_error.h"
+
+namespace morula {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct NewFile {
+  fs::path path;
+  std::string bytes;
+};
+using Files = std::vector<NewFile>;
+using OneTime = std::string (*)(const ExportedRun&, const Sample&);
+
+/// `path` is a folder: a file a sample, and when each is.
+Files series(const ExportedRun& run, const fs::path& path, const char* ending, OneTime write) {
+  Files files;
+  CsvTable times({"file", "time"});
+  for (const Sample& sample : run.results.samples) {
+    const std::string name = fmt::format("{:04}{}", files.size(), ending);
+    times.add(std::string_view(name)).add(std::optional(sample.world.time)).endRow();
+    files.push_back({path / name, write(run, sample)});
+  }
+  files.push_back({path / "times.csv", times.text()});
+  files.push_back({path / "cells.csv", cellTable(run)});
+  files.push_back({path / "states.csv", stateTable(run)});
+  return files;
+}
+
+Files vtkFiles(const ExportedRun& run, const fs::path& path) {
+  Files files;
+  std::vector<std::string> names;
+  for (const Sample& sample : run.results.samples) {
+    names.push_back(fmt::format("surfaces_{:04}.vtp", names.size()));
+    files.push_back({path / names.back(), vtpFile(run, sample)});
+  }
+  files.push_back({path / "cells.csv", cellTable(run)});
+  files.push_back({path / "states.csv", stateTable(run)});
+  files.push_back({path / "surfaces.pvd", pvdFile(run, names)});
+  return files;
+}
+
+Files oneOrSeries(const ExportedRun& run, const fs::path& path, const char* ending, OneTime write) {
+  if (path.extension() != ending) return series(run, path, ending, write);
+  return {{path, write(run, run.results.samples.back())}};
+}
+
+/// A format of which each run has files of its own.
+struct Format {
+  const char* name;
+  const char* what;
+  const char* ending;  // of its file; "": a folder
+  Wanted wanted;
+  bool mayBeSeries;  // a folder with a file a time, where the name has not the ending
+  Files (*files)(const ExportedRun&, const fs::path&);
+};
+
+constexpr const char* csv = "csv";
+const Format formats[] = {
+    {"newick", "the tree of cells, with branch lengths", ".nwk", Wanted::tree, false,
+     [](const ExportedRun& run, const fs::path& path) {
+       return Files{{path, newickTree(run)}};
+     }},
+    {"vtk", "surfaces over time with fields (.vtp and .pvd, for ParaView), a folder", "", Wanted::surfaces,
+     false, vtkFiles},
+    {"ply", "surfaces of one time (FILE.ply), or a folder with a file a time", ".ply", Wanted::surfaces, true,
+     [](const ExportedRun& run, const fs::path& path) { return oneOrSeries(run, path, ".ply", plyFile); }},
+    {"gltf", "surfaces of one time (FILE.glb), or a folder with a file a time", ".glb", Wanted::surfaces,
+     true,
+     [](const ExportedRun& run, const fs::path& path) { return oneOrSeries(run, path, ".glb", glbFile); }},
+    {"npz", "cells, samples, contacts and surfaces as arrays for NumPy", ".npz", Wanted::samples, false,
+     [](const ExportedRun& run, const fs::path& path) {
+       return Files{{path, npzFile(run)}};
+     }},
+};
+
+std::vector<std::string> formatNames() {
+  std::vector<std::string> names{csv};
+  for (const Format& f : formats) names.push_back(f.name);
+  return names;
+}
+
+void requireAbsent(const fs::path& output) {
+  if (fileExists(output) && !(isFolder(output) && namesIn(output).empty()))
+    throw FileError("'" + output.string() + "' is there already; give another name, or remove it");
+}
+
+std::vector<fs::path> write(const Files& files) {
+  std::vector<fs::path> names;
+  for (const NewFile& f : files) {
+    makeFolder(f.path.parent_path());
+    writeNewFile(f.path, f.bytes);
+    names.push_back(f.path);
+  }
+  return names;
+}
+
+/// Of one run.
+Files tableFiles(Store& store, const ExportRequest& request, const std::string& id) {
+  const bool one = request.output.extension() == ".csv";
+  const auto known = csvTableNames();
+  if (!request.table.empty() && std::ranges::find(known, request.table) == known.end()) {
+    const std::string near = closest(request.table, known);
+    throw UsageError("--table: there is no table '" + request.table + "'; " +
+                     (near.empty() ? "needs one of " + join(known) : "did you mean " + near + "?"));
+  }
+  if (one && request.table.empty())
+    throw UsageError("--output: '" + request.output.string() +
+                     "' holds one table; name it with --table, or give a folder for all");
+  Files files;
+  for (NamedTable& t : csvTables(store, id, request.table))
+    files.push_back({one ? request.output : request.output / (t.name + ".csv"), std::move(t.text)});
+  if (files.empty())
+    throw FileError("'" + store.file().string() + "' has no rows for the table " + request.table +
+                    "; `morula export --list` says what it holds");
+  return files;
+}
+
+Exported exportTables(Store& store, const ExportRequest& request) {
+  if (request.time) throw UsageError("--time: csv has all times in one table; leave it out");
+  const std::string id = request.run.empty() ? "" : store.find(request.run).id;
+  for (const StoredRun& run : store.runs())
+    if (id.empty() || run.id == id) requireWholeRecord(store, run);
+  return {{{id, write(tableFiles(store, request, id))}}, 0};
+}
+
+/// Why a run cannot be exported among others; "" if it can.
+std::string whyNot(const StoredRun& run, const Format& format) {
+  if (run.status == RunStatus::running) return "has not finished";
+  if (run.status != RunStatus::done && format.wanted == Wanted::surfaces)
+    return std::string("did not come to its end: ") + (run.failure.empty() ? name(run.status) : run.failure);
+  return {};
+}
+
+Exported exportEach(Store& store, const ExportRequest& request, const Format& format) {
+  if (request.time && format.wanted == Wanted::tree)
+    throw UsageError(std::string("--time: ") + format.name + " has no times of its own; leave it out");
+  std::vector<StoredRun> runs;
+  if (request.run.empty()) runs = store.runs();
+  else runs = {store.find(request.run)};
+  if (runs.empty()) throw FileError("'" + store.file().string() + "': there are no runs in it");
+  const bool several = runs.size() > 1;
+  Exported all;
+  for (const StoredRun& run : runs) {
+    if (const std::string why = several ? whyNot(run, format) : ""; !why.empty()) {
+      tell("run " + run.id + " is left out: it " + why, request.quiet);
+      continue;
+    }
+    if (run.status == RunStatus::running)
+      throw FileError("'" + store.file().string() + "': run " + run.id +
+                      " has not finished; `morula run --resume` goes on with it, or run it again");
+    fs::path path = request.output;
+    if (several) path /= run.id + (format.mayBeSeries && !request.time ? "" : format.ending);
+    requireWholeRecord(store, run);
+    SurfaceRequest ask{format.wanted, request.time, false, request.execution, request.quiet};
+    ask.atEnd = format.mayBeSeries && path.extension() == format.ending && !request.time;
+    const ExportedRun exported = exportedRun(store, run, ask);
+    if (exported.signal) {
+      all.signal = exported.signal;
+      return all;
+    }
+    all.runs.push_back({run.id, write(format.files(exported, path))});
+  }
+  if (all.runs.empty())
+    throw FileError("'" + store.file().string() + "': none of its runs has what --format " + format.name +
+                    " needs");
+  return all;
+}
+
+}  // namespace
+
+std::string formatList() {
+  std::string text = "csv: tables (a folder, or FILE.csv with --table)";
+  for (const Format& f : formats) text += std::string("; ") + f.name + ": " + f.what;
+  return text;
+}
+
+std::string formatCalled(const std::string& text) {
+  const auto names = formatNames();
+  if (std::ranges::find(names, text) != names.end()) return text;
+  const std::string near = closest(text, names);
+  throw UsageError("--format: there is no format '" + text + "'; " +
+                   (near.empty() ? "needs one of " + join(names) : "did you mean " + near + "?"));
+}
+
+Exported exportRuns(Store& store, const ExportRequest& request) {
+  requireAbsent(request.output);
+  if (request.format == csv) return exportTables(store, request);
+  if (!request.table.empty()) throw UsageError("--table: only --format csv has tables; leave it out");
+  for (const Format& f : formats)
+    if (request.format == f.name) return exportEach(store, request, f);
+  throw BugError("no format " + request.format);
+}
+
+}  // namespace morula

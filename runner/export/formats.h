@@ -1,0 +1,44 @@
+#pragma once
+// What `morula export --format` writes: a row a format, and where its files go.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/world.h"
+#include "store/store.h"
+
+namespace morula {
+
+struct ExportRequest {
+  std::string format;            // a row's name
+  std::filesystem::path output;  // a file or a folder, which must not be there, or be an empty folder
+  std::string run;               // id or its beginning; "": all runs of the database
+  std::optional<double> time;    // [time] of surfaces
+  std::string table;             // csv into one file: which table
+  Execution execution;           // of runs that are made again
+  bool quiet = false;
+};
+
+struct ExportedFiles {
+  std::string run;  // its id; "" of all together
+  std::vector<std::filesystem::path> files;
+};
+
+struct Exported {
+  std::vector<ExportedFiles> runs;
+  int signal = 0;  // that ended it before its end
+};
+
+/// "csv: tables …", a line a format: for --help and messages.
+std::string formatList();
+/// The row's name. Throws UsageError with the name that was probably meant.
+std::string formatCalled(const std::string& text);
+
+/// Writes the files. csv: all runs in the same tables, in a folder, or one table in a file that ends in .csv. The others: of
+/// one run a file (newick, npz; ply and gltf where the name has their ending) or a folder (vtk; ply and gltf: a file a
+/// time); of several runs a folder with one of these for each, called by the run's id. Runs that are not done, and have not
+/// what is asked for, are left out, which stderr says; with none left it is an error. Throws UsageError, FileError.
+Exported exportRuns(Store& store, const ExportRequest& request);
+
+}  // namespace morula

@@ -1,0 +1,13 @@
+#pragma once
+// Surfaces of one time as glTF 2.0 in one binary file (.glb), for browsers, presentations and Blender.
+#include <string>
+
+#include "export/surfaces.h"
+
+namespace morula {
+
+/// One mesh and node a cell, called by its name or else its path; `extras` of the node: path, state, volume. A material a
+/// state. Positions and smooth normals in single precision; cells with the same mesh share their faces.
+std::string glbFile(const ExportedRun& run, const Sample& sample);
+
+}  // namespace morula

@@ -1,0 +1,29 @@
+#pragma once
+// Numbers as bytes, the least significant first, whatever the machine's own order is.
+#include <bit>
+#include <cstdint>
+#include <string>
+
+namespace morula {
+
+template <class Unsigned>
+void putNumber(std::string& bytes, Unsigned value) {
+  for (std::size_t i = 0; i < sizeof value; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
+}
+inline void put8(std::string& bytes, std::uint8_t value) { bytes += static_cast<char>(value); }
+inline void put16(std::string& bytes, std::uint16_t value) { putNumber(bytes, value); }
+inline void put32(std::string& bytes, std::uint32_t value) { putNumber(bytes, value); }
+inline void put32(std::string& bytes, std::int32_t value) {
+  putNumber(bytes, static_cast<std::uint32_t>(value));
+}
+inline void put64(std::string& bytes, std::uint64_t value) { putNumber(bytes, value); }
+inline void putFloat(std::string& bytes, float value) {
+  putNumber(bytes, std::bit_cast<std::uint32_t>(value));
+}
+/// The nearest float.
+inline void putFloat(std::string& bytes, double value) { putFloat(bytes, static_cast<float>(value)); }
+inline void putDouble(std::string& bytes, double value) {
+  putNumber(bytes, std::bit_cast<std::uint64_t>(value));
+}
+
+}  // namespace morula

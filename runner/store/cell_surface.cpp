@@ -1,0 +1,91 @@
+#include "store/cell_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "mesh/measures.h"
+
+namespace morula {
+
+namespace {
+
+constexpr double steps = 65535;  // from one side of the box to the other
+
+std::uint16_t numberOf(double x, double low, double step) {
+  if (!(step > 0)) return 0;
+  return static_cast<std::uint16_t>(std::clamp(std::floor((x - low) / step + 0.5), 0.0, steps));
+}
+
+void put(std::string& bytes, std::uint32_t value, int count) {
+  for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
+}
+
+std::uint32_t take(std::string_view bytes, std::size_t at, int count) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < count; ++i)
+    value |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(i)])} << (8 * i);
+  return value;
+}
+
+int cornerBytes(std::uint64_t vertices) { return vertices <= 65536 ? 2 : 4; }
+
+}  // namespace
+
+CellSurface quantise(const CellPath& path, int mesh, const std::vector<Point>& vertices) {
+  const auto [low, high] = measureBox(vertices);
+  CellSurface s{path, mesh, low, (high - low) / steps, {}};
+  s.numbers.reserve(vertices.size());
+  for (const Point& x : vertices)
+    s.numbers.push_back(
+        {numberOf(x.x, low.x, s.step.x), numberOf(x.y, low.y, s.step.y), numberOf(x.z, low.z, s.step.z)});
+  return s;
+}
+
+std::vector<Point> vertexPositions(const CellSurface& s) {
+  std::vector<Point> vertices;
+  vertices.reserve(s.numbers.size());
+  for (const auto& [x, y, z] : s.numbers)
+    vertices.push_back({s.low.x + x * s.step.x, s.low.y + y * s.step.y, s.low.z + z * s.step.z});
+  return vertices;
+}
+
+std::string numberBytes(const CellSurface& surface) {
+  std::string bytes;
+  bytes.reserve(6 * surface.numbers.size());
+  for (const auto& vertex : surface.numbers)
+    for (const std::uint16_t number : vertex) put(bytes, number, 2);
+  return bytes;
+}
+
+std::string faceBytes(const MeshFaces& mesh) {
+  std::string bytes;
+  for (const Face& face : mesh.faces)
+    for (const std::int32_t corner : face)
+      put(bytes, static_cast<std::uint32_t>(corner), cornerBytes(mesh.vertices));
+  return bytes;
+}
+
+std::vector<std::array<std::uint16_t, 3>> numbersFrom(std::string_view bytes) {
+  MORULA_CHECK(bytes.size() % 6 == 0, "three numbers of two bytes a vertex");
+  std::vector<std::array<std::uint16_t, 3>> numbers(bytes.size() / 6);
+  for (std::size_t i = 0; i < bytes.size() / 2; ++i)
+    numbers[i / 3][i % 3] = static_cast<std::uint16_t>(take(bytes, 2 * i, 2));
+  return numbers;
+}
+
+bool facesFrom(std::string_view bytes, std::uint64_t vertices, std::vector<Face>& faces) {
+  const int size = cornerBytes(vertices);
+  const auto each = static_cast<std::size_t>(size);
+  if (bytes.size() % (3 * each) != 0 || vertices > std::numeric_limits<std::int32_t>::max()) return false;
+  faces.assign(bytes.size() / (3 * each), {});
+  for (std::size_t i = 0; i < 3 * faces.size(); ++i) {
+    const std::uint32_t corner = take(bytes, each * i, size);
+    if (corner >= vertices) return false;
+    faces[i / 3][i % 3] = static_cast<std::int32_t>(corner);
+  }
+  return true;
+}
+
+}  // namespace morula

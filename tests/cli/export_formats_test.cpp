@@ -1,0 +1,224 @@
+// morula export --format: what is written where, what is said, and what cannot be. What the files hold is read by programs
+// of others: export_readers.sh.
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+#include "store/database.h"
+
+using namespace morula::test;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string bodies = R"(morula: 1
+name: small
+dna: |
+  START: a0
+  g1(a0|a0)
+  g2(divide|a0)
+stop: {time: 2.25}
+physics: {mesh: {icosphere: 1}, contact: {}}
+)";
+const std::string genes =
+    "morula: 1\nname: genes\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 3}\n";
+
+struct Stored {
+  TemporaryFolder folder;
+  std::string database = folder / "run.db", id;
+  explicit Stored(const std::string& scene, int code = 0) { run(scene, {}, code); }
+  void run(const std::string& scene, const std::vector<std::string>& more = {}, int code = 0) {
+    writeWhole(folder / "scene.yaml", scene);
+    std::vector<std::string> arguments{
+        "run", folder / "scene.yaml", "--db", database, "--no-pictures", "--quiet", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto launched = launch(arguments);
+    INFO(launched.err);
+    REQUIRE(launched.code == code);
+    id = Json::parse(launched.out)["run_id"];
+  }
+  Launched exported(const std::string& format, const std::string& path,
+                    std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"export", database, "--format", format, "-o", folder / path});
+    return launch(more);
+  }
+  std::vector<std::string> files(const std::string& path) const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder / path)) names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+};
+
+void refuses(const Launched& launched, int code, const std::string& because) {
+  INFO(launched.err);
+  CHECK(launched.code == code);
+  CHECK_THAT(launched.err, ContainsSubstring(because));
+  CHECK(launched.out.empty());
+}
+
+}  // namespace
+
+TEST_CASE("of one run a file or a folder is written, and stdout names the files") {
+  const Stored stored(bodies + "record: {meshes: 1}\n");
+  for (const auto& [format, path] :
+       {std::pair("newick", "tree.nwk"), {"npz", "run.npz"}, {"ply", "end.ply"}, {"gltf", "end.glb"}}) {
+    const auto launched = stored.exported(format, path);
+    INFO(launched.err);
+    REQUIRE(launched.code == 0);
+    CHECK(launched.err.empty());
+    CHECK(launched.out == stored.folder / path + "\n");
+    CHECK(fs::file_size(stored.folder / path) > 50);
+  }
+  CHECK(stored.exported("vtk", "vtk").code == 0);
+  CHECK(stored.files("vtk") == std::vector<std::string>{"cells.csv", "states.csv", "surfaces.pvd",
+                                                        "surfaces_0000.vtp", "surfaces_0001.vtp",
+                                                        "surfaces_0002.vtp", "surfaces_0003.vtp"});
+  CHECK(stored.exported("ply", "series").code == 0);
+  CHECK(stored.files("series") == std::vector<std::string>{"0000.ply", "0001.ply", "0002.ply", "0003.ply",
+                                                           "cells.csv", "states.csv", "times.csv"});
+  CHECK(stored.exported("gltf", "series-of-one", {"--time", "1"}).code == 0);
+  CHECK(stored.files("series-of-one") ==
+        std::vector<std::string>{"0000.glb", "cells.csv", "states.csv", "times.csv"});
+  CHECK(stored.exported("csv", "tables").code == 0);
+  CHECK(stored.files("tables") == std::vector<std::string>{"cell_samples.csv", "cells.csv", "checks.csv",
+                                                           "connections.csv", "contacts.csv", "divisions.csv",
+                                                           "runs.csv", "samples.csv", "time_steps.csv"});
+  const Json json = Json::parse(stored.exported("newick", "again.nwk", {"--json"}).out);
+  CHECK(json["format"] == "newick");
+  CHECK(json["runs"][0]["run_id"] == stored.id);
+  CHECK(json["runs"][0]["files"][0] == stored.folder / "again.nwk");
+}
+
+TEST_CASE("the same run gives the same bytes, kept or made again, whatever computes it") {
+  Stored stored(bodies);
+  CHECK(stored.exported("npz", "a.npz").code == 0);
+  CHECK(stored.exported("npz", "b.npz", {"--threads", "2"}).code == 0);
+  CHECK(readWhole(stored.folder / "a.npz") == readWhole(stored.folder / "b.npz"));
+  const auto told = stored.exported("gltf", "c.glb");
+  CHECK_THAT(told.err, ContainsSubstring("run " + stored.id +
+                                         " kept no surfaces (record.meshes keeps them); simulating it "
+                                         "again to its end at 2.25") &&
+                           ContainsSubstring("its end is the stored one, bit for bit"));
+  CHECK(stored.exported("gltf", "d.glb", {"--quiet"}).err.empty());
+  CHECK(stored.exported("gltf", "e.glb", {"--time", "2.25"}).code == 0);
+  CHECK(readWhole(stored.folder / "c.glb") == readWhole(stored.folder / "d.glb"));
+  CHECK(readWhole(stored.folder / "c.glb") == readWhole(stored.folder / "e.glb"));
+}
+
+TEST_CASE("a time that was not kept is made again; a kept one is the first step at or after it") {
+  const Stored stored(bodies + "record: {meshes: 1}\n");
+  CHECK(stored.exported("ply", "kept.ply", {"--time", "1"}).err.empty());
+  const auto launched = stored.exported("ply", "made.ply", {"--time", "1.3"});
+  CHECK(launched.code == 0);
+  CHECK_THAT(launched.err,
+             ContainsSubstring("kept surfaces at 0, 1") && ContainsSubstring("simulating it again"));
+  CHECK(readWhole(stored.folder / "made.ply") != readWhole(stored.folder / "kept.ply"));
+}
+
+TEST_CASE("a run that ends otherwise now is not exported") {
+  Stored stored(bodies);
+  morula::Database(stored.database, morula::Database::Mode::existing, std::chrono::seconds(1))
+      .execute("UPDATE run SET state_hash = '000102030405060708090a0b0c0d0e0f'");
+  refuses(stored.exported("ply", "end.ply"), 1,
+          "ends otherwise when it is simulated again: stored 0001020304");
+  CHECK(!fs::exists(stored.folder / "end.ply"));
+}
+
+TEST_CASE("of several runs each has its own files, and tables hold all") {
+  Stored stored(bodies + "variation: {cycle: 0.05}\n");
+  const std::string first = stored.id;
+  stored.run(bodies + "variation: {cycle: 0.05}\n", {"--seed", "7"});
+  std::vector<std::string> ids{first, stored.id};
+  std::sort(ids.begin(), ids.end());
+  CHECK(stored.exported("newick", "trees").code == 0);
+  CHECK(stored.files("trees") == std::vector<std::string>{ids[0] + ".nwk", ids[1] + ".nwk"});
+  CHECK(stored.exported("ply", "plys", {"--time", "1"}).code == 0);
+  CHECK(stored.files("plys") == std::vector<std::string>{ids[0] + ".ply", ids[1] + ".ply"});
+  CHECK(stored.exported("vtk", "vtks").code == 0);
+  CHECK(stored.files("vtks") == ids);
+  CHECK(stored.exported("csv", "runs.csv", {"--table", "runs"}).code == 0);
+  const std::string runs = readWhole(stored.folder / "runs.csv");
+  CHECK_THAT(runs, ContainsSubstring("\r\n" + first + ",small,0,done,") &&
+                       ContainsSubstring("\r\n" + stored.id + ",small,7,done,"));
+  CHECK(stored.exported("csv", "one.csv", {"--table", "runs", "--run", first}).code == 0);
+  CHECK(readWhole(stored.folder / "one.csv").find(stored.id) == std::string::npos);
+  CHECK(stored.exported("newick", "first.nwk", {"--run", first}).code == 0);
+  CHECK(readWhole(stored.folder / "first.nwk") == readWhole(stored.folder / "trees/" + first + ".nwk"));
+}
+
+TEST_CASE("a run that failed is left out among others, which is said, and keeps its tree") {
+  Stored stored(bodies);
+  const std::string good = stored.id;
+  stored.run(bodies, {"--set", "physics.membrane.production=40"}, 4);
+  const auto launched = stored.exported("vtk", "all");
+  CHECK(launched.code == 0);
+  CHECK_THAT(launched.err,
+             ContainsSubstring("run " + stored.id + " is left out: it did not come to its end: "));
+  CHECK(stored.files("all") == std::vector<std::string>{good});
+  CHECK_THAT(stored.exported("npz", "failed.npz", {"--run", stored.id}).err,
+             ContainsSubstring("did not come to its end (failed), so there are no surfaces of it"));
+  CHECK(stored.exported("newick", "trees").code == 0);
+  CHECK(stored.files("trees").size() == 2);
+  refuses(stored.exported("vtk", "failed", {"--run", stored.id}), 6, "did not come to its end (failed)");
+}
+
+TEST_CASE("cells without bodies have trees, tables and arrays, and no surfaces") {
+  const Stored stored(genes);
+  CHECK(stored.exported("npz", "run.npz").err.empty());
+  CHECK(stored.exported("csv", "tables").code == 0);
+  CHECK(stored.exported("newick", "tree.nwk").code == 0);
+  CHECK_THAT(readWhole(stored.folder / "tree.nwk"),
+             EndsWith("egg:1[&&NHX:path=egg:fate=divided:state=START a0 divide];\n"));
+  for (const char* format : {"vtk", "ply", "gltf"})
+    refuses(stored.exported(format, "none"), 2,
+            "has no bodies, and so no surfaces; needs csv, newick or npz");
+  CHECK(!fs::exists(stored.folder / "none"));
+}
+
+TEST_CASE("what is asked for in a wrong way") {
+  const Stored stored(bodies + "record: {meshes: 1}\n");
+  refuses(stored.exported("newik", "x"), 2, "--format: there is no format 'newik'; did you mean newick?");
+  refuses(stored.exported("excel", "x"), 2, "needs one of csv, newick, vtk, ply, gltf, npz");
+  refuses(stored.exported("vtk", "x", {"--time", "9"}), 2,
+          "--time: 9 is after the end of run " + stored.id + ", 2.25");
+  refuses(stored.exported("vtk", "x", {"--time", "-1"}), 2, "needs a number ≥ 0");
+  refuses(stored.exported("csv", "x", {"--time", "1"}), 2, "--time: csv has all times in one table");
+  refuses(stored.exported("newick", "x", {"--time", "1"}), 2, "--time: newick has no times of its own");
+  refuses(stored.exported("csv", "x.csv"), 2, "holds one table; name it with --table");
+  refuses(stored.exported("csv", "x", {"--table", "cell"}), 2,
+          "there is no table 'cell'; did you mean cells?");
+  refuses(stored.exported("csv", "x", {"--table", "measures_world"}), 6,
+          "has no rows for the table measures_world");
+  refuses(stored.exported("ply", "x", {"--table", "cells"}), 2, "only --format csv has tables");
+  refuses(stored.exported("vtk", "x", {"--run", "ffff"}), 6, "no run ffff");
+  refuses(stored.exported("vtk", "x", {"--list"}), 2, "only one of --format, --ro-crate and --list");
+  refuses(stored.exported("vtk", "x", {"--agent", "A. Nother"}), 2, "belong to --ro-crate");
+  refuses(launch({"export", stored.database, "--format", "vtk"}), 2, "needs -o PATH");
+  refuses(launch({"export", stored.database, "--time", "1"}), 2, "--time: only with --format");
+  refuses(launch({"export", stored.folder / "none.db", "--format", "csv", "-o", stored.folder / "x"}), 6,
+          "no such file");
+  CHECK(!fs::exists(stored.folder / "x"));
+  CHECK(!fs::exists(stored.folder / "x.csv"));
+  writeWhole(stored.folder / "there.nwk", "a tree of somebody's");
+  refuses(stored.exported("newick", "there.nwk"), 6, "is there already; give another name");
+  CHECK(readWhole(stored.folder / "there.nwk") == "a tree of somebody's");
+  refuses(stored.exported("vtk", ""), 6, "is there already");
+}
+
+TEST_CASE("replay holds kept surfaces against the run made again") {
+  Stored stored(bodies + "record: {meshes: 1}\n");
+  CHECK(launch({"replay", stored.database}).code == 0);
+  morula::Database(stored.database, morula::Database::Mode::existing, std::chrono::seconds(1))
+      .execute(
+          "UPDATE mesh_sample SET vertices = zeroblob(length(vertices)) WHERE path = 'A' AND time = (SELECT "
+          "max(time) "
+          "FROM mesh_sample WHERE path = 'A')");
+  const auto launched = launch({"replay", stored.database});
+  CHECK(launched.code == 1);
+  CHECK_THAT(launched.out, ContainsSubstring("mesh_sample     1 of ") &&
+                               ContainsSubstring("vertices: stored 252 bytes with the hash "));
+}
