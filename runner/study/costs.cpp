@@ -81,12 +81,16 @@ std::vector<RunCost> predictCosts(const Plan& plan, const PlanOptions& options) 
       ofLevel;  // of conditions that differ from the first in it alone
   std::optional<RunCost> first;
   const double begin = seconds(ClockKind::process);
+  double longest = 0;  // [s] that a rehearsal took
   for (const std::size_t i : orderOf(conditions)) {
     const Condition& condition = conditions[i];
     const auto [same, isNew] = known.try_emplace(condition.meaning, i);
     if (!isNew) tried[i] = tried[same->second];
-    else if (!first || seconds(ClockKind::process) - begin < options.rehearsal)
+    else if (const double before = seconds(ClockKind::process);
+             !first || before - begin + longest < options.rehearsal) {
       tried[i] = rehearse(plan.study, condition.scenario, options);
+      longest = std::max(longest, seconds(ClockKind::process) - before);
+    }
     if (!tried[i]) continue;
     if (!first) first = tried[i];
     if (changedLevels(condition) != 1) continue;
