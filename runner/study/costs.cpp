@@ -30,14 +30,15 @@ std::vector<std::size_t> orderOf(const std::vector<Condition>& conditions) {
 
 /// [byte] Of a result, by the sizes of its rows in SQLite.
 double diskOf(const Study& study, const Scenario& scenario, const Prediction& f) {
-  constexpr double empty = 60e3;  // tables, the scenario, the record of how it was run
-  constexpr double perValue = 40, perCell = 120, perSampledCell = 400, perHash = 40, perPicture = 150e3;
+  constexpr double empty = 27e3;  // tables, and the record of how it was run
+  constexpr double perValue = 40, perCell = 100, perSampledCell = 600, perHash = 40, perPicture = 190e3;
   const double divisions = double(f.life.divisions), cells = double(f.cells), end = f.life.eras.back().to;
   const double moments = study.when.moments == Moments::every          ? 2 + end / study.when.every
                          : study.when.moments == Moments::eachDivision ? 2 + divisions
                                                                        : 1;
   const double sampled = study.keep.samples == SamplesKept::all ? moments : 1;
-  double bytes = empty + perValue * moments * double(study.measures.size()) + perCell * (2 * divisions + 1);
+  double bytes = empty + double(scenario.bytes.size() + scenario.resolved.size()) +
+                 perValue * moments * double(study.measures.size()) + perCell * (2 * divisions + 1);
   if (scenario.scene.mechanics) bytes += perSampledCell * cells * sampled;
   if (study.keep.hashes == HashesKept::all) bytes += perHash * f.steps / (scenario.scene.mechanics ? 64 : 1);
   if (study.keep.pictures == PicturesKept::all) bytes += perPicture;
