@@ -48,11 +48,12 @@ std::string costText(const Plan& plan) {
   if (!total) return "  costs were not predicted\n";
   const auto& [least, most] = std::ranges::minmax(plan.costs, {}, &RunCost::seconds);
   const auto tried = std::size_t(std::ranges::count(plan.costs, true, &RunCost::tried));
+  const std::string shortest = timeText(least.seconds), longest = timeText(most.seconds);
   std::string text = fmt::format(
-      "  foreseen on one thread of this machine: {} of CPU time, {} to {} a run; {} of arrays at most; {} on "
+      "  foreseen on one thread of this machine: {} of CPU time, {} a run; {} of arrays at most; {} on "
       "disk\n",
-      timeText(total->seconds), timeText(least.seconds), timeText(most.seconds), bytesText(total->memory),
-      bytesText(total->disk));
+      timeText(total->seconds), shortest == longest ? longest : shortest + " to " + longest,
+      bytesText(total->memory), bytesText(total->disk));
   if (tried < plan.conditions.size())
     text += fmt::format("    by the beginnings of {}, the others by how they differ from these\n",
                         plural(tried, "condition"));
