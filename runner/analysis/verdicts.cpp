@@ -106,12 +106,14 @@ std::string equivalenceVerdict(const StudyComparison& c, const PairComparison& p
 void addInteractions(const StudyComparison& c, std::size_t measure, std::vector<std::string>& verdicts) {
   for (const MeasureEffects& effects : c.effects) {
     if (effects.measure != measure) continue;
-    for (const FactorEffect& e : effects.analysis.effects) {
-      if (e.factors.size() < 2 || !e.p || *e.p >= 0.05) continue;
+    for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
+      const FactorEffect& e = effects.analysis.effects[i];
+      const auto& p = effects.corrected[i];
+      if (e.factors.size() < 2 || !p || *p >= 0.05) continue;
       verdicts.push_back(fmt::format(
           "{}: what {} does depends on {} (interaction, η² {}, {})",
           wordsOfMeasure(c.measureName(measure)).subject, c.results.axes[effects.axes[e.factors[0]]].name,
-          c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(e.p)));
+          c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(p)));
     }
   }
 }
