@@ -94,9 +94,9 @@ std::string describe(const Plan& plan) {
   }
   text += fmt::format("  seeds: {}\n  measures: {}, {}\n\n", seedsText(s.seeds), join(s.measures),
                       whenText(s.when));
-  text += fmt::format("  {} × {} = {}, {} to compute\n", plural(plan.conditions.size(), "condition"),
+  text += fmt::format("  {} × {} = {}: {}, each run once\n", plural(plan.conditions.size(), "condition"),
                       plural(s.seeds.size(), "seed"), plural(plan.replicates.size(), "replicate"),
-                      plural(plan.tasks.size(), "distinct run"));
+                      plural(plan.tasks.size(), "distinct scene"));
   if (const auto without = conditionsWithoutSeeds(plan); !without.empty())
     text += fmt::format(
         "  {} without anything that a seed changes: run once, and compared without an interval "
