@@ -152,9 +152,10 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
   if (!best) return;
   const std::string where = fmt::format("{}: {} and {}{}", c.measureName(best->measure),
                                         label(c, *best, best->a), label(c, *best, best->b), place(c, *best));
-  verdicts.push_back(fmt::format(
-      "common random numbers: the interval of a paired difference is {}{} of the unpaired one ({})",
-      numberText(least, 2), least < most ? " to " + numberText(most, 2) : "", where));
+  verdicts.push_back(
+      fmt::format("common random numbers: the interval of a paired difference is {} of the unpaired one at "
+                  "best ({}), {} at most",
+                  numberText(least, 2), where, numberText(most, 2)));
 }
 
 }  // namespace
