@@ -73,7 +73,8 @@ struct MeasureEffects {
   std::vector<std::size_t> axes;           // with two levels or more; factors count in these
   std::vector<std::vector<double>> means;  // [axis of these][level]
   FactorialAnalysis analysis;
-  std::string untested;  // why there is no F test; "": there is one
+  std::vector<std::optional<double>> corrected{};  // [effect] its p by Holm over all effects of all measures
+  std::string untested;                            // why there is no F test; "": there is one
   std::size_t seeds = 0;
 };
 

@@ -106,19 +106,24 @@ std::string equivalenceVerdict(const StudyComparison& c, const PairComparison& p
 void addInteractions(const StudyComparison& c, std::size_t measure, std::vector<std::string>& verdicts) {
   for (const MeasureEffects& effects : c.effects) {
     if (effects.measure != measure) continue;
-    for (const FactorEffect& e : effects.analysis.effects) {
-      if (e.factors.size() < 2 || !e.p || *e.p >= 0.05) continue;
+    for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
+      const FactorEffect& e = effects.analysis.effects[i];
+      const auto& p = effects.corrected[i];
+      if (e.factors.size() < 2 || !p || *p >= 0.05) continue;
       verdicts.push_back(fmt::format(
           "{}: what {} does depends on {} (interaction, η² {}, {})",
           wordsOfMeasure(c.measureName(measure)).subject, c.results.axes[effects.axes[e.factors[0]]].name,
-          c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(e.p)));
+          c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(p)));
     }
   }
 }
 
 void addMeasure(const StudyComparison& c, std::size_t measure, std::vector<std::string>& verdicts) {
   const Spread spread = spreadOf(c, measure);
-  if (!(spread.low <= spread.high)) return;
+  if (!(spread.low <= spread.high)) {
+    verdicts.push_back(c.measureName(measure) + ": there was nothing to measure in any run");
+    return;
+  }
   const bool tellsNothing = spread.share() <= littleRange && !anyShown(c, measure);
   if (tellsNothing) {
     const std::string low = numberText(spread.low, 3), high = numberText(spread.high, 3);
@@ -147,9 +152,10 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
   if (!best) return;
   const std::string where = fmt::format("{}: {} and {}{}", c.measureName(best->measure),
                                         label(c, *best, best->a), label(c, *best, best->b), place(c, *best));
-  verdicts.push_back(fmt::format(
-      "common random numbers: the interval of a paired difference is {}{} of the unpaired one ({})",
-      numberText(least, 2), least < most ? " to " + numberText(most, 2) : "", where));
+  verdicts.push_back(
+      fmt::format("common random numbers: the interval of a paired difference is {} of the unpaired one at "
+                  "best ({}), {} at most",
+                  numberText(least, 2), where, numberText(most, 2)));
 }
 
 }  // namespace
