@@ -203,9 +203,9 @@ TEST_CASE("what is asked for in a wrong way") {
           "no such file");
   CHECK(!fs::exists(stored.folder / "x"));
   CHECK(!fs::exists(stored.folder / "x.csv"));
-  writeWhole(stored.folder / "there.nwk", "a tree of somebody's");
+  writeWhole(stored.folder / "there.nwk", "another tree");
   refuses(stored.exported("newick", "there.nwk"), 6, "is there already; give another name");
-  CHECK(readWhole(stored.folder / "there.nwk") == "a tree of somebody's");
+  CHECK(readWhole(stored.folder / "there.nwk") == "another tree");
   refuses(stored.exported("vtk", ""), 6, "is there already");
 }
 

@@ -174,7 +174,7 @@ TEST_CASE("each mesh's faces are kept once, and cells say which is theirs; spher
     requireWithinBound(c, cellMesh(spheres.world, c.path).vertices);
 }
 
-TEST_CASE("steps that nobody looks at may be taken at once, up to the next surfaces") {
+TEST_CASE("steps in between may be taken at once, up to the next surfaces") {
   World world = makeWorld(scenes::withBodies(scenes::uniqueFour, 1));
   Recorder recorder({.meshes = 0.5, .meshesAt = {0.125}});
   recorder.observe(world);
