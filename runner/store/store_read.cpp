@@ -201,8 +201,8 @@ void readFaces(Database& db, const std::string& id, std::vector<MeshFaces>& mesh
   Statement s(
       db,
       "SELECT CAST(d.path AS INTEGER), content, "
-      "(SELECT length(vertices) / 6 FROM mesh_sample m WHERE m.run_id = d.run_id AND m.mesh = "
-      "CAST(d.path AS INTEGER) LIMIT 1) "
+      "(SELECT max(length(vertices)) / 6 FROM mesh_sample m WHERE m.run_id = d.run_id AND m.mesh = "
+      "CAST(d.path AS INTEGER)) "
       "FROM run_document d JOIN document USING (hash) WHERE run_id = ? AND role = 'faces' ORDER BY 1");
   for (s.start(id); s.next();) {
     if (s.isNull(2)) continue;  // no surface has this mesh

@@ -174,7 +174,7 @@ TEST_CASE("each mesh's faces are kept once, and cells say which is theirs; spher
     requireWithinBound(c, cellMesh(spheres.world, c.path).vertices);
 }
 
-TEST_CASE("steps that nobody looks at may be taken at once, up to the next surfaces") {
+TEST_CASE("steps in between may be taken at once, up to the next surfaces") {
   World world = makeWorld(scenes::withBodies(scenes::uniqueFour, 1));
   Recorder recorder({.meshes = 0.5, .meshesAt = {0.125}});
   recorder.observe(world);
@@ -201,7 +201,8 @@ TEST_CASE("what the database has of surfaces is what was given to it") {
 
 TEST_CASE("surfaces that cannot be are refused with their column") {
   for (const auto& [change, because] :
-       {std::pair("UPDATE mesh_sample SET vertices = x'0000' WHERE path = 'A'", "six bytes for each vertex"),
+       {std::pair("UPDATE mesh_sample SET vertices = x'0000' WHERE path = 'A'", "three corners a face"),
+        {"UPDATE mesh_sample SET mesh = 0 WHERE path = 'B'", "six bytes for each vertex"},
         {"UPDATE mesh_sample SET mesh = 7 WHERE path = 'A'", "the number of a mesh among the documents"},
         {"UPDATE mesh_sample SET mesh = -1 WHERE path = 'A'", "mesh"},
         {"UPDATE mesh_sample SET low_x = 9e999 WHERE path = 'A'", "a finite number"},
