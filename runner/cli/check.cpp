@@ -41,7 +41,7 @@ Json toJson(const CheckReport& report, const CheckResult& result) {
   return json;
 }
 
-/// All scenarios/…/*.yaml below the working folder but the studies, sorted. Throws FileError if there is no folder `scenarios`.
+/// All scenarios/…/*.yaml below the working folder but studies, sorted. Throws FileError if there is no folder `scenarios`.
 std::vector<std::string> shippedScenarios() {
   if (!isFolder("scenarios"))
     throw FileError(

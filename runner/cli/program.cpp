@@ -98,6 +98,7 @@ Action parse(int argc, char** argv) {
   addAccuracy(app, action);
   addBench(app, action);
   addStudy(app, action);
+  addCompare(app, action);
   addTrail(app, action);
   addEngineWorker(app, action);
   const auto all = [](CLI::App*) { return true; };

@@ -10,6 +10,7 @@ void addStudy(CLI::App& app, Action& action) {
   addStudyRun(study, action);
   addStudyStatus(study, action);
   addStudyMerge(study, action);
+  addStudyCompare(study, action);
   addStudyEmit(study, action);
 }
 

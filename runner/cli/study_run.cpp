@@ -47,12 +47,10 @@ std::vector<std::size_t> chosenTasks(const RunCommand& command, const Plan& plan
   return tasks;
 }
 
-/// Each of the runs has its share of the machine's memory, and no more than the study lets it have.
-Execution executionOf(const RunCommand& command, const Study& study, int jobs) {
+/// Each of the runs has its share of the machine's memory.
+Execution executionOf(const RunCommand& command, int jobs) {
   Execution how = execution(command.execution);
   if (command.execution.memoryLimit.empty()) how.memoryLimit /= jobs;
-  if (study.limits.memory)
-    how.memoryLimit = std::min(how.memoryLimit, static_cast<double>(*study.limits.memory));
   return how;
 }
 
@@ -96,7 +94,7 @@ int act(const RunCommand& command) {
   const RunStudyOptions options{.tasks = tasks,
                                 .jobs = jobs,
                                 .retryFailed = command.retryFailed,
-                                .settings = {executionOf(command, study.plan.study, jobs), commandLine()},
+                                .settings = {executionOf(command, jobs), commandLine()},
                                 .quiet = command.output.quiet};
   const RunStudyReport report = runStudy(study, options);
   std::optional<MergeReport> merged;

@@ -132,6 +132,13 @@ std::vector<std::size_t> endedAmong(const std::vector<Forked*>& processes, doubl
   return ended;
 }
 
+void liftMemoryLimit() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_AS, &limit);
+}
+
 std::string signalName(int signal) {
   const char* const name = ::sigabbrev_np(signal);
   return name ? std::string("SIG") + name : "signal " + std::to_string(signal);

@@ -55,6 +55,9 @@ class Forked {
 /// Which of them to wait for, by place.
 std::vector<std::size_t> endedAmong(const std::vector<Forked*>& processes, double seconds);
 
+/// In such a process: memory is not limited any more, so that what has been computed can be written.
+void liftMemoryLimit();
+
 /// "SIGSEGV", …; "signal 40" for others.
 std::string signalName(int signal);
 

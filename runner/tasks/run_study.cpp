@@ -46,7 +46,12 @@ void longestFirst(const Plan& plan, std::vector<std::size_t>& tasks) {
 
 class StudyRun {
  public:
-  StudyRun(const PlannedStudy& study, const RunStudyOptions& options) : study_(study), options_(options) {}
+  StudyRun(const PlannedStudy& study, const RunStudyOptions& options)
+      : study_(study), options_(options), settings_(options.settings) {
+    double& limit = settings_.execution.memoryLimit;
+    if (const auto& most = study.plan.study.limits.memory)
+      limit = std::min(limit, static_cast<double>(*most));
+  }
 
   RunStudyReport run() {
     const double begun = seconds(ClockKind::wall);
@@ -94,7 +99,7 @@ class StudyRun {
   void begin(std::size_t task) {
     const RunLimits& limits = study_.plan.study.limits;
     running_.push_back({task, std::make_unique<Forked>(ForkedLimits{limits.cpu, limits.memory}, [&, task] {
-                          return runTask(study_.plan, task, study_.folder, options_.settings);
+                          return runTask(study_.plan, task, study_.folder, settings_);
                         })});
   }
 
@@ -158,12 +163,13 @@ class StudyRun {
   }
 
   void fail(std::size_t task, const ForkedEnd& end, FailureKind kind, const std::string& why) {
-    writeFailure(study_.plan, task, study_.folder, options_.settings, kind, why, end);
+    writeFailure(study_.plan, task, study_.folder, settings_, kind, why, end);
     computed(task, end, std::string(name(kind)) + ": " + why);
   }
 
   const PlannedStudy& study_;
   const RunStudyOptions& options_;
+  TaskSettings settings_;
   RunStudyReport report_;
   std::vector<Running> running_;
   std::unique_ptr<TaskProgress> progress_;

@@ -117,6 +117,7 @@ void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& fold
   } catch (const InputError& error) {  // with this seed the scene cannot begin
     fail(error.what());
   } catch (const NumericalError& error) { fail(error.what()); }
+  liftMemoryLimit();
   outcome.timing.cpuSeconds = seconds(ClockKind::process);
   outcome.timing.maxMemory = peakMemory();
   answer.text = outcome.task.reason;

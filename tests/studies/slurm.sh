@@ -75,7 +75,10 @@ END
     --log-file="$dir/log/munged" --seed-file="$dir/munge.seed" >"$dir/log/munged.out" 2>&1 &
   slurm_processes+=($!)
   local i
-  for ((i = 0; i < 100; ++i)); do [ -S "$dir/munge.socket" ] && break || sleep 0.05; done
+  for ((i = 0; i < 100; ++i)); do
+    if [ -S "$dir/munge.socket" ]; then break; fi
+    sleep 0.05
+  done
   slurmctld -D -f "$SLURM_CONF" >"$dir/log/slurmctld.out" 2>&1 &
   slurm_processes+=($!)
   slurmd -D -f "$SLURM_CONF" -N "$host" >"$dir/log/slurmd.out" 2>&1 &
