@@ -95,6 +95,13 @@ TimingRow TaskFile::timing() {
 
 std::string TaskFile::buildId() { return morula::buildId(run_.record.build); }
 
+std::string TaskFile::resolved() {
+  Statement s(
+      db(),
+      "SELECT content FROM run_document JOIN document USING (hash) WHERE run_id = ? AND role = 'resolved'");
+  return s.start(run_.id).next() ? s.text(0) : "";
+}
+
 std::uint64_t TaskFile::insaneChecks() {
   return static_cast<std::uint64_t>(
       db().integer("SELECT count(*) FROM check_result WHERE kind = 'sanity' AND NOT passed"));

@@ -36,6 +36,8 @@ class TaskFile {
   const StoredRun& run() const { return run_; }
   TimingRow timing();
   std::string buildId();
+  /// The scenario of its run with all values filled in; "" if it is not stored.
+  std::string resolved();
   /// Checks of its sanity that the run did not pass.
   std::uint64_t insaneChecks();
 
