@@ -43,6 +43,8 @@ class Columns {
   std::vector<std::vector<std::string>> rows_;
 };
 
+constexpr std::size_t mostTroubles = 20;  // lines
+
 std::string header(const StudyComparison& c) {
   const StudyResults& r = c.results;
   const auto count = [&](const char* status) {
@@ -52,7 +54,10 @@ std::string header(const StudyComparison& c) {
       fmt::format("{}: {} conditions, {} seed{}, {} of {} distinct runs done\n", r.name, r.conditions.size(),
                   r.seeds.size(), r.seeds.size() == 1 ? "" : "s", count("done"), r.tasks.size());
   if (!r.summary.empty()) text += r.summary + "\n";
-  for (const std::string& line : troublesOf(r)) text += "  " + line + "\n";
+  const auto troubles = troublesOf(r);
+  for (std::size_t i = 0; i < troubles.size() && i < mostTroubles; ++i) text += "  " + troubles[i] + "\n";
+  if (troubles.size() > mostTroubles)
+    text += fmt::format("  … and {} more; --json lists them all\n", troubles.size() - mostTroubles);
   if (!c.seedless.empty()) {
     text += "seeds change nothing in these: one run each, and no interval\n";
     for (const std::size_t i : c.seedless) text += "  " + r.nameOf(r.conditions[i]) + "\n";
@@ -177,6 +182,9 @@ std::string describe(const StudyComparison& c) {
   if (!verdicts.empty()) text += "\n";
   for (const std::string& line : verdicts) text += line + "\n";
   for (const std::size_t m : c.measures) {
+    const bool any = std::ranges::any_of(
+        c.conditions, [&](const ConditionSummary& s) { return s.measure == m && !s.values.empty(); });
+    if (!any) continue;
     const std::string unit = unitOfMeasure(c.measureName(m));
     text += fmt::format("\n{}{}\n", c.measureName(m), unit.empty() ? "" : " [" + unit + "]");
     text += conditionTable(c, m);

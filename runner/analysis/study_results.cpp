@@ -8,6 +8,7 @@
 #include "store/database.h"
 #include "store/schema.h"
 #include "store/store_error.h"
+#include "system/json.h"
 
 namespace morula {
 
@@ -95,10 +96,21 @@ void readReplicates(Database& db, const std::map<std::int64_t, std::size_t>& con
   }
 }
 
-void readMeasures(Database& db, StudyResults& results) {
+/// Those that the plan asks for, in its order, whether there was something to measure or not.
+void readMeasures(Database& db, const std::string& plan, StudyResults& results) {
+  const Json json = Json::parse(plan, nullptr, false);
+  if (json.is_object() && json.contains("study") && json["study"].contains("measures"))
+    for (const Json& name : json["study"]["measures"])
+      if (name.is_string()) results.measures.push_back(name.get<std::string>());
+  const std::size_t planned = results.measures.size();
   Statement rows(db, "SELECT DISTINCT measure FROM result ORDER BY measure");
-  for (rows.start(); rows.next();) results.measures.push_back(rows.line(0));
-  std::ranges::stable_sort(results.measures, {}, placeOfMeasure);
+  for (rows.start(); rows.next();)
+    if (const std::string name = rows.line(0);
+        std::ranges::find(results.measures, name) == results.measures.end())
+      results.measures.push_back(name);
+  std::stable_sort(
+      results.measures.begin() + static_cast<std::ptrdiff_t>(planned), results.measures.end(),
+      [](const std::string& a, const std::string& b) { return placeOfMeasure(a) < placeOfMeasure(b); });
 }
 
 void readValues(Database& db, const std::map<std::string, std::size_t>& tasks, StudyResults& results) {
@@ -135,10 +147,10 @@ StudyResults readStudyResults(const std::filesystem::path& file) {
         file.string() +
         ": a database of runs, but of no study; give the study.db that morula study merge makes");
   StudyResults results;
-  Statement study(db, "SELECT name, summary FROM study");
+  Statement study(db, "SELECT name, summary, plan FROM study");
   if (!study.start().next()) damaged(db, "the table study is empty");
   results.name = study.line(0), results.summary = study.line(1);
-  readMeasures(db, results);
+  readMeasures(db, study.text(2), results);
   readAxes(db, results);
   const auto conditions = readConditions(db, results);
   const auto tasks = readTasks(db, results);

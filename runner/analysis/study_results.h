@@ -37,7 +37,7 @@ inline constexpr std::size_t noTask = std::numeric_limits<std::size_t>::max();
 struct StudyResults {
   std::string name, summary;
   std::vector<ResultAxis> axes;       // in the order of the study file, as their levels
-  std::vector<std::string> measures;  // world, cell, pair; as the tables of measures order them
+  std::vector<std::string> measures;  // those that the study asks for, in its order
   std::vector<std::uint64_t> seeds;   // in rising order
   std::vector<ResultTask> tasks;      // in the order of the plan
   std::vector<ResultCondition> conditions;

@@ -118,7 +118,10 @@ void addInteractions(const StudyComparison& c, std::size_t measure, std::vector<
 
 void addMeasure(const StudyComparison& c, std::size_t measure, std::vector<std::string>& verdicts) {
   const Spread spread = spreadOf(c, measure);
-  if (!(spread.low <= spread.high)) return;
+  if (!(spread.low <= spread.high)) {
+    verdicts.push_back(c.measureName(measure) + ": there was nothing to measure in any run");
+    return;
+  }
   const bool tellsNothing = spread.share() <= littleRange && !anyShown(c, measure);
   if (tellsNothing) {
     const std::string low = numberText(spread.low, 3), high = numberText(spread.high, 3);

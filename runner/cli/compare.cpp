@@ -7,13 +7,14 @@
 #include "analysis/into_golden.h"
 #include "analysis/organisms.h"
 #include "analysis/picture.h"
+#include "base/error.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "cli/picture_name.h"
 #include "cli/verb.h"
 #include "files/folders.h"
-#include "files/read_file.h"
 #include "pictures/pictures.h"
+#include "study/plan.h"
 #include "system/console.h"
 
 namespace morula::cli {
@@ -27,13 +28,22 @@ struct CompareCommand {
   OutputOptions output;
 };
 
+/// A database, the folder of a study, or a study file.
+std::filesystem::path databaseOf(const std::string& named) {
+  std::filesystem::path file = named;
+  if (file.extension() == ".yaml" || file.extension() == ".yml") file = studyFolder(loadStudy(file));
+  else if (!isFolder(file)) return file;
+  if (!fileExists(file / "study.db"))
+    throw FileError((file / "study.db").string() + ": not there; morula study merge " + named + " makes it");
+  return file / "study.db";
+}
+
 int act(const CompareCommand& command) {
   checkPictureName("compare", command.picture, true);
   checkPictureName("compare", command.organisms, false);
   if (command.csv && command.output.json)
     throw UsageError("--csv and --json are two forms; leave out one of them");
-  std::filesystem::path file = command.database;
-  if (isFolder(file)) file /= "study.db";
+  const std::filesystem::path file = databaseOf(command.database);
   const StudyComparison comparison = compareStudy(readStudyResults(file), command.options);
   if (!command.intoGolden.empty()) writeIntoGolden(comparison, file, command.intoGolden);
   std::vector<std::string> pictures;
@@ -66,7 +76,7 @@ void addCompareTo(CLI::App& above, Action& action) {
   Verb verb(above, action, "compare",
             "Hold the conditions of a study against each other: what differs, and how surely");
   verb.needs("study", command->database, "FILE",
-             "The study.db of morula study merge, or the folder that it lies in");
+             "The study.db of morula study merge, the folder that it lies in, or the study file");
   verb.takes("--by", command->options.by, "AXIS,...",
              "Axes whose levels are compared, in the mean over the others; default: all");
   verb.takes("--measure", command->options.measures, "NAME,...", "Only these measures");

@@ -1,4 +1,5 @@
 // morula compare, as users start it.
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "../unit/analysis/study_db.h"
@@ -70,6 +71,7 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
   const TemporaryFolder folder;
   const std::string file = folder / "study.db";
   writePolicies(file);
+  std::filesystem::create_directory(folder / "empty");
   const auto fails = [](int code, const std::string& words, const std::vector<std::string>& arguments) {
     const auto run = launch(arguments);
     CHECK(run.code == code);
@@ -82,5 +84,32 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
   fails(2, "leave out one of them", {"compare", file, "--csv", "--json"});
   fails(2, "needs a name that ends in", {"compare", file, "-o", folder / "all.gif"});
   fails(6, "no such file", {"compare", folder / "none.db"});
+  fails(6, "morula study merge " + (folder / "empty") + " makes it", {"compare", folder / "empty"});
   fails(6, "not an SQLite database", {"compare", "README.md"});
+}
+
+TEST_CASE("A study is run, merged and compared, and one organism of each condition is drawn") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "pair.yaml",
+             "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {time: 1.5}\n"
+             "physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, drag: 5, shell: {sphere: 1}, contact: {}}\n"
+             "variation: {share: 0.05}\n");
+  writeWhole(folder / "pair.study.yaml",
+             "morula-study: 1\nname: pair\nbase: pair.yaml\n"
+             "vary: {drag: {little: {physics.drag: 4}, much: {physics.drag: 8}}}\n"
+             "seeds: 1..4\nmeasures: {names: [sphericity, cells], when: {every: 0.5}}\n");
+  const std::string study = folder / "pair.study.yaml", to = folder / "results";
+  const auto run = launch({"study", "run", study, "--to", to, "--quiet"});
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const auto compared = launch({"compare", to, "--json", "--organisms", folder / "all.png", "--quiet"});
+  INFO(compared.err);
+  REQUIRE(compared.code == 0);
+  CHECK(readWhole(folder / "all.png").substr(1, 3) == "PNG");
+  const json answer = json::parse(compared.out);
+  CHECK(answer.at("conditions").size() == 4);
+  CHECK(answer.at("conditions").at(0).at("n") == 4);
+  CHECK(answer.at("conditions").at(0).at("distinct") == 4);
+  CHECK(answer.at("courses").at(0).at("points").size() == 4);  // at 0, 0.5, 1 and 1.5
+  CHECK(answer.at("unfinished").empty());
 }
