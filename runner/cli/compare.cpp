@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "analysis/comparison.h"
+#include "analysis/into_golden.h"
 #include "analysis/organisms.h"
 #include "analysis/picture.h"
 #include "base/error.h"
@@ -21,7 +22,7 @@ namespace morula::cli {
 namespace {
 
 struct CompareCommand {
-  std::string database, picture, organisms;
+  std::string database, picture, organisms, intoGolden;
   CompareOptions options;
   bool csv = false;
   OutputOptions output;
@@ -44,6 +45,7 @@ int act(const CompareCommand& command) {
     throw UsageError("--csv and --json are two forms; leave out one of them");
   const std::filesystem::path file = databaseOf(command.database);
   const StudyComparison comparison = compareStudy(readStudyResults(file), command.options);
+  if (!command.intoGolden.empty()) writeIntoGolden(comparison, file, command.intoGolden);
   std::vector<std::string> pictures;
   if (!command.picture.empty()) {
     writePicture(drawComparedStudy(comparison), command.picture);
@@ -87,6 +89,9 @@ void addCompareTo(CLI::App& above, Action& action) {
   verb.takes("-o,--output", command->picture, "FILE", "Also draw all values: a .png, .svg or .pdf");
   verb.takes("--organisms", command->organisms, "FILE",
              "Also draw one organism of each condition, by running it again: a .png");
+  verb.takes("--into-golden", command->intoGolden, "SCENARIO",
+             "Also write the differences of the first level of --by into the golden of this scenario, which "
+             "the study varies");
   add(verb, command->output);
   verb.does([command] { return act(*command); });
 }

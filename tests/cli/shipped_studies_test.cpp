@@ -244,3 +244,29 @@ TEST_CASE("every answer of the shipped studies is what its command says") {
     }
   }
 }
+
+TEST_CASE("the statistics in the golden of elegans-128 are those of its study") {
+  const TemporaryFolder temporary;
+  namespace fs = std::filesystem;
+  for (const std::string name : {"scenarios/thesis/elegans-128.yaml", "scenarios/thesis/elegans-1024.dna",
+                                 "golden/thesis/elegans-128.golden"}) {
+    fs::create_directories(fs::path(temporary / name).parent_path());
+    fs::copy_file(sourceFile(name), temporary / name);
+  }
+  const std::string golden = temporary / "golden/thesis/elegans-128.golden", before = readWhole(golden);
+  CHECK_THAT(before, ContainsSubstring("\nstatistic clone_radius against half-step difference "));
+  const auto run = launch({"study", "compare", databaseOf(temporary, "elegans-128"), "--by", "settings",
+                           "--into-golden", temporary / "scenarios/thesis/elegans-128.yaml", "--quiet"},
+                          {{"CI", ""}});
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(readWhole(golden) == before);
+  // Of another scenario it says nothing.
+  writeWhole(temporary / "scenarios/thesis/elegans-128.yaml",
+             readWhole(temporary / "scenarios/thesis/elegans-128.yaml") + "\n");
+  const auto other = launch({"study", "compare", databaseOf(temporary, "elegans-128"), "--by", "settings",
+                             "--into-golden", temporary / "scenarios/thesis/elegans-128.yaml"},
+                            {{"CI", ""}});
+  CHECK(other.code == 3);
+  CHECK_THAT(other.err, ContainsSubstring("of another scenario"));
+}
