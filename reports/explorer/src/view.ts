@@ -16,8 +16,6 @@ export const standpoints: Record<string, [number, number, number]> = {
   iso: [0.35, -1, 0.45], front: [0, -1, 0], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0], top: [0, -0.0001, 1], bottom: [0, -0.0001, -1],
 };
 
-function toLinear(x: number): number { return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4; }
-
 /** The ellipses in which a shell meets the planes of its axes. */
 function ellipses([a, b, c]: number[]): number[] {
   const points: number[] = [], n = 96;
@@ -275,7 +273,7 @@ export class View {
     for (let i = 0; i < frame.count; ++i) {
       const path = this.pathOf(i), hovered = choice.hovered !== null && path === choice.hovered, mine = this.isChosen(i);
       const opacity = (dims && !mine ? dimmed : 1) * (mine && chosen > 0 ? Math.max(choice.opacity, 0.85) : choice.opacity);
-      const [r, g, b] = this.colouring.ofCell(run, frame, i, choice.colour, choice.scaleNow ? choice.time : null).map((x) => toLinear(hovered ? 0.75 * x + 0.25 : x));
+      const [r, g, b] = this.colouring.ofCell(run, frame, i, choice.colour, choice.scaleNow ? choice.time : null).map((x) => (hovered ? 0.75 * x + 0.25 : x));
       this.seeThrough.push(opacity < 0.995);
       for (let v = frame.firstVertex[i]; v < frame.firstVertex[i + 1]; ++v) colours.set([r, g, b, opacity], 4 * v);
       if (hovered || (mine && !dims)) for (const v of this.edges[frame.mesh[i]]) marked.push(v + frame.firstVertex[i]);
