@@ -42,10 +42,15 @@ async function pixels(page, nth = 0) {
   await settle(page);
   return (await page.$$("#explorer canvas"))[nth].screenshot({ encoding: "base64" });
 }
+/** A busy machine may draw late: it has two seconds. */
 async function changes(page, what, act, nth = 0) {
   const before = await pixels(page, nth);
   await act();
-  check(`${what} changes what is seen`, before !== (await pixels(page, nth)));
+  for (let turn = 0; turn < 20; ++turn) {
+    if (before !== (await pixels(page, nth))) return;
+    await pause(100);
+  }
+  check(`${what} changes what is seen`, false);
 }
 async function clickNode(page, path) {
   const at = await page.evaluate((p) => {

@@ -17,8 +17,13 @@ if [ $code -ne 0 ]; then
   echo "skipped: no Node.js, no npm, or its packages cannot be fetched"
   exit 77
 fi
-node "$folder/node_modules/typescript/bin/tsc" --noEmit -p "$source/reports/explorer" --typeRoots "$folder/node_modules/@types" \
-  --baseUrl "$folder/node_modules" --paths null >/dev/null 2>&1 || true
+cat >"$folder/tsconfig.json" <<END
+{ "extends": "$source/reports/explorer/tsconfig.json",
+  "compilerOptions": { "baseUrl": "$folder",
+    "paths": { "three": ["node_modules/@types/three"], "three/*": ["node_modules/@types/three/*"] } },
+  "include": ["$source/reports/explorer/src"] }
+END
+node "$folder/node_modules/typescript/bin/tsc" --noEmit -p "$folder/tsconfig.json"
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

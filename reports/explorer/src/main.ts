@@ -5,26 +5,9 @@ import { setUpCompare } from "./compare";
 import { isWithin, numberText, readData, type Data, type Run } from "./data";
 import { Info } from "./info";
 import { State, type Choice } from "./state";
+import { element, Tools } from "./tools";
 import { Tree } from "./tree";
-import { standpoints, View } from "./view";
-
-function element<K extends keyof HTMLElementTagNameMap>(name: K, className = "", text = ""): HTMLElementTagNameMap[K] {
-  const made = document.createElement(name);
-  if (className) made.className = className;
-  if (text) made.textContent = text;
-  return made;
-}
-
-function choiceOf(options: [string, string][], label: string): [HTMLLabelElement, HTMLSelectElement] {
-  const made = element("label", "", label + " "), select = element("select");
-  for (const [value, text] of options) {
-    const option = element("option", "", text);
-    option.value = value;
-    select.append(option);
-  }
-  made.append(select);
-  return [made, select];
-}
+import { View } from "./view";
 
 class Explorer {
   private readonly state: State;
@@ -57,8 +40,9 @@ class Explorer {
     const clockBox = element("div", "clock");
     this.tip.hidden = true;
     document.body.append(this.tip);
-    const tools = this.makeTools(anyBodies);
-    root.append(tools, this.panes, this.bar, clockBox, infoBox);
+    const tools = new Tools(data, this.state, this.colouring, anyBodies);
+    tools.onLook = (direction) => this.views.forEach((view) => view.look(direction));
+    root.append(tools.box, this.panes, this.bar, clockBox, infoBox);
     if (anyBodies) this.panes.append(this.viewRow);
     else this.panes.style.gridTemplateColumns = "minmax(0, 1fr)";
     this.panes.append(treePane);
@@ -66,7 +50,7 @@ class Explorer {
     this.tree = new Tree(treePane, this.firstRun(), this.state, this.colouring);
     this.info = new Info(infoBox, data, this.state);
     this.clock = new Clock(clockBox, data, this.state);
-    this.fitButton(tools);
+    this.fitButton(tools.box);
     for (const part of [this.tree, this.info]) part.onPick = (path: string) => this.pick(path);
     this.tree.onHover = (path, x, y) => this.hover(path, x, y);
     this.state.listen((changed) => this.changed(changed));
@@ -112,73 +96,6 @@ class Explorer {
     }
     box.append(element("div", "caption", run.hasBodies ? "This browser has no WebGL: the stored picture instead." : `${run.title}: no shapes are kept in this page.`));
   }
-
-  private toggle(key: "scaleNow" | "surface" | "wireframe" | "normals" | "connections" | "shell", text: string): HTMLElement {
-    const label = element("label"), box = element("input");
-    box.type = "checkbox";
-    box.name = key;
-    box.checked = this.state.choice[key];
-    box.addEventListener("change", () => this.state.set({ [key]: box.checked }));
-    this.state.listen((changed) => { if (changed.has(key)) box.checked = this.state.choice[key]; });
-    label.append(box, text);
-    return label;
-  }
-
-  private range(key: "opacity" | "clipAt", text: string, least: number, most: number): HTMLElement {
-    const label = element("label", "", text + " "), range = element("input");
-    range.type = "range";
-    range.name = key;
-    range.min = String(least);
-    range.max = String(most);
-    range.step = "0.01";
-    range.value = String(this.state.choice[key]);
-    range.addEventListener("input", () => this.state.set({ [key]: Number(range.value) }));
-    this.state.listen((changed) => { if (changed.has(key)) range.value = String(this.state.choice[key]); });
-    label.append(range);
-    return label;
-  }
-
-  private select(key: "colour" | "clip" | "left" | "right", text: string, options: [string, string][]): HTMLElement {
-    const [label, select] = choiceOf(options, text);
-    select.name = key;
-    select.value = String(this.state.choice[key]);
-    select.addEventListener("change", () => this.state.set({ [key]: key === "left" || key === "right" ? Number(select.value) : select.value }));
-    this.state.listen((changed) => { if (changed.has(key)) select.value = String(this.state.choice[key]); });
-    return label;
-  }
-
-  private makeTools(bodies: boolean): HTMLElement {
-    const tools = element("div", "tools"), { runs } = this.data;
-    tools.setAttribute("role", "group");
-    tools.setAttribute("aria-label", "What the explorer shows");
-    if (runs.length > 1) {
-      const names = runs.map((run, i): [string, string] => [String(i), run.title]);
-      tools.append(this.select("left", "Left", names), this.select("right", "Right", [["-1", "none"], ...names]));
-    }
-    const colours = this.colouring.choices();
-    if (!colours.includes(this.state.choice.colour)) this.state.set({ colour: "substance" });
-    tools.append(this.select("colour", "Colour", colours.map((c) => [c, c.replace(/_/g, " ")])));
-    if (!bodies) return tools;
-    const now = this.toggle("scaleNow", "scale of this time");
-    const show = () => (now.hidden = !this.data.runs.some((run) => run.measures.includes(this.state.choice.colour)));
-    this.state.listen((changed) => { if (changed.has("colour")) show(); });
-    show();
-    tools.append(now);
-    tools.append(this.toggle("surface", "surface"), this.toggle("wireframe", "wireframe"), this.toggle("normals", "normals"));
-    if (runs.some((run) => run.hasBodies && this.everConnected(run))) tools.append(this.toggle("connections", "connections"));
-    if (runs.some((run) => run.shell)) tools.append(this.toggle("shell", "shell"));
-    tools.append(this.range("opacity", "Opacity", 0.1, 1), this.select("clip", "Clip", [["", "none"], ["x", "x"], ["y", "y"], ["z", "z"]]), this.range("clipAt", "at", -1, 1));
-    const [label, from] = choiceOf([["", "…"], ...Object.keys(standpoints).map((s): [string, string] => [s, s])], "View from");
-    from.name = "view";
-    from.addEventListener("change", () => {
-      if (from.value) this.views.forEach((view) => view.look(standpoints[from.value]));
-      from.value = "";
-    });
-    tools.append(label);
-    return tools;
-  }
-
-  private everConnected(run: Run): boolean { return run.connected; }
 
   private fitButton(tools: HTMLElement): void {
     const button = element("button", "", "");

@@ -3,18 +3,16 @@
 import { BackSide, FrontSide, ShaderMaterial } from "three";
 
 const vertexShader = `
-attribute vec4 color; // linear light, opacity
+attribute vec4 color; // as it is displayed (sRGB), opacity
 varying vec4 shown;
 uniform float lift; // [length] towards the eye
 #include <clipping_planes_pars_vertex>
-vec3 displayed(vec3 light) { // sRGB [IEC 61966-2-1]
-  return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
-}
 void main() {
   vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
   vec3 n = normalize(normalMatrix * normal);
-  float lamp = max(0.0, dot(n, normalize(vec3(-0.4, 0.8, 1.0)))), sky = 0.5 + 0.5 * n.y;
-  shown = vec4(displayed(min(vec3(1.0), color.rgb * (0.3 + 0.2 * sky + 0.65 * lamp))), color.a);
+  float lamp = max(0.0, dot(n, vec3(-0.298, 0.596, 0.745))), sky = 0.5 + 0.5 * n.y;
+  // Light weighs less where it is displayed: powers at every vertex would cost more than all the rest.
+  shown = vec4(min(vec3(1.0), color.rgb * (0.52 + 0.12 * sky + 0.42 * lamp)), color.a);
   #include <clipping_planes_vertex>
   mvPosition.z += lift;
   gl_Position = projectionMatrix * mvPosition;

@@ -7,6 +7,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Colouring } from "./colours";
 import { isWithin, type Frame, type Run } from "./data";
+import { edgesOf, normalLines, shellLines } from "./lines";
 import { cellMaterial, drawsInSoftware, insideMaterial } from "./shading";
 import type { State } from "./state";
 
@@ -15,19 +16,6 @@ const dimmed = 0.1; // opacity
 export const standpoints: Record<string, [number, number, number]> = {
   iso: [0.35, -1, 0.45], front: [0, -1, 0], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0], top: [0, -0.0001, 1], bottom: [0, -0.0001, -1],
 };
-
-function toLinear(x: number): number { return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4; }
-
-/** The ellipses in which a shell meets the planes of its axes. */
-function ellipses([a, b, c]: number[]): number[] {
-  const points: number[] = [], n = 96;
-  const at = (k: number, axis: number): number[] => {
-    const x = Math.cos((2 * Math.PI * k) / n), y = Math.sin((2 * Math.PI * k) / n);
-    return axis === 0 ? [0, b * x, c * y] : axis === 1 ? [a * x, 0, c * y] : [a * x, b * y, 0];
-  };
-  for (let axis = 0; axis < 3; ++axis) for (let k = 0; k < n; ++k) points.push(...at(k, axis), ...at(k + 1, axis));
-  return points;
-}
 
 export class View {
   readonly canvas: HTMLCanvasElement;
@@ -89,12 +77,7 @@ export class View {
     this.run = run;
     this.key.frame = -1;
     this.edges.length = 0;
-    for (const faces of run.meshes) {
-      const pairs: number[] = [];
-      for (let k = 0; k < faces.length; k += 3)
-        for (const [a, b] of [[faces[k], faces[k + 1]], [faces[k + 1], faces[k + 2]], [faces[k + 2], faces[k]]]) if (a < b) pairs.push(a, b);
-      this.edges.push(Uint32Array.from(pairs));
-    }
+    for (const faces of run.meshes) this.edges.push(edgesOf(faces));
     let squares = 0;
     const last = run.frame(run.times.length - 1).positions, first = run.frame(0).positions;
     for (const positions of [first, last])
@@ -107,13 +90,7 @@ export class View {
 
   private drawShell(): void {
     const { shell } = this.run;
-    let points: number[] = [];
-    if (shell?.axes) points = ellipses(shell.axes);
-    else if (shell?.vertices && shell.faces)
-      for (let k = 0; k < shell.faces.length; k += 3)
-        for (const [a, b] of [[0, 1], [1, 2], [2, 0]])
-          for (const v of [shell.faces[k + a], shell.faces[k + b]]) points.push(...shell.vertices.slice(3 * v, 3 * v + 3));
-    this.shell.geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points), 3));
+    this.shell.geometry.setAttribute("position", new BufferAttribute(Float32Array.from(shellLines(shell)), 3));
     if (shell?.axes) this.size = Math.max(this.size, ...shell.axes);
   }
 
@@ -275,7 +252,7 @@ export class View {
     for (let i = 0; i < frame.count; ++i) {
       const path = this.pathOf(i), hovered = choice.hovered !== null && path === choice.hovered, mine = this.isChosen(i);
       const opacity = (dims && !mine ? dimmed : 1) * (mine && chosen > 0 ? Math.max(choice.opacity, 0.85) : choice.opacity);
-      const [r, g, b] = this.colouring.ofCell(run, frame, i, choice.colour, choice.scaleNow ? choice.time : null).map((x) => toLinear(hovered ? 0.75 * x + 0.25 : x));
+      const [r, g, b] = this.colouring.ofCell(run, frame, i, choice.colour, choice.scaleNow ? choice.time : null).map((x) => (hovered ? 0.75 * x + 0.25 : x));
       this.seeThrough.push(opacity < 0.995);
       for (let v = frame.firstVertex[i]; v < frame.firstVertex[i + 1]; ++v) colours.set([r, g, b, opacity], 4 * v);
       if (hovered || (mine && !dims)) for (const v of this.edges[frame.mesh[i]]) marked.push(v + frame.firstVertex[i]);
@@ -323,13 +300,7 @@ export class View {
   }
 
   private drawNormals(): void {
-    const { positions } = this.frame, normals = this.geometry.getAttribute("normal").array, length = 0.08 * this.run.radius;
-    const points = new Float32Array(2 * positions.length);
-    for (let k = 0; k < positions.length; k += 3)
-      for (let axis = 0; axis < 3; ++axis) {
-        points[2 * k + axis] = positions[k + axis];
-        points[2 * k + 3 + axis] = positions[k + axis] + length * normals[k + axis];
-      }
+    const points = normalLines(this.frame.positions, this.geometry.getAttribute("normal").array, 0.08 * this.run.radius);
     this.arrows.geometry.dispose();
     this.arrows.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(points, 3));
   }
