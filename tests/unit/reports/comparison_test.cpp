@@ -34,14 +34,14 @@ TEST_CASE("the third picture shows where the surfaces are apart, and says how fa
     const auto* begin = &image.at(8 + tile * 208 + 100 * right, image.height / 2);
     return std::count_if(begin, begin + 100, kind);
   };
-  const auto darkBlue = [](Colour c) { return c.b > 1.5 * c.r; };
+  const auto dark = [](Colour c) { return c.g < 0.6 * c.b; };
   const auto yellowish = [](Colour c) { return c.r > 1.5 * c.b; };
   CHECK(count(0, false, isReddish) > 20);
   CHECK(count(0, true, isReddish) > 20);
   CHECK(count(1, true, isBluish) > 20);
-  CHECK(count(2, false, darkBlue) > 20);  // the same there
+  CHECK(count(2, false, dark) > 20);  // the same there
   CHECK(count(2, false, yellowish) == 0);
-  CHECK(count(2, true, darkBlue) == 0);
+  CHECK(count(2, true, dark) == 0);
   CHECK(count(2, true, yellowish) > 20);  // 0.1 apart
   other.cells.pop_back();
   CHECK_THROWS_AS(drawComparison(one, other, 2), InputError);
