@@ -1,6 +1,7 @@
 #include "organism/organism.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -146,6 +147,116 @@ TEST_CASE("translucent cells before each other and before a solid one are compos
   REQUIRE(std::abs(together.b - expected(&Colour::b)) <= 2);
 }
 
+TEST_CASE("a cell within two translucent ones has the colour that three veils give, to 2 of 255",
+          "[organism]") {
+  CellShape outer = ball("A", {0, 0, 0}, 1.6, {230, 230, 60}),
+            inner = ball("B", {0, 0, 0}, 1.0, {40, 200, 40});
+  const CellShape core = ball("C", {0, 0, 0}, 0.5, blue);
+  std::vector<Colour> alone;
+  for (const CellShape& cell : {outer, inner, core}) alone.push_back(centre(drawOrganism(picture({cell}))));
+  for (const auto& [a, b] : {std::pair{0.3, 0.6}, {0.5, 0.5}, {0.15, 0.85}}) {
+    outer.opacity = a, inner.opacity = b;
+    const auto expected = [&, a = a, b = b](std::uint8_t Colour::*channel) {
+      return int(channelOf(
+          a * linearLight(alone[0].*channel) +
+          (1 - a) * (b * linearLight(alone[1].*channel) + (1 - b) * linearLight(alone[2].*channel))));
+    };
+    for (const auto& cells : {std::vector{outer, inner, core}, {core, outer, inner}, {inner, core, outer}}) {
+      const Colour seen = centre(drawOrganism(picture(cells)));
+      CHECK(std::abs(seen.r - expected(&Colour::r)) <= 2);
+      CHECK(std::abs(seen.g - expected(&Colour::g)) <= 2);
+      CHECK(std::abs(seen.b - expected(&Colour::b)) <= 2);
+    }
+  }
+}
+
+TEST_CASE("however many translucent cells lie one behind the other, all count", "[organism]") {
+  std::vector<CellShape> cells;
+  for (int i = 0; i < 40; ++i) {
+    cells.push_back(ball("A", {0, 0, -0.1 * i}, 0.4, {40, 200, 40}));
+    cells.back().opacity = 0.02;
+  }
+  const Colour veils = centre(drawOrganism(picture(cells)));
+  const CellShape back = ball("B", {0, 0, -6}, 0.5, red);
+  cells.push_back(back);
+  const Colour all = centre(drawOrganism(picture(cells))), alone = centre(drawOrganism(picture({back})));
+  const double through = std::pow(0.98, 40);  // of the paper's light, or of the last cell's
+  const double expected = linearLight(veils.r) + through * (linearLight(alone.r) - linearLight(paper.r));
+  CHECK(std::abs(all.r - int(channelOf(expected))) <= 2);
+}
+
+TEST_CASE("a transparent picture has the disc's area as its opacity, to half a per cent", "[organism]") {
+  for (const int samples : {2, 4}) {
+    OrganismPicture p = picture({ball("", {0, 0, 0}, 1, red)}, 400);
+    p.transparent = true;
+    p.samples = samples;
+    const Image image = drawOrganism(p);
+    REQUIRE(image.opacity.size() == image.pixels.size());
+    double area = 0;
+    for (const std::uint8_t a : image.opacity) area += a / 255.0;
+    const double radius = 200 / 0.19 / std::sqrt(99.0);  // as above
+    CHECK(area == Approx(3.14159265358979 * radius * radius).epsilon(0.005));
+    CHECK(image.opacity[0] == 0);
+    CHECK(image.opacity[200 * 400 + 200] == 255);
+    // Where it is opaque it is the picture on paper.
+    p.transparent = false;
+    CHECK(std::abs(image.at(200, 200).r - drawOrganism(p).at(200, 200).r) <= 1);
+  }
+}
+
+TEST_CASE("a translucent cell on no ground is as opaque as it is said to be", "[organism]") {
+  OrganismPicture p = picture({ball("", {0, 0, 0}, 1, red)});
+  p.cells[0].opacity = 0.4;
+  p.transparent = true;
+  const Image image = drawOrganism(p);
+  CHECK(std::abs(image.opacity[60 * 120 + 60] - 102) <= 1);
+  p.cells[0].opacity = 1;
+  const Colour solid = centre(drawOrganism(p));
+  CHECK(std::abs(centre(image).r - solid.r) <= 2);
+  CHECK(pngFile(image).size() > 100);
+}
+
+TEST_CASE("what lies beyond the clip plane is cut away, and the cut shows the cell's colour", "[organism]") {
+  OrganismPicture p = picture({ball("A", {0, 0, 0}, 1, red), ball("B", {0, 0, -2.5}, 1.2, blue)});
+  p.clip = ClipPlane{{1, 0, 0}, 0};
+  const Image half = drawOrganism(p);
+  CHECK(isReddish(half.at(60 - 12, 60)));
+  CHECK(half.at(60 + 12, 60) == paper);
+  p.clip = ClipPlane{{0, 0, 2}, 0};  // the half before the picture's plane: one looks onto the cut
+  const Image open = drawOrganism(p);
+  CHECK(isReddish(centre(open)));
+  // A cut is flat: the same light all over it, but for shadows at its edge.
+  CHECK(std::abs(brightness(open.at(60 - 8, 60)) - brightness(open.at(60 + 8, 60))) <= 3);
+  CHECK(std::abs(brightness(open.at(60, 60 - 8)) - brightness(open.at(60, 60 + 8))) <= 3);
+  p.clip = ClipPlane{{0, 0, 1}, -1.001};  // the first cell is gone
+  CHECK(isBluish(centre(drawOrganism(p))));
+  p.clip = ClipPlane{{0, 0, 1}, 10};  // nothing is cut
+  const Image whole = drawOrganism(p);
+  p.clip.reset();
+  CHECK(whole == drawOrganism(p));
+  p.lines = {{{-0.5, 0, 1.5}, {0.5, 0, 1.5}, {0, 0, 0}}};
+  p.clip = ClipPlane{{0, 0, 1}, 1.4};
+  CHECK(drawOrganism(p) == whole);
+  p.clip = ClipPlane{{0, 0, 0}, 1};
+  CHECK_THROWS_AS(drawOrganism(p), InputError);
+}
+
+TEST_CASE("an arrow has a head at its end", "[organism]") {
+  OrganismPicture p = picture({}, 300);
+  p.lines = {{{-1, 0, 0}, {1, 0, 0}, {0, 0, 0}}};
+  const auto inked = [](const Image& image, int from, int to) {
+    int count = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = from; x < to; ++x) count += image.at(x, y) != paper;
+    return count;
+  };
+  const Image line = drawOrganism(p);
+  p.lines[0].arrow = true;
+  const Image arrow = drawOrganism(p);
+  CHECK(inked(arrow, 150, 300) > inked(line, 150, 300) + 15);
+  CHECK(inked(arrow, 0, 150) == inked(line, 0, 150));
+}
+
 TEST_CASE("a solid cell hides the translucent ones behind it", "[organism]") {
   const CellShape front = ball("A", {0, 0, 0.5}, 1, red);
   CellShape hidden = ball("B", {0, 0, -1.6}, 1, blue);
@@ -258,6 +369,22 @@ TEST_CASE("words stay out of the scene", "[organism]") {
   REQUIRE(isReddish(words.at(150, 155)));
 }
 
+// Not run by itself: test_unit_reports "[measure]" tells how long the largest pictures take.
+TEST_CASE("4096 cells at 1920 x 1080", "[.][measure]") {
+  OrganismPicture p = picture({}, 120);
+  p.width = 1920, p.height = 1080;
+  for (int i = 0; i < 4096; ++i)
+    p.cells.push_back(ball("A", {0.1 * (i % 16) - 0.75, 0.1 * (i / 16 % 16) - 0.75, 0.1 * (i / 256) - 0.75},
+                           0.055, {std::uint8_t(i % 200 + 30), std::uint8_t(i / 16), 128}));
+  for (const bool translucent : {false, true}) {
+    for (CellShape& cell : p.cells) cell.opacity = translucent ? 0.3 : 1;
+    const auto begin = std::chrono::steady_clock::now();
+    drawOrganism(p);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    WARN((translucent ? "translucent: " : "solid: ") << took.count() << " s");
+  }
+}
+
 TEST_CASE("pictures that cannot be are refused by name", "[organism]") {
   const auto refused = [](auto change, const char* word) {
     OrganismPicture p = picture({ball("AB", {0, 0, 0}, 1, red)});
@@ -278,6 +405,7 @@ TEST_CASE("pictures that cannot be are refused by name", "[organism]") {
   refused([](auto& p) { p.cells[0].opacity = NAN; }, "opacity");
   refused([](auto& p) { p.faces[0][0] = -1; }, "negative");
   refused([](auto& p) { p.shell = Vector{1, 0, 1}; }, "semi-axes");
+  refused([](auto& p) { p.labels = {{1, "words"}}; }, "no cell");
   refused([](auto& p) { p.lines.push_back({{0, 0, 0}, {NAN, 0, 0}, {}}); }, "not finite");
   refused([](auto& p) { p.camera.framing->distance = 0; }, "distance");
   refused([](auto& p) { p.camera.up = p.camera.towardsEye; }, "parallel");
