@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/cell_path.h"
 #include "base/error.h"
@@ -199,27 +198,21 @@ Framing fitFraming(const std::vector<OrganismPicture>& sequence) {
   return framingOf(points, sequence.front(), sequence.front().width);
 }
 
-Framing commonFraming(const std::vector<OrganismPicture>& pictures) {
-  if (pictures.empty()) throw InputError("a framing needs at least one picture");
-  std::vector<std::vector<Point>> extents;
-  Point low, high;
-  bool first = true;
-  for (const OrganismPicture& picture : pictures) {
-    check(picture);
-    extents.push_back(extent(picture));
-    for (const Point& p : extents.back()) {
-      if (std::exchange(first, false)) low = high = p;
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+Framing commonFraming(const OrganismPicture& picture, const std::vector<Camera>& cameras) {
+  if (cameras.empty()) throw InputError("a framing needs at least one side to look from");
+  check(picture);
+  const std::vector<Point> points = extent(picture);
+  if (points.empty()) return {};
+  Point low = points.front(), high = low;
+  for (const Point& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
+  const Aperture aperture = apertureOf(picture.width, sceneHeight(picture, picture.width));
   Framing framing{(low + high) * 0.5, 0};
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const OrganismPicture& picture = pictures[i];
-    framing.distance = std::max(framing.distance,
-                                distanceFor(extents[i], framing.centre, eyeAxes(picture.camera),
-                                            apertureOf(picture.width, sceneHeight(picture, picture.width))));
-  }
+  for (const Camera& camera : cameras)
+    framing.distance =
+        std::max(framing.distance, distanceFor(points, framing.centre, eyeAxes(camera), aperture));
   return framing;
 }
 

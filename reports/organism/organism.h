@@ -95,9 +95,9 @@ Framing fitFraming(const OrganismPicture& picture);
 /// One framing in which all of these pictures are whole. Throws InputError for none.
 Framing fitFraming(const std::vector<OrganismPicture>& sequence);
 
-/// One framing in which all of these pictures are whole, each from the side that its own camera sees: for an
-/// eye that goes around. Throws InputError for none.
-Framing commonFraming(const std::vector<OrganismPicture>& pictures);
+/// One framing in which the picture is whole from each of these sides: for an eye that goes around. Throws InputError
+/// for none.
+Framing commonFraming(const OrganismPicture& picture, const std::vector<Camera>& cameras);
 
 /// The unit normals at a cell's vertices: means over their faces with the weights that are exact on a sphere,
 /// sin(angle) / (product of the lengths of the two edges) [Max 1999].

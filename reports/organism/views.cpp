@@ -70,16 +70,15 @@ Camera parseView(std::string_view text) {
 
 const char* viewNames() { return "front, back, left, right, top, bottom, iso"; }
 
-std::vector<OrganismPicture> turntable(const OrganismPicture& picture, int count) {
-  std::vector<OrganismPicture> pictures(std::size_t(count), picture);
+std::vector<Camera> turntable(const OrganismPicture& picture, int count) {
+  std::vector<Camera> cameras(std::size_t(count), picture.camera);
   for (int i = 0; i < count; ++i) {
-    Camera& camera = pictures[i].camera;
-    camera.towardsEye = turned(camera.towardsEye, 360.0 * i / count);
-    camera.up = turned(camera.up, 360.0 * i / count);
+    cameras[i].towardsEye = turned(cameras[i].towardsEye, 360.0 * i / count);
+    cameras[i].up = turned(cameras[i].up, 360.0 * i / count);
   }
-  const Framing framing = commonFraming(pictures);
-  for (OrganismPicture& turn : pictures) turn.camera.framing = framing;
-  return pictures;
+  const Framing framing = commonFraming(picture, cameras);
+  for (Camera& camera : cameras) camera.framing = framing;
+  return cameras;
 }
 
 }  // namespace morula

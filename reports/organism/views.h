@@ -18,8 +18,8 @@ Camera parseView(std::string_view text);
 /// The names, separated by commas.
 const char* viewNames();
 
-/// The picture from `count` > 0 sides, turned about the z axis by equal angles, the first as it is: one framing in
-/// which it is whole from all of them.
-std::vector<OrganismPicture> turntable(const OrganismPicture& picture, int count);
+/// `count` > 0 cameras around the picture, turned about the z axis by equal angles, the first as its own: with one
+/// framing in which it is whole from all of them.
+std::vector<Camera> turntable(const OrganismPicture& picture, int count);
 
 }  // namespace morula

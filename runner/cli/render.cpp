@@ -47,15 +47,21 @@ Image imageOf(const OrganismPicture& picture, const std::string& style) {
   return drawOrganism(picture, style == "wireframe" ? Style::wireframe : Style::solid);
 }
 
-std::vector<std::string> writeOrganism(const std::vector<OrganismPicture>& pictures,
-                                       const RenderOptions& options, const Motion& motion,
-                                       const std::string& file) {
-  const auto draw = [&](std::size_t i) { return imageOf(pictures[i], options.style); };
+std::vector<std::string> writeOrganism(std::vector<OrganismPicture> pictures, const RenderOptions& options,
+                                       const Motion& motion, const std::string& file) {
+  std::vector<Camera> turns;
+  if (motion.turntable) turns = turntable(pictures.front(), motion.turntable);
+  const std::size_t count = turns.empty() ? pictures.size() : turns.size();
+  const auto draw = [&](std::size_t i) {
+    if (turns.empty()) return imageOf(pictures[i], options.style);
+    pictures.front().camera = turns[i];
+    return imageOf(pictures.front(), options.style);
+  };
   if (isFilmName(file)) {
-    writeFilm(pictures.size(), draw, motion.perSecond, file);
+    writeFilm(count, draw, motion.perSecond, file);
     return {file};
   }
-  if (motion.any()) return writeSequence(pictures.size(), draw, file);
+  if (motion.any()) return writeSequence(count, draw, file);
   writePicture(draw(0), file);
   return {file};
 }
@@ -166,9 +172,7 @@ int render(const RenderOptions& options, const PictureWishes& wishes, const Moti
       maker->add(shown.run->world);
       maker->addForces(shown.run->world);
     }
-    std::vector<OrganismPicture> pictures = maker->take();
-    if (motion.turntable) pictures = turntable(pictures.front(), motion.turntable);
-    files = writeOrganism(pictures, options, motion, file);
+    files = writeOrganism(maker->take(), options, motion, file);
   }
   told = {{"scenario", name}, {"time", shown.run->end.time}, {"pictures", files}};
   return fine;

@@ -55,6 +55,18 @@ void addLabels(OrganismPicture& picture, const World& world, const Scenario& sce
   }
 }
 
+/// Whether an arrow of this kind is long enough to be seen beside the longest of all.
+bool isSeen(const OrganismPicture& picture, ForceKind kind) {
+  double most = 0, ofKind = 0;
+  for (const LineMark& line : picture.lines) {
+    if (!line.arrow) continue;
+    const double length = norm(line.to - line.from);
+    most = std::max(most, length);
+    if (line.colour == forceColour(kind)) ofKind = std::max(ofKind, length);
+  }
+  return ofKind > 0.01 * most;
+}
+
 }  // namespace
 
 Colour forceColour(ForceKind kind) {
@@ -120,9 +132,8 @@ std::vector<OrganismPicture> PictureMaker::take() {
     if (std::any_of(picture.lines.begin(), picture.lines.end(),
                     [](const LineMark& line) { return line.colour == connectionColour; }))
       picture.legend.push_back({connectionColour, "connection"});
-    for (const ForceKind kind : wishes_.forces)  // those that there are
-      if (std::any_of(picture.lines.begin(), picture.lines.end(),
-                      [&](const LineMark& line) { return line.arrow && line.colour == forceColour(kind); }))
+    for (const ForceKind kind : wishes_.forces)
+      if (isSeen(picture, kind))
         picture.legend.push_back({forceColour(kind), std::string(nameOf(kind)) + " force"});
   }
   if (pictures_.size() > 1) {

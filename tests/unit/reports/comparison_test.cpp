@@ -25,13 +25,18 @@ TEST_CASE("a contact sheet shows every image whole", "[comparison]") {
 }
 
 TEST_CASE("the third picture shows where the surfaces are apart, and says how far", "[comparison]") {
-  const OrganismPicture one = picture({ball("A", {-1, 0, 0}, 0.5, red), ball("B", {1, 0, 0}, 0.5, red)}, 200);
+  OrganismPicture one = picture({ball("A", {-1, 0, 0}, 0.5, red), ball("B", {1, 0, 0}, 0.5, red)}, 200);
   OrganismPicture other = picture({ball("A", {-1, 0, 0}, 0.5, blue), ball("B", {1, 0, 0}, 0.6, blue)}, 200);
+  one.title = other.title = "a title", one.caption = other.caption = "and words";  // as much as the third has
   const Image image = drawComparison(one, other, 2).pixels();
   REQUIRE(image.width == 3 * (200 + 8) + 8);
-  /// In the middle row of half a tile: so many pixels of a kind.
+  // The scene's middle row.
+  const Instruments bar{.axes = false, .scaleBar = false, .colourBar = ColourBar{}, .arrowKey = {}};
+  const Bands bands = bandsFor({one.title, one.caption, {}}, 200, 200);
+  const int row = 8 + (200 + bands.top - instrumentsHeight(bar, 200, textSizeFor(200, 200))) / 2;
+  /// In half of a tile's part of it: so many pixels of a kind.
   const auto count = [&](int tile, bool right, auto kind) {
-    const auto* begin = &image.at(8 + tile * 208 + 100 * right, image.height / 2);
+    const auto* begin = &image.at(8 + tile * 208 + 100 * right, row);
     return std::count_if(begin, begin + 100, kind);
   };
   const auto dark = [](Colour c) { return c.g < 0.6 * c.b; };

@@ -19,13 +19,15 @@ TEST_CASE("round numbers are 1, 2 and 5 times powers of ten", "[instruments]") {
 
 namespace {
 
-/// [pixel] The longest run, in rows from `top` on, of pixels that are more of this colour than of paper: ends are
-/// softened, and half a pixel's ink is where they are.
-int longestRun(const Image& image, int top, int bottom, Colour colour) {
-  int longest = 0;
+/// [pixel] The longest run, in rows from `top` on, of pixels that are nearer to the darkest of these rows than to paper:
+/// ends are softened, and half of the ink is where they are.
+int longestRun(const Image& image, int top, int bottom) {
+  int darkest = brightness(paper), longest = 0;
+  for (int y = top; y < bottom; ++y)
+    for (int x = 0; x < image.width; ++x) darkest = std::min(darkest, brightness(image.at(x, y)));
   for (int y = top; y < bottom; ++y)
     for (int x = 0, run = 0; x < image.width; ++x) {
-      run = 2 * brightness(image.at(x, y)) < brightness(colour) + brightness(paper) ? run + 1 : 0;
+      run = 2 * brightness(image.at(x, y)) < darkest + brightness(paper) ? run + 1 : 0;
       longest = std::max(longest, run);
     }
   return longest;
@@ -40,7 +42,7 @@ TEST_CASE("the scale bar is as long as a thing of its length in the picture, to 
     p.instruments.scaleBar = true;
     const int band = instrumentsHeight(p.instruments, 500, textSizeFor(500, 500));
     const Image bare = drawOrganism(p);
-    const int bar = longestRun(bare, 500 - band, 500, ink);
+    const int bar = longestRun(bare, 500 - band, 500);
     // The length that the bar must stand for, from what the camera promises: 0.19 is the tangent of half the
     // smaller side.
     const double pixelsPerLength = 0.5 * (500 - band) / (0.19 * distance);
@@ -48,7 +50,7 @@ TEST_CASE("the scale bar is as long as a thing of its length in the picture, to 
     CHECK(std::abs(bar - length * pixelsPerLength) <= 1);
     // And as a line of that length at the middle's depth is drawn.
     p.lines = {{{-0.5 * length, 0, 0}, {0.5 * length, 0, 0}, red}};
-    const int line = longestRun(drawOrganism(p), 0, 500 - band, red);
+    const int line = longestRun(drawOrganism(p), 0, 500 - band);
     CAPTURE(distance, length, bar, line);
     CHECK(std::abs(bar - line) <= 1);
   }

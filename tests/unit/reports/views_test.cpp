@@ -49,12 +49,13 @@ TEST_CASE("a turntable goes around once and keeps the organism whole", "[views]"
   p.camera = parseView("front");
   const auto turns = turntable(p, 4);
   REQUIRE(turns.size() == 4);
-  CHECK(norm(turns[1].camera.towardsEye - Vector{1, 0, 0}) < 1e-15);
-  CHECK(norm(turns[2].camera.towardsEye - Vector{0, 1, 0}) < 1e-15);
-  for (const auto& turn : turns) {
-    CHECK(turn.camera.framing->distance == turns[0].camera.framing->distance);
-    CHECK(turn.camera.framing->centre == turns[0].camera.framing->centre);
-    const Image image = drawOrganism(turn);
+  CHECK(norm(turns[1].towardsEye - Vector{1, 0, 0}) < 1e-15);
+  CHECK(norm(turns[2].towardsEye - Vector{0, 1, 0}) < 1e-15);
+  for (const Camera& turn : turns) {
+    CHECK(turn.framing->distance == turns[0].framing->distance);
+    CHECK(turn.framing->centre == turns[0].framing->centre);
+    p.camera = turn;
+    const Image image = drawOrganism(p);
     for (int i = 0; i < image.width; ++i) {
       REQUIRE(image.at(i, 0) == paper);
       REQUIRE(image.at(i, image.height - 1) == paper);
