@@ -36,14 +36,23 @@ Sheet makeSheet(const Chart& chart, const Annotations& words) {
   Range x, y;
   for (const Spot& p : allPoints(chart)) x.see(p.x), y.see(p.y);
   if (chart.xScale == Axis::Scale::decades) x.low *= 0.8, x.high *= 1.25;
-  if (!(x.low < x.high)) x.low /= 2, x.high *= 2;
+  const bool levelIsLinear = chart.xScale == Axis::Scale::linear,
+             upIsLinear = chart.yScale == Axis::Scale::linear;
+  if (!(x.low < x.high)) {
+    if (levelIsLinear) x.low -= 0.5, x.high += 0.5;
+    else x.low /= 2, x.high *= 2;
+  }
+  if (upIsLinear) {  // room above and below, and around a line that is level some
+    const double room = y.low < y.high ? 0.04 * (y.high - y.low) : std::max(1e-300, 0.1 * std::abs(y.low));
+    y.low -= room, y.high += room;
+  } else y.low *= 0.8, y.high *= 1.25;
   Sheet sheet{.frame = {.left = 0,
                         .top = bands.top + size,
                         .right = chart.width - widestLabel(chart, size) - 2.5 * size,
                         .bottom = chart.height - bands.bottom - roomForLevelAxis(size),
                         .textSize = size},
               .x = {.scale = chart.xScale, .low = x.low, .high = x.high},
-              .y = {.scale = Axis::Scale::decades, .low = 0.8 * y.low, .high = 1.25 * y.high}};
+              .y = {.scale = chart.yScale, .low = y.low, .high = y.high}};
   sheet.frame.left = roomForUprightAxis(sheet.y, size);
   sheet.x.from = sheet.frame.left, sheet.x.to = sheet.frame.right;
   sheet.y.from = sheet.frame.bottom, sheet.y.to = sheet.frame.top;
@@ -75,6 +84,7 @@ class PointLabels {
   }
 
   void add(const Spot& point, const std::string& label, Colour colour) {
+    if (label.empty()) return;
     const double textSize = sheet_.frame.textSize, gap = 0.5 * textSize;
     const TextStyle style{.size = 0.75 * textSize, .colour = colour};
     const Spot p = sheet_.place(point);
@@ -112,7 +122,8 @@ void drawLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart) {
   };
   std::vector<Label> labels;
   for (const ChartLine& line : chart.lines)
-    if (!line.points.empty()) labels.push_back({&line, sheet.place(line.points.back()).y});
+    if (!line.points.empty() && !line.label.empty())
+      labels.push_back({&line, sheet.place(line.points.back()).y});
   std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
   const double size = sheet.frame.textSize, pitch = 1.25 * size;
   for (int turn = 0; turn < 200; ++turn)
@@ -127,7 +138,7 @@ void drawLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart) {
 }  // namespace
 
 Drawing drawChart(const Chart& chart) {
-  const Annotations words{chart.title, chart.caption, {}};
+  const Annotations words{chart.title, chart.caption, chart.legend};
   Drawing drawing(chart.width, chart.height);
   annotate(drawing, words);
   if (allPoints(chart).empty()) return drawing;
@@ -138,7 +149,8 @@ Drawing drawChart(const Chart& chart) {
     std::vector<Spot> places;
     for (const Spot& p : line.points) places.push_back(sheet.place(p));
     drawing.line(places, {.width = 2.2, .colour = line.colour, .dashed = line.dashed});
-    for (const Spot& p : places) drawing.disc(p, 3.6, line.colour);
+    for (const Spot& p : places)
+      if (chart.dots) drawing.disc(p, 3.6, line.colour);
   }
   for (const ChartMark& mark : chart.marks) {
     drawing.disc(sheet.place(mark.at), 4.4, mark.colour);

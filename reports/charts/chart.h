@@ -1,8 +1,9 @@
 #pragma once
-// Lines over two logarithmic axes.
+// Lines over two axes.
 #include <string>
 #include <vector>
 
+#include "drawing/annotations.h"
 #include "drawing/axis.h"
 
 namespace morula {
@@ -10,7 +11,7 @@ namespace morula {
 struct ChartLine {
   std::string label;
   Colour colour;
-  std::vector<Spot> points;  // by x; both > 0
+  std::vector<Spot> points;  // by x; both > 0 where the axis is logarithmic
   bool dashed = false;
   std::vector<std::string> pointLabels = {};  // one for each point, or none at all
 };
@@ -26,11 +27,13 @@ struct Chart {
   std::string title, caption, xLabel, yLabel;
   std::vector<ChartLine> lines;
   std::vector<ChartMark> marks;
-  Axis::Scale xScale = Axis::Scale::powersOfTwo;
-  int width = 1100, height = 760;  // [pixel]
+  Axis::Scale xScale = Axis::Scale::powersOfTwo, yScale = Axis::Scale::decades;
+  std::vector<LegendEntry> legend = {};  // where lines share colours
+  bool dots = true;                      // at the points of lines
+  int width = 1100, height = 760;        // [pixel]
 };
 
-/// y is on decades. Each line's label stands at its right end. Without points: the words alone.
+/// Each line's label stands at its right end. Without points: the words alone.
 Drawing drawChart(const Chart& chart);
 
 }  // namespace morula

@@ -10,8 +10,6 @@
 namespace morula {
 namespace {
 
-constexpr int scaleSteps = 5;  // colours in the legend
-
 OrganismPicture mapOf(const OrganismPicture& one, const OrganismPicture& other, double eggRadius) {
   OrganismPicture map = one;
   std::vector<std::vector<double>> distances;
@@ -27,11 +25,7 @@ OrganismPicture mapOf(const OrganismPicture& one, const OrganismPicture& other, 
   map.caption = "at most " + numberText(most, 3) + " [length], " + numberText(most / eggRadius, 2) +
                 " radii of the egg";
   map.legend.clear();
-  for (int i = 0; i < scaleSteps; ++i) {
-    const double share = double(i) / (scaleSteps - 1);
-    map.legend.push_back({scaleColour(share), numberText(share * most, 2)});
-  }
-  map.legend.back().label += " [length]";
+  map.instruments.colourBar = ColourBar{"distance [length]", 0, most};
   return map;
 }
 
@@ -42,11 +36,12 @@ Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRad
     throw InputError("organisms of " + std::to_string(one.cells.size()) + " and " +
                      std::to_string(other.cells.size()) + " cells cannot be compared cell by cell");
   // One framing and one band of words, so that the three can be laid over each other by eye.
+  for (OrganismPicture* picture : {&one, &other}) {
+    picture->legend.clear();
+    picture->instruments.colourBar = ColourBar{.title = "", .blank = true};
+  }
   one.camera.framing = other.camera.framing = fitFraming({one, other});
   const OrganismPicture map = mapOf(one, other, eggRadius);
-  one.legend = other.legend = map.legend;
-  for (OrganismPicture* picture : {&one, &other})
-    for (LegendEntry& entry : picture->legend) entry = {paper, ""};
   return contactSheet({drawOrganism(one), drawOrganism(other), drawOrganism(map)}, 3);
 }
 

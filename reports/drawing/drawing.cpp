@@ -14,14 +14,32 @@
 namespace morula {
 namespace {
 
-/// cairo's 24-bit pixels are numbers 0xrrggbb.
+/// A channel times its pixel's opacity, as cairo keeps them, and back.
+std::uint32_t covered(std::uint8_t channel, std::uint32_t opacity) { return (channel * opacity + 127) / 255; }
+std::uint8_t uncovered(std::uint32_t channel, std::uint32_t opacity) {
+  return opacity == 0 ? 0 : std::uint8_t(std::min(255u, (channel * 255 + opacity / 2) / opacity));
+}
+
+/// cairo's pixels are numbers 0xrrggbb, or with opacity 0xaarrggbb.
 Surface surfaceOf(const Image& image) {
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
+  const bool opaque = image.opacity.empty();
+  Surface surface(cairo_image_surface_create(opaque ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, image.width,
+                                             image.height));
   requireSuccess(cairo_surface_status(surface.get()));
   unsigned char* row = cairo_image_surface_get_data(surface.get());
-  for (int y = 0; y < image.height; ++y, row += cairo_image_surface_get_stride(surface.get()))
-    std::transform(&image.at(0, y), &image.at(0, y) + image.width, reinterpret_cast<std::uint32_t*>(row),
-                   [](Colour c) { return std::uint32_t(c.r << 16 | c.g << 8 | c.b); });
+  for (int y = 0; y < image.height; ++y, row += cairo_image_surface_get_stride(surface.get())) {
+    auto* to = reinterpret_cast<std::uint32_t*>(row);
+    if (opaque) {
+      std::transform(&image.at(0, y), &image.at(0, y) + image.width, to,
+                     [](Colour c) { return std::uint32_t(c.r << 16 | c.g << 8 | c.b); });
+      continue;
+    }
+    for (int x = 0; x < image.width; ++x) {
+      const Colour c = image.at(x, y);
+      const std::uint32_t a = image.opacity[std::size_t(y) * image.width + x];
+      to[x] = a << 24 | covered(c.r, a) << 16 | covered(c.g, a) << 8 | covered(c.b, a);
+    }
+  }
   cairo_surface_mark_dirty(surface.get());
   return surface;
 }
@@ -30,8 +48,17 @@ Image imageOf(cairo_surface_t* surface) {
   cairo_surface_flush(surface);
   Image image(cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {});
   const unsigned char* row = cairo_image_surface_get_data(surface);
+  const bool opaque = cairo_image_surface_get_format(surface) == CAIRO_FORMAT_RGB24;
   for (int y = 0; y < image.height; ++y, row += cairo_image_surface_get_stride(surface)) {
     const auto* pixels = reinterpret_cast<const std::uint32_t*>(row);
+    if (!opaque) {
+      for (int x = 0; x < image.width; ++x) {
+        const std::uint32_t p = pixels[x], a = p >> 24;
+        image.opacity.push_back(std::uint8_t(a));
+        image.at(x, y) = {uncovered(p >> 16 & 255, a), uncovered(p >> 8 & 255, a), uncovered(p & 255, a)};
+      }
+      continue;
+    }
     std::transform(pixels, pixels + image.width, &image.at(0, y), [](std::uint32_t p) {
       return Colour{std::uint8_t(p >> 16), std::uint8_t(p >> 8), std::uint8_t(p)};
     });
@@ -66,7 +93,9 @@ constexpr std::string_view svgEnd = "?>\n";  // of the first line
 
 }  // namespace
 
-Drawing::Drawing(int width, int height) : width_(width), height_(height) { checkSides(width, height); }
+Drawing::Drawing(int width, int height, Ground ground) : width_(width), height_(height), ground_(ground) {
+  checkSides(width, height);
+}
 
 void Drawing::line(const std::vector<Spot>& points, const Stroke& stroke) {
   if (points.empty() || !(stroke.width > 0)) return;
@@ -84,6 +113,16 @@ void Drawing::disc(Spot centre, double radius, Colour colour) {
   marks_.push_back([=](cairo_t* target) {
     setColour(target, colour);
     cairo_arc(target, centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+    cairo_fill(target);
+  });
+}
+
+void Drawing::area(const std::vector<Spot>& points, Colour colour) {
+  if (points.empty()) return;
+  marks_.push_back([=](cairo_t* target) {
+    setColour(target, colour);
+    trace(target, points, 0);
+    cairo_close_path(target);
     cairo_fill(target);
   });
 }
@@ -110,8 +149,10 @@ void Drawing::image(int x, int y, const Image& image) {
 }
 
 void Drawing::replay(cairo_t* target) const {
-  setColour(target, paper);
-  cairo_paint(target);
+  if (ground_ == Ground::paper) {
+    setColour(target, paper);
+    cairo_paint(target);
+  }
   cairo_set_line_cap(target, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(target, CAIRO_LINE_JOIN_ROUND);
   for (const auto& mark : marks_) {
@@ -122,7 +163,8 @@ void Drawing::replay(cairo_t* target) const {
 }
 
 Image Drawing::pixels() const {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_, height_));
+  const Surface surface(cairo_image_surface_create(
+      ground_ == Ground::paper ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, width_, height_));
   replay(Context(cairo_create(surface.get())).get());
   return imageOf(surface.get());
 }

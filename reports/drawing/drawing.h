@@ -29,8 +29,9 @@ enum class PictureFormat { png, svg, pdf };
 
 class Drawing {
  public:
-  /// Empty paper. Throws InputError as checkSides does.
-  Drawing(int width, int height);
+  enum class Ground { paper, none };  // none: what nothing is drawn on is transparent
+  /// Empty. Throws InputError as checkSides does.
+  Drawing(int width, int height, Ground ground = Ground::paper);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -40,6 +41,8 @@ class Drawing {
   /// Through the points, with round ends and joints. Where it meets itself it is not darker.
   void line(const std::vector<Spot>& points, const Stroke& stroke);
   void disc(Spot centre, double radius, Colour colour);
+  /// What the closed line through the points encloses.
+  void area(const std::vector<Spot>& points, Colour colour);
   void box(Spot topLeft, double width, double height, Colour colour);
   /// UTF-8 on one line, its baseline through the spot. Bytes that are not UTF-8 appear as U+FFFD.
   void text(Spot baseline, std::string_view text, const TextStyle& style);
@@ -56,11 +59,12 @@ class Drawing {
   void replay(cairo_t* target) const;
 
   int width_, height_;
+  Ground ground_;
   std::vector<std::function<void(cairo_t*)>> marks_;
 };
 
-/// The content of a PNG file, 8-bit RGB, which says that Morula made it. Equal images give equal bytes on one
-/// libpng.
+/// The content of a PNG file, 8-bit RGB or RGBA, which says that Morula made it. Equal images give equal bytes
+/// on one libpng.
 std::string pngFile(const Image& image);
 
 /// Whether a file that begins so is a PNG that pngFile made; the first 64 bytes are enough.

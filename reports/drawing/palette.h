@@ -17,8 +17,8 @@ Colour seriesColour(std::size_t i);
 inline constexpr std::size_t fewSeries = 7, manySeries = 24;
 
 /// Of a quantity: `share` 0 (its least value) to 1 (its greatest); beyond, the colour of the nearer end.
-/// Lightness rises with the share, so that order is seen in grey and by any eyes (after viridis [van der Walt
-/// & Smith 2015]).
+/// Lightness rises with the share, so that order is seen in grey and by any eyes: viridis [van der Walt &
+/// Smith 2015], in which equal steps look equal.
 Colour scaleColour(double share);
 
 }  // namespace morula

@@ -9,6 +9,7 @@
 
 #include "base/utf8.h"
 #include "drawing/cairo.h"
+#include "image/image.h"
 
 namespace morula {
 namespace {
@@ -119,6 +120,13 @@ void showText(cairo_t* target, double x, double y, const std::string& text, cons
   cairo_set_font_face(target, face(style.bold));
   cairo_set_font_options(target, unhinted());
   cairo_set_font_size(target, style.size);
+  if (style.halo > 0) {
+    cairo_text_path(target, shown.c_str());
+    setColour(target, paper);
+    cairo_set_line_width(target, 2 * style.halo);
+    cairo_stroke(target);
+    cairo_move_to(target, -back, 0);
+  }
   setColour(target, style.colour);
   if (cairo_surface_get_type(cairo_get_target(target)) == CAIRO_SURFACE_TYPE_IMAGE) {
     // As shapes: glyphs would be moved to whole pixels, and letters stand unevenly.

@@ -20,6 +20,7 @@ struct TextStyle {
   bool bold = false;
   Anchor anchor = Anchor::left;
   bool upward = false;  // reads from bottom to top
+  double halo = 0;      // [pixel] of paper around the letters, for words that lie on a picture
 };
 
 /// Of a text, however long it is, no more than this is looked at: no picture has room for it.

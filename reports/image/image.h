@@ -10,10 +10,11 @@ namespace morula {
 /// Throws InputError unless both sides of a picture are 1 to 16384 pixels.
 void checkSides(int width, int height);
 
-/// Opaque pixels, row by row from the top left.
+/// Pixels, row by row from the top left.
 struct Image {
   int width = 0, height = 0;
   std::vector<Colour> pixels;
+  std::vector<std::uint8_t> opacity = {};  // of each pixel, 0 to 255; empty: all are opaque
 
   Image() = default;
   /// Throws InputError as checkSides does.

@@ -50,6 +50,17 @@ Framing frame(const std::vector<Point>& points, const EyeAxes& axes, const Apert
   return {axes.x * middle.x + axes.y * middle.y + axes.z * middle.z, distance > 0 ? distance : 1};
 }
 
+double distanceFor(const std::vector<Point>& points, const Point& centre, const EyeAxes& axes,
+                   const Aperture& aperture) {
+  double distance = 0;
+  for (const Point& point : points) {
+    const Vector p = axes.of(point - centre);
+    distance = std::max(
+        {distance, std::abs(p.x) * margin / aperture.x + p.z, std::abs(p.y) * margin / aperture.y + p.z});
+  }
+  return distance > 0 ? distance : 1;
+}
+
 std::array<float, 16> projection(const Aperture& aperture, double distance, double nearClip, double farClip) {
   const double depth = farClip - nearClip;
   std::array<double, 16> m{};

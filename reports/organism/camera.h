@@ -29,6 +29,11 @@ Aperture apertureOf(int width, int height);
 /// Points at one place only (or none) give distance 1.
 Framing frame(const std::vector<Point>& points, const EyeAxes& axes, const Aperture& aperture);
 
+/// The least distance from which all points are seen, with the same margin, when the eye looks at `centre`.
+/// Points at `centre` only (or none) give 1.
+double distanceFor(const std::vector<Point>& points, const Point& centre, const EyeAxes& axes,
+                   const Aperture& aperture);
+
 /// Projection of eye coordinates relative to the framing's centre (so x right, y up, z to the eye, the eye
 /// itself at z = distance), column by column as OpenGL wants it. Depths nearClip to farClip from the eye are
 /// kept.

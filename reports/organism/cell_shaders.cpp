@@ -1,4 +1,6 @@
 // What runs for cells and lines.
+#include <cstddef>
+
 #include "organism/shader_parts.h"
 #include "organism/shaders.h"
 
@@ -27,8 +29,10 @@ void main() {
 )";
 }
 
-std::string cellFragmentShader(bool peel) {
-  return std::string(version) + (peel ? "#define PEEL\n" : "") + common + R"(
+std::string cellFragmentShader(CellPass pass) {
+  const char* parts[] = {"", "#define PEEL\n", "#define CLIP\n", "#define PEEL\n#define CLIP\n",
+                         "#define CLIP\n#define CUT\n"};
+  return std::string(version) + parts[std::size_t(pass)] + common + R"(
 in vec3 eyeNormal, eyePosition, faceCorner;
 flat in vec4 cellPigment;
 flat in uint cellOwner;
@@ -40,6 +44,10 @@ uniform float wireWidth;  // [sample]
 uniform vec3 paperLight;
 #ifdef PEEL
 uniform sampler2D opaqueDepth, lastDepth;
+#endif
+#ifdef CLIP
+uniform vec4 clip;  // in eye space: what has dot(clip.xyz, place) > clip.w is cut away
+uniform mat4 projection;
 #endif
 
 const vec3 keyLight = normalize(vec3(-0.55, 0.75, 0.70));
@@ -79,6 +87,9 @@ void main() {
   float z = gl_FragCoord.z;
   if (z >= texelFetch(opaqueDepth, at, 0).r || z <= texelFetch(lastDepth, at, 0).r) discard;
 #endif
+#ifdef CLIP
+  if (dot(clip.xyz, eyePosition) > clip.w) discard;
+#endif
   vec3 n = normalize(eyeNormal);
   vec3 v = normalize(vec3(0.0, 0.0, eyeDistance) - eyePosition);
   vec3 pigment = cellPigment.rgb;
@@ -94,6 +105,14 @@ void main() {
   }
   shape = vec4(n, eyePosition.z);
   owner = cellOwner;
+#ifdef CUT
+  vec3 eye = vec3(0.0, 0.0, eyeDistance), way = eyePosition - eye;
+  vec3 place = eye + (clip.w - dot(clip.xyz, eye)) / dot(clip.xyz, way) * way;
+  light = vec4(lit(pigment, clip.xyz, v), 1.0);
+  shape = vec4(clip.xyz, place.z);
+  vec4 seen = projection * vec4(place, 1.0);
+  gl_FragDepth = 0.5 + 0.5 * seen.z / seen.w;
+#endif
 }
 )";
 }
@@ -107,14 +126,14 @@ layout(location = 3) in vec3 pigment;
 uniform mat4 projection;
 uniform float width;  // [sample]
 flat out vec3 linePigment;
-out float eyeZ;
+out vec3 eyeAt;
 void main() {
   vec4 a = projection * vec4(here, 1.0), b = projection * vec4(there, 1.0);
   vec2 along = (b.xy / b.w - a.xy / a.w) * vec2(size);
   float reach = length(along);
   vec2 across = reach > 1e-6 ? vec2(-along.y, along.x) / reach : vec2(1.0, 0.0);
   linePigment = pigment;
-  eyeZ = here.z;
+  eyeAt = here;
   gl_Position = a + vec4(across * side * width / vec2(size) * a.w, 0.0, 0.0);
 }
 )";
@@ -123,13 +142,15 @@ void main() {
 std::string lineFragmentShader() {
   return std::string(version) + common + R"(
 flat in vec3 linePigment;
-in float eyeZ;
+in vec3 eyeAt;
+uniform vec4 clip;  // as in the cells' shader; 0: nothing is cut away
 layout(location = 0) out vec4 light;
 layout(location = 1) out uint owner;
 layout(location = 2) out vec4 shape;
 void main() {
+  if (dot(clip.xyz, eyeAt) > clip.w) discard;
   light = vec4(linePigment, 1.0);
-  shape = vec4(0.0, 0.0, 1.0, eyeZ);
+  shape = vec4(0.0, 0.0, 1.0, eyeAt.z);
   owner = lineOwner;
 }
 )";

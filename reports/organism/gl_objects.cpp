@@ -62,6 +62,10 @@ void Program::set(const char* name, float x, float y, float z) const {
   glUniform3f(glGetUniformLocation(program_, name), x, y, z);
 }
 
+void Program::set(const char* name, float x, float y, float z, float w) const {
+  glUniform4f(glGetUniformLocation(program_, name), x, y, z, w);
+}
+
 void Program::setSize(const char* name, int x, int y) const {
   glUniform2i(glGetUniformLocation(program_, name), x, y);
 }
@@ -80,6 +84,8 @@ Texture::Texture(int width, int height, GLenum internalFormat) {
   GLenum format = GL_RGBA, type = GL_FLOAT;
   if (internalFormat == GL_R32UI) format = GL_RED_INTEGER, type = GL_UNSIGNED_INT;
   if (internalFormat == GL_DEPTH_COMPONENT32F) format = GL_DEPTH_COMPONENT;
+  if (internalFormat == GL_DEPTH32F_STENCIL8)
+    format = GL_DEPTH_STENCIL, type = GL_FLOAT_32_UNSIGNED_INT_24_8_REV;
   glTexImage2D(GL_TEXTURE_2D, 0, GLint(internalFormat), width, height, 0, format, type, nullptr);
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_2D, name, GL_NEAREST);
@@ -94,7 +100,8 @@ void Texture::bind(int unit) const {
   glBindTexture(GL_TEXTURE_2D, texture_);
 }
 
-Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth) {
+Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth,
+                         bool hasStencil) {
   glGenFramebuffers(1, &framebuffer_);
   bind();
   std::vector<GLenum> targets;
@@ -103,7 +110,9 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Te
     targets.push_back(GLenum(GL_COLOR_ATTACHMENT0 + targets.size()));
     glFramebufferTexture2D(GL_FRAMEBUFFER, targets.back(), GL_TEXTURE_2D, colour->id(), 0);
   }
-  if (depth) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->id(), 0);
+  if (depth)
+    glFramebufferTexture2D(GL_FRAMEBUFFER, hasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                           GL_TEXTURE_2D, depth->id(), 0);
   glDrawBuffers(GLsizei(targets.size()), targets.data());
   MORULA_CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
                "OpenGL refuses the textures");

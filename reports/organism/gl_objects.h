@@ -23,6 +23,7 @@ class Program {
   void set(const char* name, float value) const;
   void set(const char* name, float x, float y) const;
   void set(const char* name, float x, float y, float z) const;
+  void set(const char* name, float x, float y, float z, float w) const;
   void setPairs(const char* name, const float* values, int pairs) const;
   void setSize(const char* name, int x, int y) const;
   void setMatrix(const char* name, const float* columns16) const;
@@ -45,10 +46,10 @@ class Texture {
   GLuint texture_;
 };
 
-/// Draws into textures: some colours, up to the first that is null, and perhaps a depth.
+/// Draws into textures: some colours, up to the first that is null, and perhaps a depth, which may hold a stencil, too.
 class Framebuffer {
  public:
-  Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth);
+  Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth, bool hasStencil = false);
   ~Framebuffer();
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;

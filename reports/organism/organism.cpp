@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "drawing/annotations.h"
 #include "organism/camera.h"
+#include "organism/labels.h"
 #include "organism/organism_renderer.h"
 
 namespace morula {
@@ -65,6 +66,12 @@ void check(const OrganismPicture& picture) {
   for (const LineMark& line : picture.lines)
     if (!finite(line.from) || !finite(line.to))
       throw InputError("a line of the picture has an end that is not finite");
+  if (picture.clip && !(finite(picture.clip->normal) && std::isfinite(picture.clip->offset) &&
+                        norm(picture.clip->normal) > 0))
+    throw InputError("a clip plane needs a normal other than (0, 0, 0), and a finite offset");
+  for (const CellLabel& label : picture.labels)
+    if (label.cell >= picture.cells.size())
+      throw InputError("the label '" + label.text + "' belongs to no cell of the picture");
   const auto& framing = picture.camera.framing;
   if (framing && !(finite(framing->centre) && framing->distance > 0 && std::isfinite(framing->distance)))
     throw InputError("the camera's framing must be finite, with a distance greater than 0");
@@ -75,9 +82,18 @@ Annotations wordsOf(const OrganismPicture& picture) {
   return {picture.title, picture.caption, picture.legend};
 }
 
+int instrumentsHeight(const OrganismPicture& picture, int width) {
+  return instrumentsHeight(picture.instruments, width, textSizeFor(width, picture.height));
+}
+
 int sceneHeight(const OrganismPicture& picture, int width) {
   const Bands bands = bandsFor(wordsOf(picture), width, picture.height);
-  return picture.height - bands.top - bands.bottom;
+  const int height = picture.height - bands.top - bands.bottom - instrumentsHeight(picture, width);
+  if (height < 16)
+    throw InputError("words and scales leave no room for the cells in a picture of " + std::to_string(width) +
+                     " x " + std::to_string(picture.height) +
+                     " pixels; it must be larger, or show fewer of them");
+  return height;
 }
 
 /// What must be inside the picture.
@@ -87,16 +103,40 @@ std::vector<Point> extent(const OrganismPicture& picture) {
     const Vector semi = *picture.shell * shellThickness;
     for (const Point& p : makeIcosphere(3).vertices)
       points.push_back({p.x * semi.x, p.y * semi.y, p.z * semi.z});
-    return points;
   }
+  // With a shell cells may come and go in one framing.
   for (const CellShape& cell : picture.cells)
-    if (cell.opacity > 0) points.insert(points.end(), cell.vertices.begin(), cell.vertices.end());
+    if (cell.opacity > 0 && !picture.shell)
+      points.insert(points.end(), cell.vertices.begin(), cell.vertices.end());
   for (const LineMark& line : picture.lines) points.push_back(line.from), points.push_back(line.to);
   return points;
 }
 
 Framing framingOf(const std::vector<Point>& points, const OrganismPicture& picture, int width) {
   return frame(points, eyeAxes(picture.camera), apertureOf(picture.width, sceneHeight(picture, width)));
+}
+
+/// The labels of cells that are seen at all: translucent ones, which own no pixels, at their middles.
+std::vector<LabelWish> labelsOf(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing,
+                                const Aperture& aperture, const LabelGround& ground) {
+  std::vector<LabelWish> wishes;
+  for (const CellLabel& label : picture.labels) {
+    const CellShape& cell = picture.cells[label.cell];
+    LabelWish wish{std::uint32_t(label.cell + 1), label.text, std::nullopt};
+    if (cell.opacity == 0 || cell.vertices.empty()) continue;
+    if (cell.opacity < 1) {
+      Point middle;
+      for (const Point& p : cell.vertices) middle += p / double(cell.vertices.size());
+      if (picture.clip && dot(middle, picture.clip->normal) > picture.clip->offset) continue;
+      const Vector p = axes.of(middle - framing.centre);
+      const double depth = framing.distance - p.z;
+      if (!(depth > 0)) continue;
+      wish.at = Spot{0.5 * ground.width * (1 + p.x / (aperture.x * depth)),
+                     0.5 * ground.height * (1 - p.y / (aperture.y * depth))};
+    }
+    wishes.push_back(std::move(wish));
+  }
+  return wishes;
 }
 
 OrganismRenderer& rendererOfThisThread() {
@@ -110,12 +150,28 @@ Image compose(const OrganismPicture& picture, const std::vector<Style>& styles) 
   const int width = picture.width * int(styles.size()), height = sceneHeight(picture, width);
   const Framing framing =
       picture.camera.framing ? *picture.camera.framing : framingOf(extent(picture), picture, width);
-  Drawing drawing(width, picture.height);
+  Drawing drawing(width, picture.height,
+                  picture.transparent ? Drawing::Ground::none : Drawing::Ground::paper);
   const int top = bandsFor(wordsOf(picture), width, picture.height).top;
-  for (std::size_t i = 0; i < styles.size(); ++i)
-    drawing.image(picture.width * int(i), top,
-                  rendererOfThisThread().draw(picture, styles[i], framing, picture.width, height));
-  annotate(drawing, wordsOf(picture));
+  const EyeAxes axes = eyeAxes(picture.camera);
+  const Aperture aperture = apertureOf(picture.width, height);
+  Annotations words = wordsOf(picture);
+  for (std::size_t i = 0; i < styles.size(); ++i) {
+    const int left = picture.width * int(i);
+    drawing.image(left, top, rendererOfThisThread().draw(picture, styles[i], framing, picture.width, height));
+    if (picture.labels.empty()) continue;
+    const LabelGround ground{picture.width, height, rendererOfThisThread().owners()};
+    const double size = 0.85 * textSizeFor(width, picture.height);
+    const auto placed = placeLabels(ground, labelsOf(picture, axes, framing, aperture, ground), size);
+    drawLabels(drawing, placed, left, top, size);
+    const std::size_t hidden = picture.labels.size() - placed.size();
+    if (i == 0 && hidden > 0 && !words.caption.empty())
+      words.caption += ", " + std::to_string(hidden) + " of them without a label (hidden, or no room)";
+  }
+  const double pixelsPerLength = 0.5 * picture.width / (aperture.x * framing.distance);
+  drawInstruments(drawing, picture.instruments, {axes.x, axes.y, axes.z, pixelsPerLength}, top + height,
+                  textSizeFor(width, picture.height));
+  annotate(drawing, words);
   return drawing.pixels();
 }
 
@@ -140,6 +196,24 @@ Framing fitFraming(const std::vector<OrganismPicture>& sequence) {
     points.insert(points.end(), more.begin(), more.end());
   }
   return framingOf(points, sequence.front(), sequence.front().width);
+}
+
+Framing commonFraming(const OrganismPicture& picture, const std::vector<Camera>& cameras) {
+  if (cameras.empty()) throw InputError("a framing needs at least one side to look from");
+  check(picture);
+  const std::vector<Point> points = extent(picture);
+  if (points.empty()) return {};
+  Point low = points.front(), high = low;
+  for (const Point& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Aperture aperture = apertureOf(picture.width, sceneHeight(picture, picture.width));
+  Framing framing{(low + high) * 0.5, 0};
+  for (const Camera& camera : cameras)
+    framing.distance =
+        std::max(framing.distance, distanceFor(points, framing.centre, eyeAxes(camera), aperture));
+  return framing;
 }
 
 void addNormals(OrganismPicture& picture, double length, Colour colour) {

@@ -8,6 +8,7 @@
 #include "base/vec3.h"
 #include "drawing/annotations.h"
 #include "mesh/mesh.h"
+#include "organism/instruments.h"
 
 namespace morula {
 
@@ -25,6 +26,19 @@ struct LineMark {
   Point from, to;  // [length]
   Colour colour;
   bool throughCells = false;  // also seen where cells stand before it
+  bool arrow = false;         // with a head at `to`
+};
+
+/// What lies beyond the plane normal · x = offset is cut away.
+struct ClipPlane {
+  Vector normal;      // any length but 0
+  double offset = 0;  // [length · |normal|]
+};
+
+/// Words at a cell.
+struct CellLabel {
+  std::size_t cell = 0;  // its number in the picture, from 0
+  std::string text;      // UTF-8
 };
 
 /// Which part of space fills the picture. Give all pictures of a sequence the same one and it does not jump.
@@ -44,6 +58,11 @@ struct OrganismPicture {
   std::vector<CellShape> cells;
   std::optional<Vector> shell;  // semi-axes [length] > 0, about the origin; a faint rim, 2 % outside
   std::vector<LineMark> lines;
+  std::vector<CellLabel>
+      labels;  // of cells that are seen, as many as have room; the caption says how many have not
+  std::optional<ClipPlane> clip;  // of cells and lines; translucent cells are hollow. The shell stays whole.
+  Instruments instruments;
+  bool transparent = false;  // what nothing is drawn on
   Camera camera;
   std::string title;    // top left; all texts are UTF-8
   std::string caption;  // one line under the title, for example time and cells
@@ -69,12 +88,16 @@ Image drawOrganism(const OrganismPicture& picture, Style style = Style::solid);
 /// Solid and wireframe side by side, 2·width × height.
 Image drawSolidAndWireframe(const OrganismPicture& picture);
 
-/// The nearest framing in which the shell is whole, or without a shell all cells that are drawn (opacity > 0)
-/// and lines.
+/// The nearest framing in which the shell is whole, or without a shell all cells that are drawn (opacity > 0);
+/// and all lines.
 Framing fitFraming(const OrganismPicture& picture);
 
 /// One framing in which all of these pictures are whole. Throws InputError for none.
 Framing fitFraming(const std::vector<OrganismPicture>& sequence);
+
+/// One framing in which the picture is whole from each of these sides: for an eye that goes around. Throws InputError
+/// for none.
+Framing commonFraming(const OrganismPicture& picture, const std::vector<Camera>& cameras);
 
 /// The unit normals at a cell's vertices: means over their faces with the weights that are exact on a sphere,
 /// sin(angle) / (product of the lengths of the two edges) [Max 1999].

@@ -4,7 +4,8 @@
 namespace morula {
 namespace {
 
-constexpr int maxLayers = 16;  // of translucent surfaces, one behind the other
+constexpr int maxLayers =
+    256;  // of translucent surfaces, one behind the other; it ends with the last that is there
 
 /// How the shader gets from eye space to the world in units of the shell's semi-axes, and with normals of
 /// that unit sphere back, whose inverse transpose has the same factors.
@@ -27,7 +28,7 @@ void setShell(const Program& program, const Vector& wall, const EyeAxes& axes, c
 }
 
 /// The pixels of the framebuffer in use.
-Image readBack(int width, int height) {
+Image readBack(int width, int height, bool transparent) {
   std::vector<std::uint8_t> rgba(std::size_t(4) * width * height);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
@@ -35,6 +36,7 @@ Image readBack(int width, int height) {
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* row = &rgba[std::size_t(4) * width * (height - 1 - y)];  // OpenGL counts upward
     for (int x = 0; x < width; ++x) image.at(x, y) = {row[4 * x], row[4 * x + 1], row[4 * x + 2]};
+    for (int x = 0; transparent && x < width; ++x) image.opacity.push_back(row[4 * x + 3]);
   }
   return image;
 }
@@ -65,9 +67,9 @@ bool OrganismRenderer::drawVeils(const Frame& frame) {
     clearLayer(float(frame.framing.distance));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    programs_->peel.use();
-    programs_->peel.set("opaqueDepth", 0);
-    programs_->peel.set("lastDepth", 1);
+    frame.peel->use();
+    frame.peel->set("opaqueDepth", 0);
+    frame.peel->set("lastDepth", 1);
     targets_->solid.depth.bind(0);
     last.depth.bind(1);
     glBeginQuery(GL_SAMPLES_PASSED, query);
@@ -94,6 +96,8 @@ Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
   const Program& program = programs_->resolve;
   frame.describe(program);
   setPaper(program);
+  if (frame.picture.transparent) program.set("paperLight", 0, 0, 0);
+  program.set("groundless", frame.picture.transparent ? 1 : 0);
   program.set("lights", 0);
   program.set("shapes", 1);
   program.set("owners", 2);
@@ -109,7 +113,7 @@ Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
   if (frame.picture.shell)
     setShell(program, *frame.picture.shell * shellThickness, frame.axes, frame.framing.centre);
   fillScreen(targets_->resultBuffer, frame.width, frame.height);
-  return readBack(frame.width, frame.height);
+  return readBack(frame.width, frame.height, frame.picture.transparent);
 }
 
 }  // namespace morula

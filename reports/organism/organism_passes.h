@@ -13,8 +13,14 @@
 namespace morula {
 
 struct OrganismRenderer::Programs {
-  Program cell{cellVertexShader(), cellFragmentShader(false)};
-  Program peel{cellVertexShader(), cellFragmentShader(true)};
+  Program cell{cellVertexShader(), cellFragmentShader(CellPass::whole)};
+  Program peel{cellVertexShader(), cellFragmentShader(CellPass::peel)};
+  struct Clipped {  // made for the first picture with a clip plane
+    Program cell{cellVertexShader(), cellFragmentShader(CellPass::clipped)};
+    Program peel{cellVertexShader(), cellFragmentShader(CellPass::clippedPeel)};
+    Program cut{cellVertexShader(), cellFragmentShader(CellPass::cut)};
+  };
+  std::unique_ptr<Clipped> clipped;
   Program line{lineVertexShader(), lineFragmentShader()};
   Program occlusion{screenVertexShader(), occlusionShader()};
   Program blur{screenVertexShader(), occlusionBlurShader()};
@@ -29,12 +35,12 @@ struct OrganismRenderer::Targets {
     Texture lights, owners, depth;
     std::unique_ptr<Texture> shapes;
     Framebuffer framebuffer;
-    Layer(int w, int h, bool shaped)
+    Layer(int w, int h, bool shaped, bool counted = false)
         : lights(w, h, GL_RGBA32F),
           owners(w, h, GL_R32UI),
-          depth(w, h, GL_DEPTH_COMPONENT32F),
+          depth(w, h, counted ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F),
           shapes(shaped ? std::make_unique<Texture>(w, h, GL_RGBA32F) : nullptr),
-          framebuffer({&lights, &owners, shapes.get()}, &depth) {}
+          framebuffer({&lights, &owners, shapes.get()}, &depth, counted) {}
   };
   struct Veils {  // only with translucent cells
     Layer first, second;
@@ -45,16 +51,18 @@ struct OrganismRenderer::Targets {
   };
 
   int width, height, samples;
+  bool counted;  // surfaces before each sample can be, for a clip plane
   Layer solid;
   std::unique_ptr<Veils> veils;
   Texture firstVisible, secondVisible, result;
   Framebuffer firstVisibleBuffer, secondVisibleBuffer, resultBuffer;
 
-  Targets(int w, int h, int s)
+  Targets(int w, int h, int s, bool clip)
       : width(w),
         height(h),
         samples(s),
-        solid(w * s, h * s, true),
+        counted(clip),
+        solid(w * s, h * s, true, clip),
         firstVisible(w, h, GL_R32F),
         secondVisible(w, h, GL_R32F),
         result(w, h, GL_RGBA8),
@@ -75,6 +83,8 @@ struct OrganismRenderer::Frame {
   float pixel;  // [sample] the unit of line widths: a pixel of a 900-pixel picture
   Surface surface;
   const VertexBuffer* cells = nullptr;
+  std::array<float, 4> clip{};                     // as the shaders take it; 0: nothing is cut away
+  const Program *cell = nullptr, *peel = nullptr;  // of the cells
 
   int gridWidth() const { return width * samples; }
   int gridHeight() const { return height * samples; }
@@ -88,6 +98,7 @@ struct OrganismRenderer::Frame {
     program.set("samples", samples);
     program.set("outlineReach", std::max(1, int(0.5f * pixel + 0.5f)));
     program.setMatrix("projection", matrix.data());
+    program.set("clip", clip[0], clip[1], clip[2], clip[3]);
   }
 };
 

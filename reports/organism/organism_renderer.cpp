@@ -10,13 +10,17 @@
 namespace morula {
 namespace {
 
+constexpr std::uint32_t lineOwner = 0x80000000u;  // as in shader_parts.h
+
 struct LineVertex {
   float here[3], there[3], side, light[3];
 };
 
 /// Two triangles that the vertex shader spreads apart on the screen. At the far end "along" points backward,
 /// so the sides swap.
-void addRibbon(std::vector<LineVertex>& to, const LineMark& line, const EyeAxes& axes, const Point& centre) {
+void addRibbon(std::vector<LineVertex>& to, const LineMark& line, const EyeAxes& axes, const Point& centre,
+               double headLength) {
+  constexpr float headSide = 5;  // [half widths of the line]
   const Vector a = axes.of(line.from - centre), b = axes.of(line.to - centre);
   const auto vertex = [&](const Vector& p, const Vector& q, float side) {
     to.push_back({{float(p.x), float(p.y), float(p.z)},
@@ -27,6 +31,10 @@ void addRibbon(std::vector<LineVertex>& to, const LineMark& line, const EyeAxes&
   };
   vertex(a, b, -1), vertex(b, a, 1), vertex(a, b, 1);
   vertex(a, b, 1), vertex(b, a, 1), vertex(b, a, -1);
+  if (!line.arrow) return;
+  // The head: a triangle that is at most two fifths of the arrow long.
+  const Vector base = b - (b - a) * std::min(0.4, headLength / std::max(norm(b - a), 1e-300));
+  vertex(base, b, -headSide), vertex(base, b, headSide), vertex(b, base, 0);
 }
 
 /// The mean distance of a vertex from its cell's middle: how far shadows between cells should reach.
@@ -115,12 +123,22 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
                             {1, GL_UNSIGNED_INT, true, false, offsetof(SurfaceVertex, owner)}},
                            frame.surface.corners);
   frame.cells = &cells;
+  frame.cell = &programs_->cell, frame.peel = &programs_->peel;
+  if (picture.clip) {
+    if (!programs_->clipped) programs_->clipped = std::make_unique<Programs::Clipped>();
+    frame.cell = &programs_->clipped->cell, frame.peel = &programs_->clipped->peel;
+    const double length = norm(picture.clip->normal);
+    const Vector normal = axes.of(picture.clip->normal / length);
+    const double beyond = picture.clip->offset / length - dot(framing.centre, picture.clip->normal / length);
+    frame.clip = {float(normal.x), float(normal.y), float(normal.z), float(beyond)};
+  }
   if (!targets_ || targets_->width != width || targets_->height != height ||
-      targets_->samples != picture.samples) {
+      targets_->samples != picture.samples || targets_->counted != picture.clip.has_value()) {
     targets_.reset();
-    targets_ = std::make_unique<Targets>(width, height, picture.samples);
+    targets_ = std::make_unique<Targets>(width, height, picture.samples, picture.clip.has_value());
   }
   drawSolid(frame);
+  if (picture.clip) drawCuts(frame);
   drawLines(frame);
   findOcclusion(frame);
   const bool veiled = drawVeils(frame);
@@ -143,8 +161,10 @@ void OrganismRenderer::drawSolid(const Frame& frame) {
   clearLayer(float(frame.framing.distance));
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  glEnable(GL_CULL_FACE);
-  for (const Program* program : {&programs_->peel, &programs_->cell}) {
+  if (frame.picture.clip)
+    glDisable(GL_CULL_FACE);  // the insides of cut cells, where the shader draws the cut
+  else glEnable(GL_CULL_FACE);
+  for (const Program* program : {frame.peel, frame.cell}) {
     frame.describe(*program);
     program->set("wireframe", frame.style == Style::wireframe ? 1 : 0);
     program->set("wireWidth", 1.0f * frame.pixel);
@@ -153,13 +173,71 @@ void OrganismRenderer::drawSolid(const Frame& frame) {
   if (frame.surface.solid > 0) frame.cells->drawTriangles(0, frame.surface.solid);
 }
 
+void OrganismRenderer::drawCuts(const Frame& frame) {
+  const ClipPlane& clip = *frame.picture.clip;
+  struct Cut {
+    const CellCorners* corners;
+    double size;
+  };
+  std::vector<Cut> cuts;
+  for (const CellCorners& corners : frame.surface.cells) {
+    if (corners.first >= frame.surface.solid) continue;
+    double low = INFINITY, high = -INFINITY;
+    for (const Point& p : frame.picture.cells[corners.cell].vertices) {
+      low = std::min(low, dot(p, clip.normal));
+      high = std::max(high, dot(p, clip.normal));
+    }
+    const double bulge = 0.2 * (high - low);  // of faces, which are bent outwards between their vertices
+    if (low - bulge < clip.offset && high + bulge > clip.offset) cuts.push_back({&corners, high - low});
+  }
+  // Where cells overlap the smaller one is seen: a cell in a cell.
+  std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.size > b.size; });
+  Program& cut = programs_->clipped->cut;
+  frame.describe(cut);
+  cut.set("wireframe", frame.style == Style::wireframe ? 1 : 0);
+  cut.set("wireWidth", 1.0f * frame.pixel);
+  setPaper(cut);
+  const GLint zero = 0;
+  glClearBufferiv(GL_STENCIL, 0, &zero);
+  glEnable(GL_STENCIL_TEST);
+  // The ray that meets the plane inside a cell leaves it once more often than it comes in behind the plane.
+  const auto count = [&](const Cut& what, GLenum front, GLenum back) {
+    frame.cell->use();
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glStencilFunc(GL_ALWAYS, 0, 0xff);
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, front);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, back);
+    frame.cells->drawTriangles(what.corners->first, what.corners->count);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  };
+  for (const Cut& what : cuts) {
+    count(what, GL_DECR_WRAP, GL_INCR_WRAP);
+    cut.use();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);  // the inner sides cover the cut
+    glStencilFunc(GL_EQUAL, 1, 0xff);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    frame.cells->drawTriangles(what.corners->first, what.corners->count);
+    count(what, GL_INCR_WRAP, GL_DECR_WRAP);
+  }
+  glDisable(GL_STENCIL_TEST);
+  glCullFace(GL_BACK);
+  glDepthFunc(GL_LESS);
+  glEnable(GL_DEPTH_TEST);
+}
+
 void OrganismRenderer::drawLines(const Frame& frame) {
   if (frame.picture.lines.empty()) return;
   std::vector<LineVertex> vertices;
   std::size_t hidden = 0;  // vertices of lines that cells hide
+  const double length = 9 * frame.pixel * 2 * frame.aperture.y * frame.framing.distance / frame.gridHeight();
   for (const bool through : {false, true}) {
     for (const LineMark& line : frame.picture.lines)
-      if (line.throughCells == through) addRibbon(vertices, line, frame.axes, frame.framing.centre);
+      if (line.throughCells == through) addRibbon(vertices, line, frame.axes, frame.framing.centre, length);
     if (!through) hidden = vertices.size();
   }
   const VertexBuffer buffer(vertices.data(), vertices.size() * sizeof(LineVertex), sizeof(LineVertex),
@@ -174,6 +252,25 @@ void OrganismRenderer::drawLines(const Frame& frame) {
   glDepthFunc(GL_ALWAYS);
   if (hidden < vertices.size()) buffer.drawTriangles(hidden, vertices.size() - hidden);
   glDepthFunc(GL_LESS);
+}
+
+std::vector<std::uint32_t> OrganismRenderer::owners() const {
+  const int samples = targets_->samples, width = targets_->width, height = targets_->height;
+  std::vector<std::uint32_t> grid(std::size_t(width) * height * samples * samples);
+  targets_->solid.framebuffer.bind();
+  glReadBuffer(GL_COLOR_ATTACHMENT1);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, width * samples, height * samples, GL_RED_INTEGER, GL_UNSIGNED_INT, grid.data());
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  std::vector<std::uint32_t> owners;
+  owners.reserve(std::size_t(width) * height);
+  for (int y = height - 1; y >= 0; --y)  // OpenGL counts upward
+    for (int x = 0; x < width; ++x) {
+      const auto owner =
+          grid[(std::size_t(y) * samples + samples / 2) * width * samples + x * samples + samples / 2];
+      owners.push_back(owner < lineOwner ? owner : 0);
+    }
+  return owners;
 }
 
 void OrganismRenderer::findOcclusion(const Frame& frame) {

@@ -1,7 +1,9 @@
 #pragma once
 // The passes that make an organism's picture, with everything that stays on the graphics side from one
 // picture to the next. One per thread.
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "organism/organism.h"
 
@@ -21,12 +23,17 @@ class OrganismRenderer {
   /// The scene alone, without words, width × height pixels. The input is checked already.
   Image draw(const OrganismPicture& picture, Style style, const Framing& framing, int width, int height);
 
+  /// Which solid cell each pixel's middle shows in the picture drawn last, row by row from the top: its number from
+  /// 1; 0: none.
+  std::vector<std::uint32_t> owners() const;
+
  private:
   struct Programs;
   struct Targets;
   struct Frame;
   void fillScreen(const class Framebuffer& target, int width, int height);
   void drawSolid(const Frame& frame);
+  void drawCuts(const Frame& frame);
   void drawLines(const Frame& frame);
   bool drawVeils(const Frame& frame);
   void findOcclusion(const Frame& frame);

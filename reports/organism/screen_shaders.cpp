@@ -119,6 +119,7 @@ std::string resolveShader() {
   return std::string(version) + common + outlines + R"(
 uniform sampler2D lights, shapes, visibles, veils;
 uniform int samples, veiled, shelled;
+uniform int groundless;  // what nothing is drawn on is transparent; light is then that of what is drawn alone
 uniform vec3 paperLight;
 uniform mat4 toShell;     // eye space to the space in which the shell is the unit sphere
 uniform mat4 fromNormal;  // a normal of that sphere to eye space
@@ -149,7 +150,8 @@ bool plain(ivec2 corner, uint own) {
 
 // A thin glass shell: nearly nothing where one looks straight through it, more towards its rim. Once per pixel; its
 // edge is softened by how fast the discriminant changes from pixel to pixel.
-vec3 withShell(vec3 behind, vec2 at) {
+vec4 withShell(vec4 before, vec2 at) {
+  vec3 behind = before.rgb;
   vec3 eye = (toShell * vec4(0.0, 0.0, eyeDistance, 1.0)).xyz;
   vec3 toPoint = eyePoint(at, 0.0) - vec3(0.0, 0.0, eyeDistance);
   vec3 ray = (toShell * vec4(toPoint, 0.0)).xyz;
@@ -160,7 +162,7 @@ vec3 withShell(vec3 behind, vec2 at) {
   vec4 cell = texelFetch(shapes, ivec2(at), 0);
   vec3 seen = (toShell * vec4(eyePoint(at, cell.w), 1.0)).xyz;
   bool outside = dot(seen, seen) > 1.02 && cell.w > eyeDistance * (1.0 - t);  // a cell that has broken out
-  if (edge == 0.0 || t <= 0.0 || outside) return behind;
+  if (edge == 0.0 || t <= 0.0 || outside) return before;
   vec3 n = normalize((fromNormal * vec4(eye + t * ray, 0.0)).xyz);
   vec3 v = -normalize(toPoint);
   float slant = 1.0 - max(0.0, dot(n, v));
@@ -169,7 +171,8 @@ vec3 withShell(vec3 behind, vec2 at) {
   vec3 glass = mix(vec3(0.66, 0.74, 0.82), vec3(0.30, 0.38, 0.47), s2);
   float shine = max(0.0, dot(n, normalize(normalize(vec3(-0.55, 0.75, 0.70)) + v)));
   shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
-  return mix(behind, mix(behind, glass, cover) + 0.14 * shine, edge);
+  return vec4(mix(behind, mix(behind, glass, cover) + 0.14 * shine, edge),
+              mix(before.a, min(1.0, mix(before.a, 1.0, cover) + 0.14 * shine), edge));
 }
 
 void main() {
@@ -178,6 +181,7 @@ void main() {
   float homeVisible = texelFetch(visibles, home, 0).r;
   bool amidst = plain(corner, homeOwner);
   vec3 sum = vec3(0.0);
+  float covered = 0.0;
   for (int y = 0; y < samples; ++y)
     for (int x = 0; x < samples; ++x) {
       ivec2 at = corner + ivec2(x, y);
@@ -190,13 +194,21 @@ void main() {
       if (veiled != 0) {
         vec4 veil = texelFetch(veils, at, 0);
         light = veil.rgb + (1.0 - veil.a) * light;
+        covered += own == 0u ? veil.a : 0.0;
       }
+      covered += own != 0u ? 1.0 : 0.0;
       sum += min(light, vec3(1.0));
     }
   vec3 mean = sum / float(samples * samples);
-  if (shelled != 0) mean = min(withShell(mean, vec2(corner) + 0.5 * float(samples - 1)), vec3(1.0));
+  float opacity = covered / float(samples * samples);
+  if (shelled != 0) {
+    vec4 seen = withShell(vec4(mean, opacity), vec2(corner) + 0.5 * float(samples - 1));
+    mean = min(seen.rgb, vec3(1.0));
+    opacity = seen.a;
+  }
+  if (groundless != 0) mean = min(mean / max(opacity, 1e-6), vec3(1.0));
   vec3 encoded = mix(12.92 * mean, 1.055 * pow(mean, vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), mean));
-  pixel = vec4(encoded, 1.0);
+  pixel = vec4(encoded, groundless != 0 ? opacity : 1.0);
 }
 )";
 }

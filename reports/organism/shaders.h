@@ -7,9 +7,11 @@
 namespace morula {
 
 /// Surfaces of cells: lit colour, normal and depth, and which cell it is, for each sample. A layer of `peel`
-/// is the nearest surface behind the one before it.
+/// is the nearest surface behind the one before it. `clipped`: what lies beyond a plane is cut away. `cut`: instead of
+/// the surface itself, the plane before it is drawn.
+enum class CellPass { whole, peel, clipped, clippedPeel, cut };
 std::string cellVertexShader();
-std::string cellFragmentShader(bool peel);
+std::string cellFragmentShader(CellPass pass);
 
 /// Line marks as flat ribbons that face the eye.
 std::string lineVertexShader();

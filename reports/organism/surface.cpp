@@ -124,7 +124,10 @@ Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const F
   for (const bool solid : {true, false}) {
     for (std::size_t i = 0; i < picture.cells.size(); ++i) {
       const double opacity = picture.cells[i].opacity;
-      if (opacity > 0 && (opacity >= 1) == solid) addCell(surface, picture, i, axes, framing.centre, split);
+      if (!(opacity > 0 && (opacity >= 1) == solid)) continue;
+      const std::size_t first = surface.corners.size();
+      addCell(surface, picture, i, axes, framing.centre, split);
+      surface.cells.push_back({i, first, surface.corners.size() - first});
     }
     if (solid) surface.solid = surface.corners.size();
   }

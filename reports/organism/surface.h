@@ -17,10 +17,16 @@ struct SurfaceVertex {
   std::uint32_t owner;     // the cell's number, from 1
 };
 
+/// Where one cell's triangles stand among the corners.
+struct CellCorners {
+  std::size_t cell, first, count;
+};
+
 struct Surface {
   std::vector<SurfaceVertex> vertices;
   std::vector<std::uint32_t> corners;  // three vertices to a triangle, solid cells first
   std::size_t solid = 0;               // corners of solid cells
+  std::vector<CellCorners> cells;      // of those that are drawn
 };
 
 /// Bends each face between its vertices by Phong tessellation [Boubekeur & Alexa 2008], so that silhouettes

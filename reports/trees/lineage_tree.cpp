@@ -20,6 +20,7 @@ struct Sheet {
   double pitch;  // [pixel] between leaves
   double line;   // [pixel] width of a cell's line
   bool upward;   // leaf labels read upward because they are too wide
+  double label;  // [pixel] text size of leaf labels; 0: there are none
 
   double x(double leafUnits) const { return frame.left + 0.5 * frame.textSize + pitch * leafUnits; }
   double y(double when) const { return time.place(when); }
@@ -34,6 +35,8 @@ void settleSize(TreePicture& picture, const TreeLayout& layout) {
   const double perLeaf = layout.leaves <= maxLabelledTree ? 120 : layout.leaves <= maxLabelledLeaves ? 40 : 8;
   std::size_t depth = 0;
   for (const TreePlace& place : layout.places) depth = std::max(depth, place.node->path.size());
+  if (picture.width == 0 && picture.labelsAll)
+    picture.width = int(std::clamp(160 + std::max(perLeaf, 11.0) * leaves, 900.0, 16384.0));
   if (picture.width == 0) picture.width = int(std::clamp(160 + perLeaf * leaves, 900.0, 2000.0));
   if (picture.height == 0) picture.height = int(std::clamp(420 + 70.0 * double(depth), 640.0, 1100.0));
   for (const int side : {picture.width, picture.height})
@@ -41,6 +44,11 @@ void settleSize(TreePicture& picture, const TreeLayout& layout) {
       throw InputError("a lineage tree of " + std::to_string(picture.width) + " x " +
                        std::to_string(picture.height) +
                        " pixels cannot be drawn; width and height must be 64 to 16384, or 0 for what suits");
+}
+
+double barHeight(const TreePicture& picture) {
+  const double size = textSizeFor(picture.width, picture.height);
+  return picture.colourBar ? colourBarHeight(size) + size : 0;
 }
 
 double widestLabel(const TreeLayout& layout, double size) {
@@ -63,12 +71,15 @@ Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Anno
   sheet.pitch = (sheet.frame.right - sheet.x(0)) / std::max(1.0, double(layout.leaves));
   sheet.line = std::clamp(0.25 * sheet.pitch, 1.0, 0.2 * size);
   double below = 1.2 * size;
-  if (layout.leaves <= maxLabelledLeaves) {
-    const double widest = widestLabel(layout, size);
+  if (layout.leaves <= maxLabelledLeaves) sheet.label = size;
+  else if (picture.labelsAll) sheet.label = std::min(size, 0.85 * sheet.pitch);
+  if (sheet.label > 0) {
+    const double widest = widestLabel(layout, sheet.label);
     sheet.upward = widest > sheet.pitch - 0.6 * size;
     below += sheet.upward ? std::min(widest + size, 0.25 * picture.height) : 1.2 * size;
   }
-  sheet.frame.bottom = std::max(sheet.frame.top + 8, picture.height - bands.bottom - below);
+  sheet.frame.bottom =
+      std::max(sheet.frame.top + 8, picture.height - bands.bottom - barHeight(picture) - below);
   sheet.time.from = sheet.frame.top, sheet.time.to = sheet.frame.bottom;
   return sheet;
 }
@@ -94,8 +105,8 @@ void drawEnd(Drawing& drawing, const Sheet& sheet, const TreePlace& place) {
 }
 
 void drawLeafLabel(Drawing& drawing, const Sheet& sheet, const TreePlace& place) {
-  const double size = sheet.frame.textSize;
-  const Spot below{sheet.x(place.x), sheet.y(place.node->ended) + 0.9 * size};
+  const double size = sheet.label;
+  const Spot below{sheet.x(place.x), sheet.y(place.node->ended) + 0.9 * sheet.frame.textSize};
   if (!sheet.upward) {
     drawing.text({below.x, below.y + 0.75 * size}, place.node->label,
                  {.size = size, .colour = ink, .anchor = Anchor::centre});
@@ -103,7 +114,7 @@ void drawLeafLabel(Drawing& drawing, const Sheet& sheet, const TreePlace& place)
   }
   const TextStyle style{.size = size, .colour = ink, .anchor = Anchor::right, .upward = true};
   drawing.text({below.x + 0.36 * size, below.y},
-               shortened(place.node->label, style, 0.25 * drawing.height() - size), style);
+               shortened(place.node->label, style, 0.25 * drawing.height() - sheet.frame.textSize), style);
 }
 
 /// The state beside the line, and at the corner the letter that the division gave.
@@ -131,6 +142,11 @@ Drawing drawLineage(const TreePicture& asked) {
   Drawing drawing(picture.width, picture.height);
   annotate(drawing, words);
   if (layout.places.empty()) return drawing;
+  if (const double size = textSizeFor(picture.width, picture.height); picture.colourBar)
+    drawColourBar(drawing, *picture.colourBar,
+                  {1.5 * size, picture.height - bandsFor(words, picture.width, picture.height).bottom -
+                                   barHeight(picture)},
+                  std::min(picture.width - 3 * size, 24 * size), size);
   const Sheet sheet = makeSheet(picture, layout, words);
   drawUprightAxis(drawing, sheet.frame, sheet.time, "time");
   // From the leaves up, so that at a division the mother lies on top.
@@ -138,7 +154,7 @@ Drawing drawLineage(const TreePicture& asked) {
     drawCell(drawing, sheet, layout, *place);
   for (const TreePlace& place : layout.places) {
     if (place.isLeaf()) drawEnd(drawing, sheet, place);
-    if (place.isLeaf() && layout.leaves <= maxLabelledLeaves) drawLeafLabel(drawing, sheet, place);
+    if (place.isLeaf() && sheet.label > 0) drawLeafLabel(drawing, sheet, place);
     if (layout.leaves <= maxLabelledTree) drawInnerLabels(drawing, sheet, place);
   }
   return drawing;

@@ -1,11 +1,13 @@
 #pragma once
 // The lineage tree as a picture: time runs downward, every cell is a vertical line from its birth to its end,
 // its daughter A hangs to the left and B to the right.
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "biology/lineage.h"
 #include "drawing/annotations.h"
+#include "drawing/colour_bar.h"
 
 namespace morula {
 
@@ -23,6 +25,10 @@ struct TreePicture {
   std::string title, caption;      // UTF-8
   std::vector<LegendEntry> legend;
   int width = 0, height = 0;  // [pixel] 64 to 16384; 0: what suits the number of leaves
+  // Every leaf has its label, however many there are, in letters as large as there is room; the width that suits is
+  // then one in which they can be read.
+  bool labelsAll = false;
+  std::optional<ColourBar> colourBar = {};  // what the colours tell
 };
 
 /// Leaves that are labelled at most; beyond that text would only be noise.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/error.h"
 #include "cli/cell_life.h"
 #include "cli/exit_codes.h"
 #include "cli/options.h"
@@ -12,6 +13,7 @@
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "pictures/pictures.h"
+#include "pictures/run_charts.h"
 #include "store/store.h"
 #include "system/console.h"
 #include "system/usage_error.h"
@@ -21,7 +23,8 @@ namespace morula::cli {
 namespace {
 
 struct LineageOptions {
-  std::string file, run, picture, cell;
+  std::string file, run, picture, cell, colour, size;
+  bool labels = false;
   InputOptions input;
   OutputOptions output;
 };
@@ -35,24 +38,44 @@ struct Tree {
 Tree stored(const LineageOptions& options) {
   auto store = Store::openForReading(options.file);
   const auto run = store.find(options.run);
-  return {run.record.scenario, run.time, store.lineage(run.id)};
+  return {run.record.scenario, run.time,
+          options.colour.empty() ? store.lineage(run.id) : store.results(run.id)};
 }
 
-/// The tree as a picture, in the scenario's colours.
+/// The measure of cells that branches are coloured by.
+MeasureName colouring(const LineageOptions& options) {
+  const bool scoped = options.colour.find('.') != options.colour.npos;
+  return parseMeasure(scoped ? options.colour : "cell." + options.colour);
+}
+
+/// The tree as a picture, in the scenario's or a measure's colours.
 void draw(const Tree& tree, const LineageOptions& options) {
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const auto describe = [&](StateId state) { return tree.results.stateTexts.at(state); };
-  writePicture(drawLineage(lineagePictureOf(tree.results.lineage, describe, tree.end, scenario)),
-               options.picture);
+  TreePicture picture = lineagePictureOf(tree.results.lineage, describe, tree.end, scenario);
+  if (!options.colour.empty()) colourTree(picture, tree.results, colouring(options));
+  picture.labelsAll = options.labels;
+  if (!options.size.empty()) {
+    const auto x = options.size.find('x');
+    if (x == options.size.npos)
+      throw UsageError("--size: '" + options.size + "' is no size; needs WIDTHxHEIGHT in pixels");
+    picture.width = static_cast<int>(naturalOption("--size", options.size.substr(0, x), 64, 16384));
+    picture.height = static_cast<int>(naturalOption("--size", options.size.substr(x + 1), 64, 16384));
+  }
+  writePicture(drawLineage(picture), options.picture);
 }
 
 /// What the genes prescribe: without bodies a thousand cells take a moment. Where cells sense, or wait for a size, bodies
 /// decide, too.
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-  if (scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize) scenario.scene.mechanics.reset();
+  const bool measured = !options.colour.empty();
+  if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize)
+    scenario.scene.mechanics.reset();
   Progress progress(scenario.scene.name, options.output.quiet);
-  auto run = simulate(makeScenarioWorld(scenario, {}), {.nameOf = scenario.names.function()}, progress);
+  RecordOptions record{.nameOf = scenario.names.function()};
+  if (measured) record = recordingOf(scenario, false);
+  auto run = simulate(makeScenarioWorld(scenario, {}), std::move(record), progress);
   return {scenario.scene.name, run.end.time, std::move(run.results)};
 }
 
@@ -78,6 +101,11 @@ int act(const LineageOptions& options) {
   if (!options.cell.empty() && !options.picture.empty())
     throw UsageError(
         "--cell tells one cell's life, and --output draws the whole tree; leave out one of them");
+  if (options.picture.empty() && (!options.colour.empty() || !options.size.empty() || options.labels))
+    throw UsageError("--colour, --labels and --size are of the picture; needs --output, too");
+  if (!options.colour.empty()) try {
+      colouring(options);
+    } catch (const InputError& error) { throw UsageError(std::string("--colour: ") + error.what()); }
   auto tree = isDatabase(options.file) ? stored(options) : prescribed(options);
   if (!options.cell.empty()) return tellLife(tree, options);
   if (!options.picture.empty()) draw(tree, options);
@@ -113,6 +141,11 @@ void addLineage(CLI::App& app, Action& action) {
   verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
   verb.takes("--cell", options->cell, "CELL", "Only this cell's life; its name, or its path: AAB, egg");
   verb.takes("-o,--output", options->picture, "FILE", "Also draw it: a .png, .svg or .pdf");
+  verb.takes("--colour", options->colour, "MEASURE",
+             "Of branches: a measure of cells, such as volume; default: substances");
+  verb.takes("--labels", options->labels, "Name all leaves, however many there are");
+  verb.takes("--size", options->size, "WxH",
+             "Width and height in pixels; default: what suits the number of leaves");
   add(verb, options->input);
   add(verb, options->output);
   verb.does([options] { return act(*options); });

@@ -10,7 +10,8 @@ void checkPictureName(const std::string& verb, const std::string& file, bool dra
   if (format && (drawing || *format == PictureFormat::png)) return;
   throw UsageError("--output: '" + file + "' ends in " + std::filesystem::path(file).extension().string() +
                    ", which " + verb + " cannot write; needs a name that ends in " +
-                   (drawing ? ".png, .svg or .pdf" : ".png (shapes: morula export)"));
+                   (drawing ? ".png, .svg or .pdf"
+                            : ".png, or of several pictures .mp4, .webm or .gif (shapes: morula export)"));
 }
 
 }  // namespace morula::cli

@@ -92,6 +92,7 @@ Action parse(int argc, char** argv) {
   addSchema(app, action);
   addInit(app, action);
   addRender(app, action);
+  addChart(app, action);
   addLineage(app, action);
   addReplay(app, action);
   addExport(app, action);

@@ -1,15 +1,19 @@
-// morula render: one picture of a scenario, or of a stored run, at any time of its life.
+// morula render: pictures of a scenario, or of a stored run, at any time of its life.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <memory>
 
 #include "base/error.h"
 #include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/picture_name.h"
+#include "cli/render_options.h"
 #include "cli/verb.h"
+#include "comparison/comparison.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
+#include "organism/views.h"
+#include "pictures/film.h"
 #include "pictures/pictures.h"
 #include "system/console.h"
 
@@ -17,30 +21,161 @@ namespace morula::cli {
 
 namespace {
 
-struct RenderOptions {
-  std::string file, run, time, style = "solid", size = "900", output;
-  InputOptions input;
-  ExecutionOptions execution;
-  OutputOptions messages;
-};
-
-void draw(const World& world, const Scenario& scenario, const RenderOptions& options,
-          const std::string& file) {
-  const int size = static_cast<int>(naturalOption("--size", options.size, 64, 8192));
-  if (options.style == "lineage") {
-    auto tree = lineagePictureOf(world, scenario);
-    if (options.size != "900") tree.width = size;
-    return writePicture(drawLineage(tree), file);
-  }
-  auto picture = pictureOf(world, scenario);
-  picture.width = picture.height = size;
-  if (options.style == "both") return writePicture(drawSolidAndWireframe(picture), file);
-  writePicture(drawOrganism(picture, options.style == "wireframe" ? Style::wireframe : Style::solid), file);
-}
-
 [[noreturn]] void failAfterEnd(const std::string& time, double end) {
   throw UsageError(
       fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that", time, end));
+}
+
+/// Pictures of the world while it runs, evenly from the start to the planned end.
+class Times {
+ public:
+  Times(PictureMaker& maker, int count, double end) : maker_(maker), count_(count), end_(end) {}
+  void observe(const World& world) {
+    // A tolerance far below the time between two pictures: the last step may end a rounding before the end.
+    while (next_ < count_ && world.clock.time >= next_ * end_ / (count_ - 1) * (1 - 1e-9))
+      maker_.add(world), ++next_;
+  }
+
+ private:
+  PictureMaker& maker_;
+  int count_, next_ = 0;
+  double end_;
+};
+
+Image imageOf(const OrganismPicture& picture, const std::string& style) {
+  if (style == "both") return drawSolidAndWireframe(picture);
+  return drawOrganism(picture, style == "wireframe" ? Style::wireframe : Style::solid);
+}
+
+std::vector<std::string> writeOrganism(std::vector<OrganismPicture> pictures, const RenderOptions& options,
+                                       const Motion& motion, const std::string& file) {
+  std::vector<Camera> turns;
+  if (motion.turntable) turns = turntable(pictures.front(), motion.turntable);
+  const std::size_t count = turns.empty() ? pictures.size() : turns.size();
+  const auto draw = [&](std::size_t i) {
+    if (turns.empty()) return imageOf(pictures[i], options.style);
+    pictures.front().camera = turns[i];
+    return imageOf(pictures.front(), options.style);
+  };
+  if (isFilmName(file)) {
+    writeFilm(count, draw, motion.perSecond, file);
+    return {file};
+  }
+  if (motion.any()) return writeSequence(count, draw, file);
+  writePicture(draw(0), file);
+  return {file};
+}
+
+std::vector<std::string> drawTree(const World& world, const Scenario& scenario, const RenderOptions& options,
+                                  const std::string& file) {
+  auto tree = lineagePictureOf(world, scenario);
+  const PictureSize size = sizeOption(options);
+  if (options.size != "900") tree.width = size.width;
+  if (options.size.find('x') != options.size.npos) tree.height = size.height;
+  writePicture(drawLineage(tree), file);
+  return {file};
+}
+
+/// A scenario that was run as far as asked for.
+struct Shown {
+  std::unique_ptr<const Scenario> scenario;  // stays where it is: pictures refer to it
+  std::optional<Simulation> run;
+  int code = fine;  // else the program's exit code: there is nothing to show
+};
+
+/// `watch` sees the world while it runs, with the planned end or --time [time].
+Shown show(
+    const std::string& file, const RenderOptions& options,
+    const std::function<std::function<void(const World&)>(const Scenario&, std::optional<double>)>& watch) {
+  const bool isTree = options.style == "lineage";
+  // Positions are not stored: the same bits come out of running again.
+  Shown shown{std::make_unique<const Scenario>(
+                  anyScenario(file, file == options.file ? options.run : "", options.input.allowOutside)),
+              {}};
+  const Scenario& scenario = *shown.scenario;
+  if (!scenario.scene.mechanics && !isTree)
+    throw UsageError("--style: " + scenario.scene.name + " has no bodies; needs lineage");
+  const auto planned = plannedEnd(scenario.scene);
+  std::optional<double> time;
+  if (!options.time.empty()) {
+    time = nonNegativeOption("--time", options.time);
+    if (planned && *time > *planned) failAfterEnd(options.time, *planned);
+  }
+  Progress progress(scenario.scene.name, options.messages.quiet);
+  World world = makeScenarioWorld(scenario, execution(options.execution));
+  if (time)
+    world.model.stop.time =
+        time;  // of the world, not of the scenario: it runs as it always does, only not so far
+  shown.run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
+                       watch(scenario, time ? time : planned));
+  const Simulation& run = *shown.run;
+  if (run.signal) shown.code = signalled + run.signal;
+  else if (run.end.status == RunStatus::failed) {
+    tellError(run.end.failure);
+    shown.code = numerical;
+  }
+  // A run may end before its planned end: by its number of cells, or when all have died.
+  else if (time && run.world.bodies && run.end.time < *time * (1 - 1e-9))
+    failAfterEnd(options.time, run.end.time);
+  return shown;
+}
+
+/// The same moment of two runs, side by side with the distance of their surfaces.
+int compare(const RenderOptions& options, const PictureWishes& wishes, Json& told) {
+  std::vector<OrganismPicture> pictures;
+  double radius = 1;
+  for (const std::string& file : {options.file, options.beside}) {
+    const Shown shown = show(file, options, [](const Scenario&, std::optional<double>) { return nullptr; });
+    if (shown.code != fine) return shown.code;
+    PictureMaker maker(*shown.scenario, wishes);
+    maker.add(shown.run->world);
+    pictures.push_back(maker.take().front());
+    pictures.back().title += ": " + file;
+    if (pictures.size() == 1) radius = shown.scenario->scene.mechanics->physics.cell.radius;
+  }
+  const auto paths = [](const OrganismPicture& picture) {
+    std::vector<std::string> list;
+    for (const CellShape& cell : picture.cells) list.push_back(cell.path);
+    return list;
+  };
+  if (paths(pictures[0]) != paths(pictures[1]))
+    throw InputError(
+        fmt::format("--beside: the two runs do not have the same cells at this time, {} here and {} there; "
+                    "needs an earlier --time",
+                    pictures[0].cells.size(), pictures[1].cells.size()));
+  const std::string file = options.output.empty() ? "comparison.png" : options.output;
+  writePicture(drawComparison(pictures[0], pictures[1], radius), file);
+  told = {{"pictures", {file}}};
+  return fine;
+}
+
+int render(const RenderOptions& options, const PictureWishes& wishes, const Motion& motion, Json& told) {
+  std::optional<PictureMaker> maker;
+  std::optional<Times> times;
+  auto shown = show(options.file, options, [&](const Scenario& scenario, std::optional<double> end) {
+    maker.emplace(scenario, wishes);
+    if (motion.frames && !end)
+      throw UsageError("--frames: " + scenario.scene.name +
+                       " ends by its number of cells, at a time that is not known; needs --time TIME, too");
+    if (motion.frames) times.emplace(*maker, motion.frames, *end);
+    return [&](const World& now) {
+      if (times) times->observe(now);
+    };
+  });
+  if (shown.code != fine) return shown.code;
+  const std::string name = shown.scenario->scene.name,
+                    file = options.output.empty() ? name + ".png" : options.output;
+  std::vector<std::string> files;
+  if (options.style == "lineage") files = drawTree(shown.run->world, *shown.scenario, options, file);
+  else {
+    if (!motion.frames) {
+      maker->add(shown.run->world);
+      maker->addForces(shown.run->world);
+    }
+    files = writeOrganism(maker->take(), options, motion, file);
+  }
+  told = {{"scenario", name}, {"time", shown.run->end.time}, {"pictures", files}};
+  return fine;
 }
 
 int act(const RenderOptions& options) {
@@ -48,34 +183,23 @@ int act(const RenderOptions& options) {
   if (std::find(styles.begin(), styles.end(), options.style) == styles.end())
     throw UsageError("--style: '" + options.style +
                      "' is not known; needs solid, wireframe, both or lineage");
-  checkPictureName("render", options.output, options.style == "lineage");
-  // Positions are not stored: the same bits come out of running again.
-  auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-  if (!scenario.scene.mechanics && options.style != "lineage")
-    throw UsageError("--style: " + scenario.scene.name + " has no bodies; needs lineage");
-  std::optional<double> time;
-  if (!options.time.empty()) {
-    time = nonNegativeOption("--time", options.time);
-    if (const auto end = plannedEnd(scenario.scene); end && *time > *end) failAfterEnd(options.time, *end);
-  }
-  Progress progress(scenario.scene.name, options.messages.quiet);
-  World world = makeScenarioWorld(scenario, execution(options.execution));
-  if (time)
-    world.model.stop.time =
-        time;  // of the world, not of the scenario: it runs as it always does, only not so far
-  const auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress);
-  if (run.signal) return signalled + run.signal;
-  if (run.end.status == RunStatus::failed) {
-    tellError(run.end.failure);
-    return numerical;
-  }
-  // A run may end before its planned end: by its number of cells, or when all have died.
-  if (time && run.world.bodies && run.end.time < *time * (1 - 1e-9)) failAfterEnd(options.time, run.end.time);
-  const auto file = options.output.empty() ? scenario.scene.name + ".png" : options.output;
-  draw(run.world, scenario, options, file);
-  if (options.messages.json)
-    printJson({{"scenario", scenario.scene.name}, {"time", run.end.time}, {"pictures", {file}}});
-  else print(file + "\n");
+  const bool isTree = options.style == "lineage";
+  const PictureWishes wishes = wishesOf(options);
+  const Motion motion = motionOf(options);
+  if (isTree && motion.any())
+    throw UsageError("--style: a lineage is one picture; leave out --turntable and --frames");
+  if (!options.beside.empty() &&
+      (isTree || options.style == "both" || motion.any() || !wishes.forces.empty()))
+    throw UsageError(
+        "--beside shows one moment of solid cells; leave out --style, --forces, --turntable and --frames");
+  checkOutput(options, motion);
+  Json told;
+  const int code =
+      options.beside.empty() ? render(options, wishes, motion, told) : compare(options, wishes, told);
+  if (code != fine) return code;
+  if (options.messages.json) printJson(told);
+  else
+    for (const Json& file : told["pictures"]) print(file.get<std::string>() + "\n");
   return fine;
 }
 
@@ -83,17 +207,9 @@ int act(const RenderOptions& options) {
 
 void addRender(CLI::App& app, Action& action) {
   auto options = std::make_shared<RenderOptions>();
-  Verb verb(app, action, "render", "Draw a scenario or a stored run, at its end or another time");
-  verb.needs("file", options->file, "FILE", "A scenario or a database");
-  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
-  verb.takes("--time", options->time, "TIME", "When; default: at the end");
-  verb.takes("--style", options->style, "NAME", "solid, wireframe, both or lineage");
-  verb.takes("--size", options->size, "N", "Width in pixels");
-  verb.takes("-o,--output", options->output, "FILE",
-             "The PNG, and of a lineage also .svg or .pdf; default: the scenario's name");
-  add(verb, options->input);
-  add(verb, options->execution);
-  add(verb, options->messages);
+  Verb verb(app, action, "render",
+            "Draw a scenario or a stored run, at its end or another time, still or moving");
+  add(verb, *options);
   verb.does([options] { return act(*options); });
 }
 

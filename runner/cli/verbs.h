@@ -22,6 +22,7 @@ void addSchema(CLI::App& app, Action& action);
 void addInit(CLI::App& app, Action& action);
 void addRender(CLI::App& app, Action& action);
 void addLineage(CLI::App& app, Action& action);
+void addChart(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addReport(CLI::App& app, Action& action);

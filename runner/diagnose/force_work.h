@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/vertex_forces.h"
 #include "simulation/world.h"
 
 namespace morula {
@@ -26,17 +27,12 @@ class WorkMeter {
   std::vector<ForceWork> works() const;
 
  private:
-  struct Forces {
-    std::string name;
-    std::vector<Vector> onVertex;
-  };
-  std::vector<Forces> measure(World& world) const;
   std::vector<Point> positions(const World& world) const;
   int slotIn(const World& world) const;
 
   CellPath cell_;
   std::vector<Point> before_;
-  std::vector<Forces> forces_;
+  std::vector<VertexForces> forces_;
   std::vector<ForceWork> works_;
 };
 

@@ -18,8 +18,9 @@ bool hasLine(std::string_view text, std::string_view beginning) {
 
 Content contentOf(std::string_view head) {
   if (head.empty()) return Content::empty;
-  for (const auto picture : {pngBeginning, svgBeginning, pdfBeginning})
+  for (const auto picture : {pngBeginning, svgBeginning, pdfBeginning, webmBeginning, gifBeginning})
     if (head.starts_with(picture)) return Content::picture;
+  if (head.size() > 8 && head.substr(4).starts_with(mp4Beginning)) return Content::picture;
   if (head.starts_with(std::string_view("SQLite format 3\0", 16))) return Content::database;
   for (const auto report : {junitBeginning, summaryBeginning, jsonBeginning})
     if (head.starts_with(report)) return Content::report;

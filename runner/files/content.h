@@ -21,6 +21,11 @@ inline constexpr std::string_view svgBeginning =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Morula -->\n<svg";
 inline constexpr std::string_view pdfBeginning = "%PDF-1.5\n%\xb5\xed\xae\xfb\n";
 
+/// How films begin, from the byte at which each beginning stands: any MP4, WebM and GIF.
+inline constexpr std::string_view mp4Beginning = "ftyp";  // at 4
+inline constexpr std::string_view webmBeginning = "\x1a\x45\xdf\xa3";
+inline constexpr std::string_view gifBeginning = "GIF89a";
+
 /// How the files begin that `morula check --reports` writes. The same texts in writer and reader.
 inline constexpr std::string_view junitBeginning =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"morula check\"";

@@ -67,8 +67,8 @@ OrganismPicture blankPicture(const Scenario& scenario) {
   return picture;
 }
 
-/// The pictures of a sequence share one legend, so that the organism does not move when a colour comes or
-/// goes.
+}  // namespace
+
 void shareLegend(std::vector<OrganismPicture>& frames) {
   std::map<std::string, Colour> all;
   for (const auto& frame : frames)
@@ -78,8 +78,6 @@ void shareLegend(std::vector<OrganismPicture>& frames) {
     for (const auto& [label, colour] : all) frame.legend.push_back({colour, label});
   }
 }
-
-}  // namespace
 
 OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
   Palette palette(scenario);

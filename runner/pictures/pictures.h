@@ -32,6 +32,8 @@ class Palette {
 
 /// The organism as it is now. The world has bodies.
 OrganismPicture pictureOf(const World& world, const Scenario& scenario);
+/// The pictures of a sequence share one legend, so that the organism does not move when a colour comes or goes.
+void shareLegend(std::vector<OrganismPicture>& frames);
 /// The lineage as far as it has come; cells with a name are labelled with it, others with their substances. `describe` gives a state's substances, `end` [time] is when the living
 /// are seen.
 TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,

@@ -33,8 +33,11 @@ TEST_CASE("help and version are data") {
 
 TEST_CASE("a chart or tree is refused under a name that it cannot have, before anything is measured") {
   for (const std::string ending : {".mp4", ".jpg", ".svgz", "."})
-    for (const auto& arguments : std::vector<std::vector<std::string>>{
-             {"bench"}, {"accuracy", four}, {"lineage", four}, {"render", four, "--style", "lineage"}}) {
+    for (const auto& arguments : std::vector<std::vector<std::string>>{{"bench"},
+                                                                       {"accuracy", four},
+                                                                       {"lineage", four},
+                                                                       {"render", four, "--style", "lineage"},
+                                                                       {"chart", four, "divisions"}}) {
       auto all = arguments;
       all.insert(all.end(), {"-o", "/nowhere/x" + ending});
       INFO(arguments[0]);
@@ -45,7 +48,7 @@ TEST_CASE("a chart or tree is refused under a name that it cannot have, before a
 
 TEST_CASE("every verb that help lists is there") {
   for (const auto* verb : {"run", "check", "accuracy", "review", "validate", "schema", "init", "render",
-                           "lineage", "replay", "export"}) {
+                           "lineage", "chart", "replay", "export"}) {
     INFO(verb);
     CHECK(launch({"--help"}).out.find(std::string("  ") + verb + " ") != std::string::npos);
     CHECK(launch({verb, "--help"}).code == 0);

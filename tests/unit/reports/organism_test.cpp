@@ -1,6 +1,7 @@
 #include "organism/organism.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -112,57 +113,20 @@ TEST_CASE("light falls from the upper left, and creases between cells are darker
   REQUIRE(brightness(pair.at(60 - 3, 60)) < brightness(alone.at(60 - 3, 60)));
 }
 
-TEST_CASE("what lies behind a translucent cell shines through", "[organism]") {
-  CellShape veil = ball("A", {0, 0, 0.8}, 0.6, blue);
-  const CellShape back = ball("B", {0, 0, -0.8}, 1, red);
-  int lastRed = centre(drawOrganism(picture({back}))).r;
-  for (const double opacity : {0.25, 0.5, 0.75}) {
-    veil.opacity = opacity;
-    const Colour mixed = centre(drawOrganism(picture({veil, back})));
-    REQUIRE(mixed.r < lastRed);
-    REQUIRE(mixed.r > red.r / 3);
-    lastRed = mixed.r;
-  }
-  veil.opacity = 0;
-  REQUIRE(drawOrganism(picture({back})) == drawOrganism(picture({veil, back})));
-}
-
-TEST_CASE("translucent cells before each other and before a solid one are composed in linear light",
-          "[organism]") {
-  CellShape front = ball("A", {0, 0, 2}, 0.5, blue), middle = ball("B", {0, 0, 0.6}, 0.5, {40, 200, 40});
-  const CellShape back = ball("C", {0, 0, -1}, 0.5, red);
-  std::vector<Colour> alone;
-  for (const CellShape& cell : {front, middle, back}) alone.push_back(centre(drawOrganism(picture({cell}))));
-  front.opacity = 0.3;
-  middle.opacity = 0.6;
-  const Colour together = centre(drawOrganism(picture({back, front, middle})));
-  const auto expected = [&](std::uint8_t Colour::*channel) {
-    const double f = linearLight(alone[0].*channel), m = linearLight(alone[1].*channel),
-                 b = linearLight(alone[2].*channel);
-    return int(channelOf(0.3 * f + 0.7 * (0.6 * m + 0.4 * b)));
+TEST_CASE("an arrow has a head at its end", "[organism]") {
+  OrganismPicture p = picture({}, 300);
+  p.lines = {{{-1, 0, 0}, {1, 0, 0}, {0, 0, 0}}};
+  const auto inked = [](const Image& image, int from, int to) {
+    int count = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = from; x < to; ++x) count += image.at(x, y) != paper;
+    return count;
   };
-  REQUIRE(std::abs(together.r - expected(&Colour::r)) <= 2);
-  REQUIRE(std::abs(together.g - expected(&Colour::g)) <= 2);
-  REQUIRE(std::abs(together.b - expected(&Colour::b)) <= 2);
-}
-
-TEST_CASE("a solid cell hides the translucent ones behind it", "[organism]") {
-  const CellShape front = ball("A", {0, 0, 0.5}, 1, red);
-  CellShape hidden = ball("B", {0, 0, -1.6}, 1, blue);
-  hidden.opacity = 0.5;
-  REQUIRE(drawOrganism(picture({front, hidden})) == drawOrganism(picture({front})));
-}
-
-TEST_CASE("the order of translucent cells does not matter, even where they cut through each other",
-          "[organism]") {
-  std::vector<CellShape> cells{ball("A", {-0.3, 0, 0.1}, 0.8, red), ball("B", {0.3, 0, 0}, 0.8, blue),
-                               ball("C", {0, 0.3, -0.4}, 0.8, {40, 200, 40})};
-  for (CellShape& cell : cells) cell.opacity = 0.4;
-  const Image first = drawOrganism(picture(cells));
-  std::rotate(cells.begin(), cells.begin() + 1, cells.end());
-  REQUIRE(drawOrganism(picture(cells)) == first);
-  std::swap(cells[0], cells[1]);
-  REQUIRE(drawOrganism(picture(cells)) == first);
+  const Image line = drawOrganism(p);
+  p.lines[0].arrow = true;
+  const Image arrow = drawOrganism(p);
+  CHECK(inked(arrow, 150, 300) > inked(line, 150, 300) + 15);
+  CHECK(inked(arrow, 0, 150) == inked(line, 0, 150));
 }
 
 TEST_CASE("a shell is a faint rim that leaves cells their colour", "[organism]") {
@@ -258,6 +222,22 @@ TEST_CASE("words stay out of the scene", "[organism]") {
   REQUIRE(isReddish(words.at(150, 155)));
 }
 
+// Not run by itself: test_unit_reports "[measure]" tells how long the largest pictures take.
+TEST_CASE("4096 cells at 1920 x 1080", "[.][measure]") {
+  OrganismPicture p = picture({}, 120);
+  p.width = 1920, p.height = 1080;
+  for (int i = 0; i < 4096; ++i)
+    p.cells.push_back(ball("A", {0.1 * (i % 16) - 0.75, 0.1 * (i / 16 % 16) - 0.75, 0.1 * (i / 256) - 0.75},
+                           0.055, {std::uint8_t(i % 200 + 30), std::uint8_t(i / 16), 128}));
+  for (const bool translucent : {false, true}) {
+    for (CellShape& cell : p.cells) cell.opacity = translucent ? 0.3 : 1;
+    const auto begin = std::chrono::steady_clock::now();
+    drawOrganism(p);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    WARN((translucent ? "translucent: " : "solid: ") << took.count() << " s");
+  }
+}
+
 TEST_CASE("pictures that cannot be are refused by name", "[organism]") {
   const auto refused = [](auto change, const char* word) {
     OrganismPicture p = picture({ball("AB", {0, 0, 0}, 1, red)});
@@ -278,6 +258,7 @@ TEST_CASE("pictures that cannot be are refused by name", "[organism]") {
   refused([](auto& p) { p.cells[0].opacity = NAN; }, "opacity");
   refused([](auto& p) { p.faces[0][0] = -1; }, "negative");
   refused([](auto& p) { p.shell = Vector{1, 0, 1}; }, "semi-axes");
+  refused([](auto& p) { p.labels = {{1, "words"}}; }, "no cell");
   refused([](auto& p) { p.lines.push_back({{0, 0, 0}, {NAN, 0, 0}, {}}); }, "not finite");
   refused([](auto& p) { p.camera.framing->distance = 0; }, "distance");
   refused([](auto& p) { p.camera.up = p.camera.towardsEye; }, "parallel");

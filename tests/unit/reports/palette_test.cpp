@@ -78,6 +78,12 @@ TEST_CASE("the scale rises in lightness for all eyes, evenly enough", "[palette]
       CHECK(step > 2);
       CHECK(step < 10);
     }
+  // Equal steps look equal: no sixteenth of the way differs from another by more than a half.
+  std::vector<double> steps;
+  for (int i = 0; i < 16; ++i)
+    steps.push_back(difference(eyes[0], scaleColour((i + 1) / 16.0), scaleColour(i / 16.0)));
+  const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
+  CHECK(*most < 2.5 * *least);  // CIE 1976 is itself not even to such a factor; viridis is so in CAM02-UCS
   CHECK(scaleColour(-1) == scaleColour(0));
   CHECK(scaleColour(2) == scaleColour(1));
 }

@@ -1,0 +1,220 @@
+#include "diagnose/vertex_forces.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "connections/connections.h"
+#include "contacts/contacts.h"
+#include "physics/integrator.h"
+#include "physics/stages.h"
+#include "simulation/motility.h"
+#include "simulation/stages.h"
+#include "simulation/swirls.h"
+
+namespace morula {
+
+namespace {
+
+/// [force] Of the membrane's springs [Nilsson 2008, eq. 4.2].
+std::vector<Vector> springForces(const Bodies& b, int slot) {
+  std::vector<Vector> force(b.vertexCount(slot));
+  const Mesh& rest = b.meshOf(slot).mesh;
+  const MembraneParameters& m = b.parameters.membrane;
+  for (const Face& face : rest.faces)
+    for (int k = 0; k < 3; ++k) {
+      const int i = face[k], j = face[(k + 1) % 3];
+      if (i > j) continue;  // every edge once: in one of its two faces it runs upwards
+      const Vector d = b.vertex(slot, j) - b.vertex(slot, i);
+      const double length = norm(d);
+      if (!(length > 0)) continue;
+      const Vector rate = b.read(b.velocity, slot, j) - b.read(b.velocity, slot, i);
+      const double tension =
+          m.stiffness * (length - b.restScale[slot] * norm(rest.vertices[i] - rest.vertices[j])) +
+          m.damping * (dot(rate, d) / length);
+      const Vector f = (tension / length) * d;
+      force[i] = force[i] + f;
+      force[j] = force[j] - f;
+    }
+  return force;
+}
+
+/// [length²] ∇V of each vertex: a third of the area vectors of its faces [Nilsson 2008, eq. 4.5].
+std::vector<Vector> volumeGradients(const Bodies& b, int slot) {
+  std::vector<Vector> gradient(b.vertexCount(slot));
+  for (const auto& [i, j, k] : b.meshOf(slot).mesh.faces) {
+    const Point x = b.vertex(slot, i);
+    const Vector third = (1.0 / 6) * cross(b.vertex(slot, j) - x, b.vertex(slot, k) - x);
+    for (const int v : {i, j, k}) gradient[v] = gradient[v] + third;
+  }
+  return gradient;
+}
+
+std::vector<Vector> scaled(double by, std::vector<Vector> vectors) {
+  for (Vector& v : vectors) v = by * v;
+  return vectors;
+}
+
+/// What `add` adds to the forces on the slot's vertices; the bodies are as before afterwards.
+template <class Add>
+std::vector<Vector> addedForces(Bodies& b, int slot, Add add) {
+  const Reals kept = b.acceleration;
+  b.acceleration.assign(b.acceleration.size(), 0);
+  add();
+  std::vector<Vector> force;
+  for (int v = 0; v < b.vertexCount(slot); ++v) force.push_back(b.read(b.acceleration, slot, v));
+  b.acceleration = kept;
+  return force;
+}
+
+/// [force] Of the medium, in proportion to mass.
+std::vector<Vector> dragForces(const Bodies& b, int slot) {
+  std::vector<Vector> force;
+  for (int v = 0; v < b.vertexCount(slot); ++v)
+    force.push_back((-b.parameters.drag * b.vertexMass[slot]) * b.read(b.velocity, slot, v));
+  return force;
+}
+
+void addTo(std::vector<Vector>& sum, const std::vector<Vector>& more) {
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += more[v];
+}
+
+/// What the shell does against the force that presses a vertex on it outwards (physics/shell_kernel.h); none
+/// where a vertex does not lie on it.
+std::vector<Vector> shellForces(const Bodies& b, int slot, const std::vector<Vector>& pressing) {
+  const double* a = b.parameters.shell->semiAxes;
+  const double within = b.parameters.precision == Precision::binary64 ? 1e-12 : 1e-6;
+  std::vector<Vector> force(pressing.size());
+  for (std::size_t v = 0; v < pressing.size(); ++v) {
+    const Point x = b.vertex(slot, int(v));
+    const Vector slope{x.x / (a[0] * a[0]), x.y / (a[1] * a[1]), x.z / (a[2] * a[2])};
+    const double outward = dot(pressing[v], slope);
+    if (dot(x, slope) > 1 - within && outward > 0) force[v] = (-outward / dot(slope, slope)) * slope;
+  }
+  return force;
+}
+
+/// What `add` adds to the forces on all vertices, laid out as Bodies::acceleration; the bodies are as before afterwards.
+template <class Add>
+Reals addedToAll(Bodies& b, Add add) {
+  Reals kept = b.acceleration;
+  b.acceleration.assign(b.acceleration.size(), 0);
+  add();
+  std::swap(kept, b.acceleration);
+  return kept;
+}
+
+/// The outer forces of a whole world, each evaluated once.
+struct OuterForces {
+  std::optional<Reals> contact, bareContact, connections;  // bareContact: without the cells' stickiness
+  std::vector<Reals> others;
+};
+
+OuterForces outerForces(World& world) {
+  Bodies& b = *world.bodies;
+  OuterForces outer;
+  const auto addContacts = [&] {
+    for (int block = 0; block < b.blockCount(); ++block)
+      addContactForces(*world.contacts, b, block, world.clock.timeStep);
+  };
+  if (world.contacts) outer.contact = addedToAll(b, addContacts);
+  if (world.contacts && world.contacts->parameters.adhesion) {
+    auto& strengths = world.contacts->adhesion.ofPairs;
+    auto bare = strengths;
+    std::fill(bare.begin(), bare.end(), 0.0);
+    std::swap(strengths, bare);
+    outer.bareContact = addedToAll(b, addContacts);
+    std::swap(strengths, bare);
+  }
+  if (world.connections)
+    outer.connections = addedToAll(b, [&] { addConnectionForces(*world.connections, world.cells.path, b); });
+  if (world.motility) outer.others.push_back(addedToAll(b, [&] { addMotility(world); }));
+  if (world.swirls) outer.others.push_back(addedToAll(b, [&] { addSwirlForces(world); }));
+  return outer;
+}
+
+ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
+  const Bodies& b = *world.bodies;
+  const int vertices = b.vertexCount(slot);
+  ForcesByKind of;
+  for (auto& force : of) force.resize(vertices);
+  const auto at = [&](ForceKind kind) -> std::vector<Vector>& { return of[std::size_t(kind)]; };
+  const auto add = [&](ForceKind kind, const std::optional<Reals>& forces, double times = 1) {
+    for (int v = 0; forces && v < vertices; ++v) at(kind)[v] += times * b.read(*forces, slot, v);
+  };
+  if (b.model().hasMembrane) {
+    at(ForceKind::spring) = springForces(b, slot);
+    at(ForceKind::pressure) = scaled(
+        b.pressureConstant[slot] / b.volume[slot] - b.parameters.pressure.outside, volumeGradients(b, slot));
+    at(ForceKind::other) = dragForces(b, slot);
+  }
+  add(ForceKind::contact, outer.bareContact ? outer.bareContact : outer.contact);
+  if (outer.bareContact) {
+    add(ForceKind::adhesion, outer.contact);
+    add(ForceKind::adhesion, outer.bareContact, -1);
+  }
+  add(ForceKind::adhesion, outer.connections);
+  for (const Reals& forces : outer.others) add(ForceKind::other, forces);
+
+  std::vector<Vector> left;  // of the whole force
+  for (int v = 0; v < vertices; ++v) left.push_back(b.vertexMass[slot] * b.read(b.acceleration, slot, v));
+  std::vector<Vector> sum(vertices);
+  for (const auto& force : of) addTo(sum, force);
+  for (int v = 0; v < vertices; ++v) left[v] -= sum[v];
+  const ShellShape shape = shellShapeOf(b.parameters);
+  if (b.model().hasMembrane && (shape == ShellShape::sphere || shape == ShellShape::ellipsoid)) {
+    at(ForceKind::shell) = shellForces(b, slot, sum);
+    for (int v = 0; v < vertices; ++v) left[v] -= at(ForceKind::shell)[v];
+  }
+  // Where several planes may bear at once, the shell's part is what is left; elsewhere that is what has no name.
+  addTo(at(b.model().hasMembrane && shape == ShellShape::planes ? ForceKind::shell : ForceKind::other), left);
+  return of;
+}
+
+}  // namespace
+
+std::vector<VertexForces> measureForces(World& world, int slot) {
+  Bodies& b = *world.bodies;
+  std::vector<VertexForces> all;
+  if (b.model().hasMembrane) {
+    const std::vector<Vector> gradient = volumeGradients(b, slot);
+    all.push_back({"springs", springForces(b, slot)});
+    all.push_back({"contents", scaled(b.pressureConstant[slot] / b.volume[slot], gradient)});
+    all.push_back({"outer pressure", scaled(-b.parameters.pressure.outside, gradient)});
+  }
+  if (world.contacts)
+    all.push_back({"contacts", addedForces(b, slot, [&] {
+                     addContactForces(*world.contacts, b, slot / blockLanes, world.clock.timeStep);
+                   })});
+  if (world.connections)
+    all.push_back({"connections", addedForces(b, slot, [&] {
+                     addConnectionForces(*world.connections, world.cells.path, b);
+                   })});
+  if (world.motility) all.push_back({"crawling", addedForces(b, slot, [&] { addMotility(world); })});
+  if (b.model().hasRestShape) {
+    VertexForces shape{"its shape", {}};  // what is left of the whole
+    for (int v = 0; v < b.vertexCount(slot); ++v) {
+      Vector f = b.vertexMass[slot] * b.read(b.acceleration, slot, v);
+      for (const VertexForces& other : all) f = f - other.onVertex[v];
+      shape.onVertex.push_back(f);
+    }
+    all.push_back(std::move(shape));
+  }
+  return all;
+}
+
+std::vector<ForcesByKind> forcesByKind(World& world) {
+  if (kindOf(world.bodies->parameters.integrator).solvesForces)
+    throw InputError(
+        "forces cannot be shown with physics.integrator xpbd, which moves vertices to where springs and "
+        "contents "
+        "want them; choose another integrator, such as velocity-verlet");
+  evaluateForces(world);
+  const OuterForces outer = outerForces(world);
+  std::vector<ForcesByKind> cells;
+  for (const int slot : world.bodies->slots) cells.push_back(forcesOf(world, slot, outer));
+  return cells;
+}
+
+}  // namespace morula

@@ -1,0 +1,42 @@
+#pragma once
+// Which forces act on the vertices of a cell.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/choice.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+struct VertexForces {
+  // "springs", "contents", "outer pressure", "its shape", "contacts", "connections" or "crawling"
+  std::string name;
+  std::vector<Vector> onVertex;  // [force]
+};
+
+/// The forces of the world's last evaluation on the cell in this slot; only those that the scene has. The world
+/// is as before afterwards.
+std::vector<VertexForces> measureForces(World& world, int slot);
+
+/// Kinds of forces, for people.
+enum class ForceKind { spring, pressure, contact, adhesion, shell, other };
+template <>
+inline constexpr auto choices<ForceKind> = std::to_array<Choice<ForceKind>>({
+    {ForceKind::spring, "spring", "of the membrane"},
+    {ForceKind::pressure, "pressure", "of the contents, less that of the medium"},
+    {ForceKind::contact, "contact", "of cells that are pressed together, with friction"},
+    {ForceKind::adhesion, "adhesion", "of cells that stick together, and of connections"},
+    {ForceKind::shell, "shell", "of the shell against what presses on it"},
+    {ForceKind::other, "other",
+     "drag, crawling, chirality, and where a cell's shape is kept in another way that"},
+});
+
+/// [ForceKind][vertex] of one cell [force]; all kinds add up to mass times acceleration.
+using ForcesByKind = std::array<std::vector<Vector>, choices<ForceKind>.size()>;
+
+/// [cell] At the world's positions and velocities, evaluated anew. It has bodies. Throws InputError for an
+/// integrator that solves for its forces and has none between two steps.
+std::vector<ForcesByKind> forcesByKind(World& world);
+
+}  // namespace morula

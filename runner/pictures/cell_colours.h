@@ -1,0 +1,37 @@
+#pragma once
+// What the colour of a cell tells: its substances, its clone, its generation, or anything that is measured of it.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "organism/organism.h"
+#include "scenario/scenario.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+struct Colouring {
+  enum class By { substance, clone, generation, measure };
+  By by = By::substance;
+  int founders = 2;     // of clones: cells that stand so many divisions below the egg, 1 to 4
+  std::string measure;  // its name [simulation/measures.h]
+};
+
+/// "substance", "clone", "clone:3", "generation" or the name of a measure of cells. Throws InputError with what it
+/// may be, and the measure that was probably meant.
+Colouring parseColouring(std::string_view text);
+
+/// What each cell's colour is found from, in the order of the world's cells: the measure's value, absent where it is
+/// not measured; the generation; nothing for the others.
+std::vector<std::optional<double>> colourValues(const World& world, const Colouring& colouring,
+                                                const Scenario& scenario);
+
+/// Colours the first cells of each picture by these values, which belong to them, and says in legend and colour bar what
+/// colours mean: the same in all of the pictures; the bar's ends are the least and the greatest value in any of them.
+/// Nothing for substances.
+void colourCells(std::vector<OrganismPicture>& pictures,
+                 const std::vector<std::vector<std::optional<double>>>& values, const Colouring& colouring,
+                 const Scenario& scenario);
+
+}  // namespace morula

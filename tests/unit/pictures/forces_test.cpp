@@ -1,0 +1,168 @@
+// Which forces act on vertices: the kinds add up to what moves the cells.
+#include <cmath>
+
+#include "base/error.h"
+#include "catch.h"
+#include "diagnose/vertex_forces.h"
+#include "pictures/picture_maker.h"
+#include "scenario/scenario.h"
+#include "simulation/measures.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+namespace {
+
+Scenario scenario(const std::string& physics) {
+  return readScenario(
+      "morula: 1\nname: forces\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 2.5}\nphysics: " +
+          physics + "\n",
+      "forces.yaml", "");
+}
+
+/// Four cells or two, some time after a division.
+World worldOf(const Scenario& scenario, double time) {
+  World world = makeWorld(scenario.scene);
+  while (world.clock.time < time) step(world);
+  return world;
+}
+
+const std::string squeezed =
+    "{mesh: {icosphere: 1}, cell: {radius: 0.95}, shell: {sphere: 1}, contact: {}, drag: 1}";
+
+}  // namespace
+
+TEST_CASE("the kinds of forces add up to mass times acceleration, and nothing is left unnamed", "[forces]") {
+  for (const std::string& physics :
+       {squeezed,
+        std::string("{mesh: {icosphere: 1}, shell: {ellipsoid: [1.2, 0.9, 0.9]}, contact: {}, drag: 0}"),
+        std::string("{mesh: {icosphere: 1}, contact: {adhesion: {strength: 0.5}}, drag: 0}")}) {
+    CAPTURE(physics);
+    const Scenario s = scenario(physics);
+    World world = worldOf(s, 1.3);
+    const auto forces = forcesByKind(world);
+    REQUIRE(forces.size() == world.cells.path.size());
+    const Bodies& bodies = *world.bodies;
+    const bool dragged = bodies.parameters.drag > 0;
+    for (std::size_t cell = 0; cell < forces.size(); ++cell) {
+      const int slot = bodies.slots[cell];
+      Vector net, sum;
+      double most = 0, unnamed = 0, borne = 0;
+      for (int v = 0; v < bodies.vertexCount(slot); ++v) {
+        const Vector whole = bodies.vertexMass[slot] * bodies.read(bodies.acceleration, slot, v);
+        Vector all;
+        for (const auto& kind : forces[cell]) all += kind[v], most = std::max(most, norm(kind[v]));
+        net += whole, sum += all;
+        unnamed = std::max(unnamed, norm(forces[cell][std::size_t(ForceKind::other)][v]));
+        borne += norm(forces[cell][std::size_t(ForceKind::shell)][v]);
+        CHECK(norm(all - whole) <= 1e-12 * most);
+      }
+      // The kernels sum in another order: rounding of some hundred terms.
+      CHECK(norm(sum - net) <= 1e-10 * most);
+      if (!dragged) CHECK(unnamed <= 1e-10 * most);
+      if (bodies.parameters.shell) CHECK(borne > 0);
+    }
+  }
+}
+
+TEST_CASE("springs and contents of a closed cell have no net force, and contacts are equal and opposite",
+          "[forces]") {
+  const Scenario s = scenario(squeezed);
+  World world = worldOf(s, 1.3);
+  const auto forces = forcesByKind(world);
+  Vector contact;
+  double most = 0;
+  for (const auto& cell : forces) {
+    for (const ForceKind kind : {ForceKind::spring, ForceKind::pressure}) {
+      Vector net;
+      double largest = 0;
+      for (const Vector& f : cell[std::size_t(kind)]) net += f, largest = std::max(largest, norm(f));
+      CHECK(largest > 0);
+      CHECK(norm(net) <= 1e-12 * 100 * largest);  // 42 vertices
+    }
+    for (const Vector& f : cell[std::size_t(ForceKind::contact)])
+      contact += f, most = std::max(most, norm(f));
+  }
+  CHECK(most > 0);
+  CHECK(norm(contact) <= 1e-10 * most);
+}
+
+TEST_CASE("the arrows of a cell add up to its net force", "[forces]") {
+  const Scenario s = scenario(squeezed);
+  World world = worldOf(s, 1.3);
+  PictureWishes wishes;
+  const auto kinds = valuesOf<ForceKind>();
+  wishes.forces = {kinds.begin(), kinds.end()};
+  PictureMaker maker(s, wishes);
+  maker.add(world);
+  maker.addForces(world);
+  const OrganismPicture picture = maker.take().front();
+  REQUIRE(picture.instruments.arrowKey);
+  const double scale = picture.instruments.arrowKey->lengthPerUnit;
+  const Bodies& bodies = *world.bodies;
+  std::size_t arrows = 0;
+  double longest = 0;
+  for (std::size_t cell = 0; cell < world.cells.path.size(); ++cell) {
+    const int slot = bodies.slots[cell];
+    Vector net, drawn;
+    double most = 0;
+    for (int v = 0; v < bodies.vertexCount(slot); ++v)
+      net += bodies.vertexMass[slot] * bodies.read(bodies.acceleration, slot, v);
+    for (const LineMark& line : picture.lines)
+      for (const Point& vertex : picture.cells[cell].vertices)
+        if (line.from == vertex) {
+          drawn += (line.to - line.from) / scale, ++arrows;
+          most = std::max(most, norm(line.to - line.from) / scale);
+          longest = std::max(longest, norm(line.to - line.from));
+          CHECK(line.arrow);
+        }
+    CHECK(norm(drawn - net) <= 1e-9 * most);
+  }
+  CHECK(arrows == picture.lines.size());
+  CHECK(longest < 1);
+  CHECK(picture.legend.size() < kinds.size());  // nothing sticks together here
+}
+
+TEST_CASE("an integrator without forces between its steps says so", "[forces]") {
+  const Scenario s = scenario("{mesh: {icosphere: 1}, integrator: xpbd, time_step: 0.01}");
+  World world = worldOf(s, 0.1);
+  CHECK_THROWS_WITH(forcesByKind(world), ContainsSubstring("xpbd") && ContainsSubstring("velocity-verlet"));
+}
+
+TEST_CASE("cells are coloured by measures, generations and clones, and the bar's ends are the data's",
+          "[colours]") {
+  const Scenario s = scenario(squeezed);
+  const World world = worldOf(s, 2.2);
+  REQUIRE(world.cells.path.size() == 4);
+  const auto pictureBy = [&](const char* what) {
+    PictureWishes wishes;
+    wishes.colouring = parseColouring(what);
+    PictureMaker maker(s, wishes);
+    maker.add(world);
+    return maker.take().front();
+  };
+  const OrganismPicture volume = pictureBy("volume");
+  REQUIRE(volume.instruments.colourBar);
+  double low = INFINITY, high = -INFINITY;
+  for (const CellMeasures& cell : measureCells(world))
+    low = std::min(low, cell.at("volume")), high = std::max(high, cell.at("volume"));
+  CHECK(volume.instruments.colourBar->low == low);
+  CHECK(volume.instruments.colourBar->high == high);
+  CHECK(volume.instruments.colourBar->title == "volume [length³]");
+  CHECK(pictureBy("volume_over_rest").instruments.colourBar);
+  const OrganismPicture generation = pictureBy("generation");
+  CHECK(generation.legend.size() == 1);
+  CHECK(generation.legend[0].label == "generation 2");
+  const OrganismPicture clones = pictureBy("clone:1");
+  REQUIRE(clones.legend.size() == 2);
+  CHECK(clones.legend[0].label == "A");
+  CHECK(clones.cells[0].colour == clones.cells[1].colour);
+  CHECK(!(clones.cells[0].colour == clones.cells[2].colour));
+  for (const char* wrong : {"volum", "clone:0", "clone:5", "clone:", ""}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(parseColouring(wrong), InputError);
+  }
+  CHECK_THROWS_WITH(parseColouring("volum"), ContainsSubstring("did you mean volume?"));
+}
+
+}  // namespace morula

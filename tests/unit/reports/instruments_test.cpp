@@ -1,0 +1,126 @@
+#include "organism/instruments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "catch.h"
+#include "drawing/annotations.h"
+#include "drawing/palette.h"
+#include "organism/views.h"
+#include "pictures.h"
+
+namespace morula {
+
+TEST_CASE("round numbers are 1, 2 and 5 times powers of ten", "[instruments]") {
+  const std::pair<double, double> cases[] = {{1, 1},   {1.99, 1}, {2, 2},       {4.9, 2},  {5, 5},
+                                             {9.9, 5}, {10, 10},  {0.03, 0.02}, {777, 500}};
+  for (const auto& [most, round] : cases) CHECK(roundBelow(most) == Approx(round).epsilon(1e-12));
+}
+
+namespace {
+
+/// [pixel] The longest run, in rows from `top` on, of pixels that are nearer to the darkest of these rows than to paper:
+/// ends are softened, and half of the ink is where they are.
+int longestRun(const Image& image, int top, int bottom) {
+  int darkest = brightness(paper), longest = 0;
+  for (int y = top; y < bottom; ++y)
+    for (int x = 0; x < image.width; ++x) darkest = std::min(darkest, brightness(image.at(x, y)));
+  for (int y = top; y < bottom; ++y)
+    for (int x = 0, run = 0; x < image.width; ++x) {
+      run = 2 * brightness(image.at(x, y)) < darkest + brightness(paper) ? run + 1 : 0;
+      longest = std::max(longest, run);
+    }
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("the scale bar is as long as a thing of its length in the picture, to a pixel", "[instruments]") {
+  for (const double distance : {10.0, 7.3, 23.0}) {
+    OrganismPicture p = picture({}, 500);
+    p.camera.framing->distance = distance;
+    p.instruments.scaleBar = true;
+    const int band = instrumentsHeight(p.instruments, 500, textSizeFor(500, 500));
+    const Image bare = drawOrganism(p);
+    const int bar = longestRun(bare, 500 - band, 500);
+    // The length that the bar must stand for, from what the camera promises: 0.19 is the tangent of half the
+    // smaller side.
+    const double pixelsPerLength = 0.5 * (500 - band) / (0.19 * distance);
+    const double length = roundBelow(100 / pixelsPerLength);
+    CHECK(std::abs(bar - length * pixelsPerLength) <= 1);
+    // And as a line of that length at the middle's depth is drawn.
+    p.lines = {{{-0.5 * length, 0, 0}, {0.5 * length, 0, 0}, red}};
+    const int line = longestRun(drawOrganism(p), 0, 500 - band);
+    CAPTURE(distance, length, bar, line);
+    CHECK(std::abs(bar - line) <= 1);
+  }
+}
+
+TEST_CASE("instruments stand below the scene and leave it as it is", "[instruments]") {
+  OrganismPicture p = picture({ball("", {0, 0, 0}, 1, red)}, 400);
+  p.instruments = {.axes = true,
+                   .scaleBar = true,
+                   .colourBar = ColourBar{"volume [length³]", 1, 2},
+                   .arrowKey = ArrowKey{0.1, "[force]", ink}};
+  const int band = instrumentsHeight(p.instruments, 400, textSizeFor(400, 400));
+  REQUIRE(band > 0);
+  const Image image = drawOrganism(p);
+  // The middle of the scene is the middle of what is above the band.
+  CHECK(isReddish(image.at(200, (400 - band) / 2)));
+  OrganismPicture scene = picture({ball("", {0, 0, 0}, 1, red)}, 400);
+  scene.height = 400 - band;
+  const Image alone = drawOrganism(scene);
+  for (int y = 0; y < 400 - band; ++y)
+    for (int x = 0; x < 400; ++x) REQUIRE(image.at(x, y) == alone.at(x, y));
+  // Narrow pictures have more rows, and none has its instruments beyond an edge.
+  CHECK(instrumentsHeight(p.instruments, 150, 10) > instrumentsHeight(p.instruments, 1500, 10));
+  for (const int width : {150, 400, 900}) {
+    OrganismPicture narrow = p;
+    narrow.width = width, narrow.height = 700;
+    const Image drawn = drawOrganism(narrow);
+    for (int y = 0; y < drawn.height; ++y) {
+      REQUIRE(drawn.at(0, y) == paper);
+      REQUIRE(drawn.at(width - 1, y) == paper);
+    }
+    for (int x = 0; x < width; ++x) REQUIRE(drawn.at(x, drawn.height - 1) == paper);
+  }
+}
+
+TEST_CASE("a colour bar begins and ends with the colours of its ends", "[instruments]") {
+  Drawing drawing(300, 80);
+  drawColourBar(drawing, {"q", 0, 1}, {20, 10}, 250, 14);
+  const Image image = drawing.pixels();
+  int first = 300, last = 0;
+  const int y = 10 + 21 + 6;
+  for (int x = 0; x < 300; ++x)
+    if (image.at(x, y) != paper) first = std::min(first, x), last = std::max(last, x);
+  CHECK(first == 20);
+  CHECK(last == 269);
+  CHECK(image.at(first, y) == scaleColour(0));
+  CHECK(image.at(last, y) == scaleColour(1));
+  for (int x = first; x < last; ++x) {  // lightness rises all along
+    const auto light = [&](int at) {
+      const Colour c = image.at(at, y);
+      return 0.2126 * linearLight(c.r) + 0.7152 * linearLight(c.g) + 0.0722 * linearLight(c.b);
+    };
+    REQUIRE(light(x + 1) >= light(x) - 0.003);
+  }
+}
+
+TEST_CASE("axes show where x, y and z point", "[instruments]") {
+  OrganismPicture p = picture({}, 900);
+  p.camera = parseView("front");
+  p.camera.framing = Framing{{0, 0, 0}, 10};
+  p.instruments.axes = true;
+  const int band = instrumentsHeight(p.instruments, 300, textSizeFor(900, 900));
+  const Image image = drawOrganism(p);
+  const double size = textSizeFor(900, 900);
+  const int x = int(1.5 * size + 2.5 * size), y = int(900 - band + 2.6 * size);
+  const auto near = [](Colour a, Colour b) {
+    return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) < 60;
+  };
+  CHECK(near(image.at(x + int(0.8 * size), y), seriesColour(1)));  // x to the right
+  CHECK(near(image.at(x, y - int(0.8 * size)), seriesColour(0)));  // z upwards
+}
+
+}  // namespace morula
