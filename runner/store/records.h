@@ -24,7 +24,7 @@ const char* name(RunStatus status);
 
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
 struct Document {
-  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "shell", "names", "reference", "diff" (what the
+  // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "shell", "names", "reference", "faces" (of kept surfaces), "diff" (what the
   // program's sources had that their commit had not)
   std::string role;
   std::string path;  // where it was read from; "" if it was not

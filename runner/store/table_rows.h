@@ -1,5 +1,5 @@
 #pragma once
-// The tables as they stand, for whoever writes them down elsewhere.
+// The tables as they stand, to be written down elsewhere.
 #include <cstdint>
 #include <functional>
 #include <string>
