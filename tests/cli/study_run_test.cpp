@@ -158,7 +158,7 @@ TEST_CASE("kill -9 leaves no process, and the next run removes what is left") {
   CHECK(s.files(".part").empty());
 }
 
-TEST_CASE("a dry run writes nothing") {
+TEST_CASE("a dry run of a study writes nothing") {
   const Study s;
   const Launched l = s.run({"run", "--dry-run", "--no-predict"});
   CHECK(l.code == 0);
