@@ -63,7 +63,7 @@ struct PairComparison {
   std::optional<Same> equivalence;
 
   bool isShown() const { return known == Known::estimated && corrected < 0.05; }
-  /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay.
+  /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay. None where nothing varies.
   std::optional<double> intervalRatio() const;
 };
 
