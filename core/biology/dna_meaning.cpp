@@ -34,7 +34,7 @@ std::set<std::string> inputsOfAllGenes(const Lines& lines) {
 
 bool isAsymmetry(const std::string& name) { return name == substance::a || name == substance::b; }
 
-/// What the simulator inserts for a sense comes from nobody else.
+/// Only the simulator inserts substances that senses name: START and genes must not.
 const char* const sensedOnly = " is inserted for what a cell senses (senses); take another name";
 
 void checkStart(const Lines& lines, const std::set<std::string>& sensed, Diagnostics& diagnostics) {

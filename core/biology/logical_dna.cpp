@@ -92,7 +92,7 @@ class LogicalDna final : public BiologicalUnit {
   // The substances that act; `unknown` for those that this DNA does not mention.
   SubstanceId divide_, die_, a_, b_, grow_, shrink_, connect_, release_;
 
-  // Filled when a state is first met, whoever asks.
+  // States that have been met so far. Any call that meets a new one adds it, const ones too.
   mutable std::vector<State> states_;
   mutable std::map<Substances, StateId> ids_;
   StateId start_ = 0;

@@ -26,7 +26,7 @@ struct PhysicsStages {
   PhysicsKernels::TimedStage endAndDrift = nullptr;
 };
 
-/// `surfaces`: whether somebody, contacts, needs the vertices' area vectors of each evaluation. Springs with
+/// `surfaces`: whether contacts need the vertices' area vectors of each evaluation. Springs with
 /// gas have them anyway.
 PhysicsStages chooseStages(const PhysicsParameters& parameters, Isa isa, bool surfaces = true);
 

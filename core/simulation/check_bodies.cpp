@@ -28,7 +28,7 @@ double farthestMove(const World& world, int slot) {
 void checkReach(const World& world) {
   const Contacts& c = *world.contacts;
   const Bodies& b = *world.bodies;
-  if (!c.listIsValid) return;               // nobody has moved since cells were born
+  if (!c.listIsValid) return;               // no cell has moved since cells were born
   const double before = 0.5 * c.list.skin;  // or the list would have been built anew
   for (int cell = 0; cell < b.count; ++cell) {
     const int slot = b.slots[cell];

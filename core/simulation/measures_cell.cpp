@@ -49,10 +49,7 @@ constexpr CellMeasure ofCell[] = {
     {.name = "elongation",
      .meaning = "Largest over second largest extent, root mean square distances of its vertices from their mean along "
                 "the principal axes: 1 for a ball and a disc",
-     .get = [](Cell cell) -> Value {
-       const BodyShape& shape = shapeOf(cell);
-       return shape.isBall ? 1 : extentRatio(shape.surface.vertices);
-     }},
+     .get = [](Cell cell) -> Value { return cell.elongation(); }},
     {.name = "neighbours", .meaning = "Cells that it touches; 0 where cells cannot touch", .needs = Needs::contact,
      .isWhole = true,
      .get = [](Cell cell) -> Value { return double(cell.neighbours().size()); }},

@@ -1,6 +1,6 @@
 #pragma once
-// All code that depends on OSMesa, which provides OpenGL without a display. OSMesa has left Mesa with 25.1: whoever
-// needs another provider (a surfaceless EGL context, say) changes gl_context.cpp and the link line, nothing else.
+// All code that depends on OSMesa, which provides OpenGL without a display. Mesa 25.1 and later lack OSMesa: to use another
+// provider there (such as a surfaceless EGL context), change gl_context.cpp and the link line; nothing else depends on it.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>

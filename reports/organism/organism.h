@@ -1,6 +1,6 @@
 #pragma once
 // The organism in three dimensions, drawn off-screen: no display, no window, no graphics card. Knows nothing
-// of the simulator: whoever has cells with vertices and colours can have a picture of them.
+// of the simulator: cells with vertices and colours are all that it needs.
 #include <optional>
 #include <string>
 #include <vector>

@@ -81,9 +81,9 @@ std::pair<double, double> clipDepths(const OrganismPicture& picture, const EyeAx
 
 void clearLayer(float eyeDistance) {
   const float none[4] = {0, 0, 0, 0}, faraway[4] = {0, 0, 0, -20 * eyeDistance}, one = 1;
-  const GLuint nobody[4] = {0, 0, 0, 0};
+  const GLuint noCell[4] = {0, 0, 0, 0};
   glClearBufferfv(GL_COLOR, 0, none);
-  glClearBufferuiv(GL_COLOR, 1, nobody);
+  glClearBufferuiv(GL_COLOR, 1, noCell);
   glClearBufferfv(GL_COLOR, 2, faraway);
   glClearBufferfv(GL_DEPTH, 0, &one);
 }

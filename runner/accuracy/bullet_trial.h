@@ -1,7 +1,7 @@
 #pragma once
 // The same scene in Bullet, as a trial like those of our own settings.
 #include "accuracy/trial.h"
-#include "scenario/baseline.h"
+#include "values/baseline.h"
 
 namespace morula {
 

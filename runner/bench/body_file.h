@@ -1,6 +1,6 @@
 #pragma once
-// Bodies kept between two calls of the program, so that what took minutes is there at once. A cache: whoever
-// finds no file, or another one than expected, makes the bodies again.
+// Bodies kept between two calls of the program, so that what took minutes is there at once. A cache: where
+// there is no file, or another one than expected, the bodies are made again.
 #include <filesystem>
 #include <optional>
 #include <vector>

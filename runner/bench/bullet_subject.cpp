@@ -17,7 +17,7 @@ constexpr int settlingSteps = 40;
 constexpr int warmUpSteps = 3, timedSteps = 5;
 constexpr std::size_t fastest = 3;  // settings that are timed in every round
 
-/// Bullet goes on with cells that are crushed, inside out or no number: their time is nobody's measure.
+/// Bullet goes on with cells that are crushed, inside out or no number: their time measures nothing.
 bool areWhole(const BulletScene& scene, const std::vector<Body>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double before = measureVolume(scene.cells[i].position, scene.mesh.faces),

@@ -1,5 +1,5 @@
 #pragma once
-// Where N cells of one size begin when nobody has grown them: spread evenly through a ball, in the order that
+// Where N cells of one size begin that were not grown by divisions: spread evenly through a ball, in the order that
 // divisions would give.
 #include <vector>
 

@@ -16,7 +16,7 @@ constexpr double longEnough = 2e-3;      // [s] of one timing of a stage
 constexpr double groupSeconds = 1.5e-4;  // [s] of one timing of whole steps, against the clock's own cost
 constexpr int warmUp = 2 * stirEvery;
 
-/// [s] of one call: as many as take long enough, after one that nobody counts.
+/// [s] of one call: as many as take long enough, after one that is not counted.
 template <class Call>
 double secondsPerCall(ClockKind clock, const Call& call) {
   const double first = timeOf(clock, call);

@@ -28,7 +28,7 @@ struct StepCounters {
 
 /// Keeps a packed world moving, so that it is timed as a living organism and not as a still life.
 /// Gives every cell a push of its own in a random direction, then scales all velocities so that vertices move
-/// by `stirredMove` per step. The same pushes for the same step, whoever asks.
+/// by `stirredMove` per step. The same pushes for the same step in every call.
 void stir(World& world);
 
 class Subject {

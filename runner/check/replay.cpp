@@ -128,7 +128,11 @@ Replay replay(Store& store, const StoredRun& before, const Scenario& scenario,
   Invariants invariants(kinds.contains("invariant") ? scenario.check : CheckParameters{});
   World world = makeScenarioWorld(scenario, how);
   const SanityCheck sanity(world);
-  auto run = simulate(std::move(world), recordingOf(scenario, !hashes.empty()), progress,
+  // A study may have kept the hashes of the end alone.
+  const bool endAlone = hashes.size() == 1 && hashes.front().step == before.steps && before.steps > 0;
+  RecordOptions recording = recordingOf(scenario, !hashes.empty() && !endAlone);
+  recording.hashEnd = endAlone;
+  auto run = simulate(std::move(world), recording, progress,
                       Invariants::areGiven(scenario.check) && kinds.contains("invariant")
                           ? [&](const World& w) { invariants.observe(w); }
                           : std::function<void(const World&)>());

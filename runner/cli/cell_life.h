@@ -3,9 +3,9 @@
 #include <map>
 #include <string>
 
-#include "scenario/cell_names.h"
 #include "store/records.h"
 #include "system/json.h"
+#include "values/cell_names.h"
 
 namespace morula::cli {
 

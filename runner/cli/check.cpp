@@ -41,13 +41,14 @@ Json toJson(const CheckReport& report, const CheckResult& result) {
   return json;
 }
 
-/// All scenarios/…/*.yaml below the working folder, sorted. Throws FileError if there is no folder `scenarios`.
+/// All scenarios/…/*.yaml below the working folder but studies, sorted. Throws FileError if there is no folder `scenarios`.
 std::vector<std::string> shippedScenarios() {
   if (!isFolder("scenarios"))
     throw FileError(
         "there is no folder 'scenarios' here; name the scenario files, or go to the project's folder");
   std::vector<std::string> files;
-  for (const auto& file : filesBelow("scenarios", ".yaml")) files.push_back(file.string());
+  for (const auto& file : filesBelow("scenarios", ".yaml"))
+    if (!file.string().ends_with(".study.yaml")) files.push_back(file.string());
   return files;
 }
 

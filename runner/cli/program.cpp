@@ -33,18 +33,31 @@ std::vector<std::string> verbNames(const CLI::App& app) {
   return names;
 }
 
+/// The innermost verb that was chosen, or the program.
+const CLI::App* chosenOf(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? &app : chosenOf(*chosen.front());
+}
+
+/// "run", "study plan".
+std::string titleOf(const CLI::App& verb) {
+  const auto* above = verb.get_parent();
+  return (above && above->get_parent() ? titleOf(*above) + " " : "") + verb.get_name();
+}
+
 /// CLI11 says of a misspelt verb only that one is required, so look at it before CLI11 does.
-void checkVerb(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2) throw UsageError("no verb; one of " + join(verbNames(app)) + ", or --help");
-  const std::string word = argv[1];
+void checkVerb(const CLI::App& app, const std::string& word) {
+  const std::string before = app.get_parent() ? titleOf(app) + ": " : "";
+  if (word.empty()) throw UsageError(before + "no verb; one of " + join(verbNames(app)) + ", or --help");
   if (word.starts_with("-")) return;
   const auto verbs = app.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == word; });
   if (!verbs.empty()) return;
   const auto names = verbNames(app);
   if (word.ends_with(".yaml") || word.ends_with(".yml"))
-    throw UsageError("'" + word + "' is not a verb; did you mean morula run " + word + "?");
+    throw UsageError(before + "'" + word + "' is not a verb; did you mean morula " +
+                     (app.get_parent() ? titleOf(app) + " plan " : "run ") + word + "?");
   const auto near = closest(word, names);
-  throw UsageError("unknown verb '" + word + "'; " +
+  throw UsageError(before + "unknown verb '" + word + "'; " +
                    (near.empty() ? "one of " + join(names) : "did you mean " + near + "?"));
 }
 
@@ -57,16 +70,16 @@ void checkLeftovers(const CLI::App& verb) {
   for (const auto* option : verb.get_options())
     for (const auto& name : option->get_lnames()) options.push_back("--" + name);
   const auto near = closest(word, options);
-  throw UsageError(verb.get_name() + ": '" + word + "' is not expected; " +
-                   (near.empty() ? "morula " + verb.get_name() + " --help lists the options"
+  throw UsageError(titleOf(verb) + ": '" + word + "' is not expected; " +
+                   (near.empty() ? "morula " + titleOf(verb) + " --help lists the options"
                                  : "did you mean " + near + "?"));
 }
 
 Action parse(int argc, char** argv) {
   CLI::App app{"Morula grows organisms from one cell, the same bits every time.", "morula"};
   app.footer(
-      "Exit codes: 0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 6 file or "
-      "database,\n"
+      "Exit codes: 0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 5 study "
+      "incomplete, 6 file or database,\n"
       "70 bug, 130 and 143 interrupted.");
   app.set_version_flag("--version", versionText());
   Action action;
@@ -85,11 +98,20 @@ Action parse(int argc, char** argv) {
   addExport(app, action);
   addAccuracy(app, action);
   addBench(app, action);
+  addStudy(app, action);
+  addCompare(app, action);
   addTrail(app, action);
   addEngineWorker(app, action);
-  for (auto* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->allow_extras();
-
-  checkVerb(app, argc, argv);
+  const auto all = [](CLI::App*) { return true; };
+  for (auto* verb : app.get_subcommands(all)) {
+    verb->allow_extras();
+    for (auto* inner : verb->get_subcommands(all)) inner->allow_extras();
+  }
+  const std::string word = argc > 1 ? argv[1] : "";
+  checkVerb(app, word);
+  for (auto* verb : app.get_subcommands(all))
+    if (verb->get_name() == word && !verb->get_subcommands(all).empty())
+      checkVerb(*verb, argc > 2 ? argv[2] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -100,12 +122,12 @@ Action parse(int argc, char** argv) {
     print(versionText() + "\n");
     return [] { return fine; };
   } catch (const CLI::ParseError& error) {
-    const auto chosen = app.get_subcommands();
-    if (!chosen.empty()) checkLeftovers(*chosen.front());
-    throw UsageError((chosen.empty() ? "" : chosen.front()->get_name() + ": ") + error.what());
+    const auto* chosen = chosenOf(app);
+    if (chosen != &app) checkLeftovers(*chosen);
+    throw UsageError((chosen == &app ? "" : titleOf(*chosen) + ": ") + error.what());
   }
-  for (const auto* verb : app.get_subcommands()) checkLeftovers(*verb);
-  if (!action) throw UsageError("no verb; one of " + join(verbNames(app)) + ", or --help");
+  if (const auto* chosen = chosenOf(app); chosen != &app) checkLeftovers(*chosen);
+  if (!action) throw UsageError("no verb; one of " + join(verbNames(*chosenOf(app))) + ", or --help");
   return action;
 }
 

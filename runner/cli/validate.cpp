@@ -1,4 +1,4 @@
-// morula validate: are these scenarios right?
+// morula validate: are these scenarios and studies right?
 #include <memory>
 
 #include "base/error.h"
@@ -7,6 +7,7 @@
 #include "cli/verb.h"
 #include "files/text.h"
 #include "loop/simulate.h"
+#include "study/plan.h"
 #include "system/console.h"
 
 namespace morula::cli {
@@ -22,12 +23,34 @@ struct ValidateOptions {
   bool resolved = false;
 };
 
+/// A study is right if all its conditions are.
+Json validateStudy(const std::string& file, const ValidateOptions& options, const Execution& how) {
+  if (!options.scene.empty())
+    throw UsageError("--set and --seed are for scenarios, and '" + file + "' is a study");
+  const Plan plan =
+      makePlan(loadStudy(file, options.input.allowOutside), {.predict = false, .execution = how});
+  tellWarnings(plan.warnings, options.output.quiet);
+  Json summary = summaryOf(plan);
+  if (options.resolved && !options.output.json) print(summary.dump(2) + "\n");
+  else if (!options.output.json)
+    print(file + ": fine; conditions: " + std::to_string(plan.conditions.size()) +
+          ", distinct runs: " + std::to_string(plan.tasks.size()) + "\n");
+  Json entry{{"file", file},    {"valid", true},           {"study", plan.study.name},
+             {"plan", plan.id}, {"errors", Json::array()}, {"warnings", plan.warnings}};
+  if (options.resolved) entry["resolved"] = std::move(summary);
+  return entry;
+}
+
 int act(const ValidateOptions& options) {
   const Execution how = execution(options.execution);
   int code = fine;
   Json list = Json::array();
   for (const auto& file : options.scenarios) {
     try {
+      if (isStudy(file)) {
+        list.push_back(validateStudy(file, options, how));
+        continue;
+      }
       const auto scenario = loadScenario(file, overrides(options.scene), options.input.allowOutside);
       makeScenarioWorld(scenario, how);  // the time step may be above the stability limit
       list.push_back({{"file", file},
@@ -57,8 +80,8 @@ int act(const ValidateOptions& options) {
 
 void addValidate(CLI::App& app, Action& action) {
   auto options = std::make_shared<ValidateOptions>();
-  Verb verb(app, action, "validate", "Tell all mistakes in scenario files");
-  verb.needs("scenario", options->scenarios, "FILE", "Scenario files");
+  Verb verb(app, action, "validate", "Tell all mistakes in scenario and study files");
+  verb.needs("scenario", options->scenarios, "FILE", "Scenario or study files");
   add(verb, options->input);
   add(verb, options->scene);
   addMemoryLimit(verb, options->execution);

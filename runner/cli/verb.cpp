@@ -13,6 +13,12 @@ std::string whatIsWrong(const std::string& word) { return word.empty() ? "is emp
 
 }  // namespace
 
+CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string& purpose) {
+  auto* group = program.add_subcommand(name, purpose);
+  group->require_subcommand(0, 1);
+  return *group;
+}
+
 Verb::Verb(CLI::App& program, Action& chosen, const std::string& name, const std::string& purpose)
     : verb_(program.add_subcommand(name, purpose)), chosen_(&chosen) {}
 

@@ -8,6 +8,9 @@
 
 namespace morula::cli {
 
+/// A verb that only stands before others: `morula study plan`. Add those to what is returned.
+CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string& purpose);
+
 class Verb {
  public:
   Verb(CLI::App& program, Action& chosen, const std::string& name, const std::string& purpose);

@@ -27,8 +27,18 @@ void addReplay(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addAccuracy(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
+void addStudy(CLI::App& app, Action& action);
+void addCompare(CLI::App& app, Action& action);
 void addTrail(CLI::App& app, Action& action);
 void addEngineWorker(CLI::App& app, Action& action);
+
+// Below `study`, in the order in which they are used.
+void addStudyPlan(CLI::App& study, Action& action);
+void addStudyRun(CLI::App& study, Action& action);
+void addStudyStatus(CLI::App& study, Action& action);
+void addStudyMerge(CLI::App& study, Action& action);
+void addStudyCompare(CLI::App& study, Action& action);
+void addStudyEmit(CLI::App& study, Action& action);
 
 /// The command line as typed, for the record of a run.
 std::string commandLine();

@@ -96,7 +96,7 @@ struct ExplicitEngine final : BulletEngine {
       for (std::size_t i = 0; i < bodies.size(); ++i)
         setPressure(*bodies[i], scene.cells[i].pressureConstant, scene.physics.pressure.outside);
     world.stepSimulation(scene.timeStep, 0);
-    if (scene.baseline == Baseline::b2 && !scene.physics.shell) return;  // nobody reads the notebook
+    if (scene.baseline == Baseline::b2 && !scene.physics.shell) return;  // the notebook is not read
     eachNode([&](const btSoftBody::Node& node, std::size_t at) {
       write(notebook.position, at, node.m_x);
       write(notebook.velocity, at, node.m_v);

@@ -5,7 +5,7 @@
 #include "mesh/mesh.h"
 #include "physics/bodies.h"
 #include "physics/parameters.h"
-#include "scenario/baseline.h"
+#include "values/baseline.h"
 
 namespace morula {
 

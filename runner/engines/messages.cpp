@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "golden/check_json.h"
-#include "scenario/measure_list.h"
+#include "values/measure_list.h"
 
 namespace morula {
 

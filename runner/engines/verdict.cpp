@@ -64,7 +64,7 @@ Verdict noCell(const ExternalRun& run) {
       run.step};
 }
 
-/// Up to the remedy, which is for whoever wrote the scenario.
+/// Up to the remedy, which is for the author of the scenario.
 std::string firstPart(const std::string& why) {
   return why.substr(0, std::min(why.find(';'), why.find('\n')));
 }

@@ -24,7 +24,7 @@ struct CrateFile {
 
 struct CrateRun {
   StoredRun run;
-  std::string agent;    // who ran it: a name or a URI such as an ORCID; "" if nobody is known
+  std::string agent;    // who ran it: a name or a URI such as an ORCID; "" if unknown
   std::string license;  // of the results: a URI; "" if none is known
   std::vector<CrateFile> files;
 };

@@ -74,7 +74,7 @@ std::string readHead(const std::filesystem::path& file, std::size_t count) {
 
 void requireRegularFile(const std::filesystem::path& file) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return;  // whoever opens it says why
+  if (::stat(file.c_str(), &status) != 0) return;  // opening it will say why
   if (const auto problem = typeProblem(status); !problem.empty()) refuse(file, problem);
 }
 

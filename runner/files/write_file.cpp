@@ -3,14 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <optional>
 
 #include "base/error.h"
 #include "files/descriptor.h"
+#include "files/draft.h"
 
 namespace morula {
 
@@ -20,16 +19,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
   throw FileError("'" + file.string() + "' cannot be written: " + why);
-}
-
-bool writeAll(int to, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(to, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
 }
 
 /// The type of what stands there, without following a link; nothing if there is nothing.
@@ -46,24 +35,11 @@ void requireWritable(const fs::path& file, mode_t mode) {
   if (::access(file.c_str(), W_OK) != 0) refuse(file, std::strerror(errno));
 }
 
-/// A name in the same folder that nothing else uses.
-fs::path draftFor(const fs::path& file) {
-  static std::atomic<unsigned> number{0};
-  return file.parent_path() /
-         (".morula-" + std::to_string(::getpid()) + "-" + std::to_string(++number) + ".part");
-}
-
 /// Moves the bytes to their place in one step.
 void replace(const fs::path& file, std::string_view bytes) {
-  const fs::path draft = draftFor(file);
-  Descriptor out(::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
-  if (!out.isOpen()) refuse(file, std::strerror(errno));
-  const bool written = writeAll(out.number(), bytes) && ::fsync(out.number()) == 0 && out.close() &&
-                       std::rename(draft.c_str(), file.c_str()) == 0;
-  if (written) return;
-  const int reason = errno;
-  ::unlink(draft.c_str());
-  refuse(file, std::strerror(reason));
+  Draft draft(file);
+  draft.write(bytes);
+  draft.takePlace();
 }
 
 }  // namespace

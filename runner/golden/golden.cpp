@@ -32,6 +32,7 @@ std::string digestOf(const Golden& golden) {
     if (golden.error->mesh) hasher.field("mesh").add(*golden.error->mesh);
     hasher.add(golden.error->until);
   }
+  for (const GoldenStatistic& statistic : golden.statistics) add(hasher, statistic);
   for (const auto& [key, value] : data.parameters) hasher.field("parameter").add(key).add(value);
   for (const GoldenItem& item : data.items) hasher.add(write(item));
   return hasher.digest().text();
@@ -204,6 +205,12 @@ std::string writeGolden(const Golden& golden) {
             exactText(golden.error->time) + " mesh " +
             (golden.error->mesh ? exactText(*golden.error->mesh) : "unknown") + " until " +
             exactText(golden.error->until) + '\n';
+  if (!golden.statistics.empty())
+    text +=
+        "\n# statistic measure: at the end, the mean under these settings less that under others, with its "
+        "95 % "
+        "interval, by morula study compare\n";
+  for (const GoldenStatistic& statistic : golden.statistics) text += write(statistic) + '\n';
   if (!data.parameters.empty())
     text += "\n# parameter key value: what decides the result, defaults filled in\n";
   for (const auto& [key, value] : data.parameters) text += "parameter " + key + ' ' + value + '\n';
@@ -264,6 +271,16 @@ Golden readGolden(const std::string& text, const std::string& file) {
     if (line.starts_with("error ")) {
       if (golden.error) lines.fail("`error` stands twice; restore the file from git");
       golden.error = readError(lines, line);
+      continue;
+    }
+    if (line.starts_with("statistic ")) {
+      const auto statistic = readStatistic(line);
+      if (!statistic)
+        lines.fail(
+            "`statistic MEASURE against LABEL difference X low X high X runs N` is expected, low at most "
+            "high");
+      expectNew("statistic " + statistic->measure + " against " + statistic->against);
+      golden.statistics.push_back(*statistic);
       continue;
     }
     GoldenItem item = readItem(line, lines.place());

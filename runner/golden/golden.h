@@ -9,6 +9,7 @@
 
 #include "golden/check_result.h"
 #include "golden/item.h"
+#include "golden/statistic.h"
 #include "golden/tolerance.h"
 
 namespace morula {
@@ -46,6 +47,8 @@ struct Golden {
   std::string file = {};                  // where it was read from
   std::vector<GoldenGrowth> growth = {};  // by size; empty: not measured
   std::optional<GoldenError> error = {};  // not measured
+  std::vector<GoldenStatistic> statistics =
+      {};  // at the end, beside the error of the path; empty: not measured
 };
 
 /// The chaos horizon: up to which step a tolerance of this size says something. Beyond it a difference in the

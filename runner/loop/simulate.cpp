@@ -18,7 +18,7 @@ namespace {
 // Between looks for signals and at progress.
 constexpr std::uint64_t mostStepsAtOnce = 64;
 
-/// After how many steps somebody wants to see the world.
+/// After how many steps the recorder or a hook is to see the world.
 std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunHooks& hooks) {
   if (hooks.watch) return 1;
   std::uint64_t steps = std::min(mostStepsAtOnce, recorder.stepsUntilDue(world));
@@ -66,6 +66,20 @@ Execution otherExecution(const Execution& how) {
 
 bool wantsHashes(const Scenario& scenario, bool hasGolden) {
   return hasGolden || scenario.places.contains("check");
+}
+
+RunRecord recordOf(const Scenario& scenario, const Execution& execution, const std::string& command) {
+  RunRecord record;
+  record.scenario = scenario.scene.name;
+  record.scenarioHash = scenario.meaning.text();
+  record.seed = scenario.scene.seed;
+  record.documents = {{"scenario", scenario.file, scenario.bytes}, {"resolved", "", scenario.resolved}};
+  for (const auto& file : scenario.files) record.documents.push_back({file.role, file.path, file.content});
+  if (!buildDiff().empty()) record.documents.push_back({"diff", "", buildDiff()});
+  record.command = command;
+  record.isa = name(execution.isa);
+  record.threads = execution.threads;
+  return record;
 }
 
 RecordOptions recordingOf(const Scenario& scenario, bool hashes) {

@@ -31,8 +31,10 @@ bool wantsHashes(const Scenario& scenario, bool hasGolden);
 /// Another way to compute the same: other kernels and another number of threads.
 Execution otherExecution(const Execution& how);
 
-/// What a run of the scenario writes down: its samples, and hashes of the states on the way if somebody looks
-/// at them.
+/// What is known of a run before its first step. `command`: as typed.
+RunRecord recordOf(const Scenario& scenario, const Execution& execution, const std::string& command);
+
+/// What a run of the scenario writes down: its samples, and with `hashes` those of the states on the way.
 RecordOptions recordingOf(const Scenario& scenario, bool hashes);
 
 /// Runs it and writes down what `record` says. A NumericalError is not thrown but told in `end.failure`, with the
@@ -49,7 +51,7 @@ struct RunHooks {
   std::uint64_t keepEvery = 0;
 };
 
-/// The same with somebody watching. A recorder that goes on with a stopped run's records (Recorder::resume),
+/// The same, watched. A recorder that goes on with a stopped run's records (Recorder::resume),
 /// and the watcher, have seen the world as it is already.
 Simulation simulate(World world, Recorder recorder, Progress& progress, const RunHooks& hooks, bool resumed);
 

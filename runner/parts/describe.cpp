@@ -16,15 +16,6 @@ std::string memoryText(double bytes) {
   return fmt::format("{:.1f} GiB", bytes / (1024.0 * 1024 * 1024));
 }
 
-std::string timeText(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.0f} µs", 1e6 * seconds);
-  if (seconds < 1) return fmt::format("{:.0f} ms", 1e3 * seconds);
-  if (seconds < 600) return fmt::format("{:.1f} s", seconds);
-  if (seconds < 2 * 3600) return fmt::format("{:.0f} min", seconds / 60);
-  if (seconds < 2 * 86400) return fmt::format("{:.0f} h", seconds / 3600);
-  return fmt::format("{:.0f} d", seconds / 86400);
-}
-
 std::string plural(double count, const std::string& word) {
   return fmt::format("{:.0f} {}{}", count, word, count == 1 ? "" : "s");
 }
@@ -49,6 +40,15 @@ std::string line(const Prediction& f, const PartCost& c) {
 }
 
 }  // namespace
+
+std::string timeText(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.0f} µs", 1e6 * seconds);
+  if (seconds < 1) return fmt::format("{:.0f} ms", 1e3 * seconds);
+  if (seconds < 600) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 2 * 3600) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 2 * 86400) return fmt::format("{:.0f} h", seconds / 3600);
+  return fmt::format("{:.0f} d", seconds / 86400);
+}
 
 std::string describe(const Prediction& f, const std::string& title) {
   std::string text = title + (f.life.whole ? ": up to " : ": at least ") + plural(double(f.cells), "cell");

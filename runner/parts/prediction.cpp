@@ -24,7 +24,7 @@ using Costs = std::map<std::string, Cost>;
 
 /// Sums over the whole run.
 struct Sums {
-  double cellSteps = 0, laneSteps = 0;  // laneSteps: with the lanes that nobody uses
+  double cellSteps = 0, laneSteps = 0;  // laneSteps: with unused lanes
   double cellSearches = 0;
   double changes = 0;  // cells that are there when others are born or die, over all such moments
   double samples = 0, sampledCells = 0;
@@ -165,7 +165,8 @@ void predictBodies(Costs& costs, Prediction& f, const Scenario& scenario, const 
   costs["hashes"].bytes = f.steps / double(stepsPerHash) * sizeof(ChainLink);
   warnOfTimeSteps(f, trial);
   if (!scenario.scene.senses.empty() || scenario.scene.cycle.divisionSize)
-    f.remarks.push_back("what cells sense, or wait for, is not foreseen: divisions are those of the genes alone");
+    f.remarks.push_back(
+        "what cells sense, or wait for, is not foreseen: divisions are those of the genes alone");
   if (scenario.scene.mechanics->physics.growth)
     f.remarks.push_back("what growth does to the time step is not foreseen beyond the rehearsal");
 }

@@ -46,6 +46,9 @@ struct PredictionOptions {
 /// Throws InputError and NumericalError as the run would.
 Prediction predictCost(const Scenario& scenario, const PredictionOptions& options);
 
+/// "350 ms", "12.5 s", "40 min".
+std::string timeText(double seconds);
+
 /// As a table for people.
 std::string describe(const Prediction& prediction, const std::string& title);
 

@@ -13,7 +13,7 @@ struct StepRates {
   double search = 0;                    // for one vertex and search
 };
 
-/// Lanes that nobody uses are paid for, too: the vertices of the cells that kernels of this width go through
+/// Unused lanes cost as much as used ones: the vertices of the cells that kernels of this width go through
 /// when `cells` live, over those of the cells.
 double laneShare(Isa isa, std::uint64_t cells, Precision precision = Precision::binary64);
 

@@ -8,7 +8,7 @@
 
 namespace morula {
 
-/// A time during which nobody is born and nobody dies.
+/// A time during which no cell is born and none dies.
 struct Era {
   double from = 0, to = 0;  // [time]
   std::uint64_t cells = 1;  // alive

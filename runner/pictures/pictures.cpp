@@ -43,6 +43,19 @@ namespace {
 
 constexpr double shellOpacity = 0.15;  // of one that is a mesh, drawn as a cell is
 
+/// The same surface with vertices of its own for each face: it is drawn with its edges, where that of a cell is
+/// drawn smooth. A little larger, or else it would lie in the flat sides of cells that are pressed against it.
+Mesh withEdges(const Mesh& mesh) {
+  constexpr double larger = 1.01;
+  Mesh flat;
+  for (const Face& face : mesh.faces) {
+    const int first = static_cast<int>(flat.vertices.size());
+    for (const int corner : face) flat.vertices.push_back(larger * mesh.vertices[corner]);
+    flat.faces.push_back({first, first + 1, first + 2});
+  }
+  return flat;
+}
+
 /// What all pictures of the scenario share.
 OrganismPicture blankPicture(const Scenario& scenario) {
   const auto& mechanics = *scenario.scene.mechanics;
@@ -76,9 +89,11 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
                              palette.colourOf(world.biology->describe(world.cells.state[i])), 1,
                              std::move(mesh.faces)});
   }
-  if (const auto& shell = scenario.scene.mechanics->physics.shell; shell && shell->mesh)
+  if (const auto& shell = scenario.scene.mechanics->physics.shell; shell && shell->mesh) {
+    Mesh flat = withEdges(shell->mesh->mesh);
     picture.cells.push_back(
-        {"shell", shell->mesh->mesh.vertices, neutralGrey, shellOpacity, shell->mesh->mesh.faces});
+        {"shell", std::move(flat.vertices), neutralGrey, shellOpacity, std::move(flat.faces)});
+  }
   picture.legend = palette.legend();
   picture.caption = fmt::format("time {:.4g}, {} cell{}", world.clock.time, world.cells.path.size(),
                                 world.cells.path.size() == 1 ? "" : "s");

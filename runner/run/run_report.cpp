@@ -5,7 +5,7 @@
 #include "engines/bullet_check.h"
 #include "files/folders.h"
 #include "run/run_scenario.h"
-#include "scenario/measure_list.h"
+#include "values/measure_list.h"
 
 namespace morula {
 

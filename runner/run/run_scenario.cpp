@@ -21,20 +21,6 @@ namespace morula {
 
 namespace {
 
-RunRecord recordOf(const Scenario& scenario, const RunSettings& settings) {
-  RunRecord record;
-  record.scenario = scenario.scene.name;
-  record.scenarioHash = scenario.meaning.text();
-  record.seed = scenario.scene.seed;
-  record.documents = {{"scenario", scenario.file, scenario.bytes}, {"resolved", "", scenario.resolved}};
-  for (const auto& file : scenario.files) record.documents.push_back({file.role, file.path, file.content});
-  if (!buildDiff().empty()) record.documents.push_back({"diff", "", buildDiff()});
-  record.command = settings.command;
-  record.isa = name(settings.execution.isa);
-  record.threads = settings.execution.threads;
-  return record;
-}
-
 /// Hashes of the states on the way are stored only of a run that is checked: `explain --db` looks for the
 /// first difference in them.
 bool keepsHashes(const Scenario& scenario, const RunSettings& settings) {
@@ -102,7 +88,7 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   makeFolder(settings.database.parent_path());
   auto store = Store::openForWriting(settings.database);
 
-  const auto record = recordOf(scenario, settings);
+  const auto record = recordOf(scenario, settings.execution, settings.command);
   Recorder recorder(recordingOf(scenario, keepsHashes(scenario, settings)));
   FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
   RunOutcome outcome;

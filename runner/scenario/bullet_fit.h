@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scenario/scenario.h"
+#include "values/scenario_data.h"
 
 namespace morula::scenario {
 

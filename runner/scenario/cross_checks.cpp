@@ -11,10 +11,10 @@
 #include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/scene_checks.h"
-#include "scenario/value_types.h"
 #include "simulation/measures.h"
 #include "simulation/start_variation.h"
 #include "simulation/world.h"
+#include "values/measure_list.h"
 #include "yaml/numbers.h"
 
 namespace morula::scenario {
@@ -276,35 +276,14 @@ void checkInterval(const std::string& path, std::optional<double> every, double 
 
 /// What record.measures asks for must be there to be measured, and what check.reference gives must be asked for.
 void checkMeasures(const Scenario& scenario, Reading& reading, const Node& root) {
-  const auto& mechanics = scenario.scene.mechanics;
   const auto& reference = scenario.check.reference;
-  const auto lacks = [&](Needs needs) -> std::pair<bool, const char*> {
-    switch (needs) {
-      case Needs::nothing:
-        return {false, ""};
-      case Needs::bodies:
-        return {!mechanics, "bodies: add a physics block"};
-      case Needs::contact:
-        return {!mechanics || !mechanics->contact, "cells that touch: add 'contact: {}' to physics"};
-      case Needs::shell:
-        return {!mechanics || !mechanics->physics.shell, "a shell: add physics.shell"};
-      case Needs::referenceContacts:
-        return {!mechanics || !mechanics->contact || !reference || reference->contacts.empty(),
-                "bodies that touch and check.reference.contacts to compare with"};
-      case Needs::referencePositions:
-        return {!mechanics || !reference || reference->positions.size() < 3,
-                "bodies and check.reference.positions to compare with, three at least"};
-    }
-    return {false, ""};
-  };
   std::set<Needs> asked;
   for (const MeasureOnDemand& m : measuresOnDemand()) {
     if (std::ranges::find(scenario.record.measures, m.name) == scenario.record.measures.end()) continue;
     asked.insert(m.needs);
-    if (const auto [lacking, what] = lacks(m.needs); lacking)
+    if (const std::string lacking = lackingFor(m.needs, scenario); !lacking.empty())
       reading.problems.add(placeOf(root, "record.measures"), "record.measures",
-                           std::string(m.name) + " would find nothing to measure",
-                           std::string("needs ") + what);
+                           std::string(m.name) + " would find nothing to measure", "needs " + lacking);
   }
   const RecordParameters& record = scenario.record;
   if (std::ranges::find(record.measures, "contact_duration") != record.measures.end() && !record.every &&

@@ -1,6 +1,6 @@
 #include "scenario/deciding_values.h"
 
-#include "scenario/parameter.h"
+#include "scenario/loading.h"
 #include "yaml/numbers.h"
 
 namespace morula {

@@ -6,7 +6,8 @@
 #include "biology/substance_pattern.h"
 #include "biology/substances.h"
 #include "division/rules.h"
-#include "scenario/value_types.h"
+#include "scenario/scene_checks.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

@@ -3,9 +3,17 @@
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "mesh/measures.h"
-#include "scenario/parameter.h"
+#include "scenario/loading.h"
 
-namespace morula::scenario {
+namespace morula {
+
+std::filesystem::path sharedFolder(const std::filesystem::path& folder) {
+  for (auto at = absolutePath(folder); at.has_relative_path(); at = at.parent_path())
+    if (at.filename() == "scenarios") return at;
+  return folder;
+}
+
+namespace scenario {
 
 namespace {
 
@@ -17,14 +25,6 @@ void guarded(Problems& problems, const Place& place, Read read) {
   try {
     read();
   } catch (const InputError& error) { problems.addForeign(place, error.what()); }
-}
-
-/// The folder whose files a scenario may name: its own, or the folder `scenarios` that it lies in, whose scenarios share
-/// DNA and meshes.
-std::filesystem::path sharedFolder(const std::filesystem::path& folder) {
-  for (auto at = absolutePath(folder); at.has_relative_path(); at = at.parent_path())
-    if (at.filename() == "scenarios") return at;
-  return folder;
 }
 
 /// A file that the scenario names, added to its files; null and a problem if it cannot be read. What it holds may come to
@@ -154,4 +154,6 @@ void readReferences(Scenario& scenario, Reading& reading, const Node& root, cons
   readReference(reference, scenario, reading);
 }
 
-}  // namespace morula::scenario
+}  // namespace scenario
+
+}  // namespace morula

@@ -4,7 +4,7 @@
 #include "base/maths.h"
 #include "mesh/measures.h"
 #include "physics/cell_model.h"
-#include "scenario/parameter.h"
+#include "scenario/loading.h"
 
 namespace morula::scenario {
 

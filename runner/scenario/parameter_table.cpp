@@ -1,5 +1,8 @@
 // Every parameter of a scenario, each described once. To add one: a field in its struct, a line here.
-#include "scenario/value_types.h"
+#include "scenario/parameter_table.h"
+
+#include "scenario/special_parameters.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

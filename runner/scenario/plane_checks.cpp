@@ -1,6 +1,7 @@
 // Division planes go by what a scene may lack: contacts, connections, a long shell. So does chirality, by drag.
 #include "physics/cell_model.h"
-#include "scenario/value_types.h"
+#include "scenario/scene_checks.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

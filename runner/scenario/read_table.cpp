@@ -2,7 +2,7 @@
 
 #include "base/did_you_mean.h"
 #include "files/text.h"
-#include "scenario/parameter.h"
+#include "scenario/loading.h"
 
 namespace morula::scenario {
 

@@ -1,4 +1,4 @@
-#include "scenario/parameter.h"
+#include "scenario/loading.h"
 #include "yaml/numbers.h"
 
 namespace morula::scenario {

@@ -59,6 +59,12 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
   if (root.kind == Node::Kind::broken) problems.throwIfAny();
   if (root.kind == Node::Kind::map) applyOverrides(root, overrides, problems);
 
+  if (const auto* study = root.find("morula-study")) {
+    problems.add(study->place, "morula-study", "the file is a study, not a scenario",
+                 "morula study plan tells what it computes, morula study run runs it");
+    problems.throwIfAny();
+  }
+
   Reading reading{problems, {}, {}, {}};
   readTable(root, result, reading);
   readReferences(result, reading, root, {folder, files, allowOutside});
@@ -68,9 +74,19 @@ Scenario readScenario(const std::string& bytes, const std::string& name, const s
   result.warnings = result.scene.dna.warnings;
   for (std::string& warning : sizeWarnings(result, root)) result.warnings.push_back(std::move(warning));
   notePlaces(root, "", result);
-  result.resolved = writeJson(resolve(result));
-  result.meaning = hashMeaning(result);
+  resolveAgain(result);
   return result;
+}
+
+void resolveAgain(Scenario& scenario) {
+  scenario.resolved = writeJson(resolve(scenario));
+  scenario.meaning = hashMeaning(scenario);
+}
+
+Scenario withSeed(Scenario scenario, std::uint64_t seed) {
+  scenario.scene.seed = seed;
+  resolveAgain(scenario);
+  return scenario;
 }
 
 std::filesystem::path folderOf(const std::filesystem::path& file) {

@@ -1,6 +1,6 @@
 #pragma once
 // Checks across parameters that have files of their own. Private to this room.
-#include "scenario/value_types.h"
+#include "scenario/loading.h"
 
 namespace morula::scenario {
 
@@ -14,6 +14,9 @@ std::vector<std::string> sizeWarnings(const Scenario& scenario, const Node& root
 
 /// Connections that nothing could make, or with two forces.
 void checkConnections(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// That a scene has what its division planes and chirality go by.
+void checkPlanes(const Scenario& scenario, Reading& reading, const Node& root);
 
 /// Adhesion: what sticks must give way, and the law must know how.
 void checkAdhesion(const Scenario& scenario, Reading& reading, const Node& root);

@@ -1,7 +1,7 @@
 #include "scenario/schema.h"
 
 #include "files/text.h"
-#include "scenario/parameter.h"
+#include "scenario/loading.h"
 
 namespace morula {
 

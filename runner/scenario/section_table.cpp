@@ -1,6 +1,7 @@
 // Every section of a scenario: a map of parameters, and what makes and shows the part that it describes.
 #include "physics/cell_model.h"
-#include "scenario/value_types.h"
+#include "scenario/parameter_table.h"
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

@@ -6,6 +6,7 @@
 #include "biology/substances.h"
 #include "physics/cell_model.h"
 #include "scenario/scene_checks.h"
+#include "yaml/numbers.h"
 
 namespace morula::scenario {
 

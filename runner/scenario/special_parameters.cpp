@@ -1,5 +1,7 @@
-// Parameters that are one of a kind: DNA, the time step, the shell's two spellings.
-#include "scenario/value_types.h"
+// Parameters that are one of a kind: DNA, the time step, the shell's spellings, the size at division.
+#include "scenario/special_parameters.h"
+
+#include "values/value_types.h"
 
 namespace morula::scenario {
 

@@ -1,5 +1,6 @@
 #include "store/contents.h"
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 
@@ -34,6 +35,15 @@ constexpr Purpose purposes[] = {
     {"cell_hash", "with `step_hash`: explain --db finds with it which cells differ there"},
     {"check_result", "where the run was checked: what each check found"},
     {"bullet_sample", "where `check.bullet` asks for it: each cell in Bullet beside the run's own"},
+    {"study", "of a study: what was planned"},
+    {"axis", "of a study: what it varies; compare reads it"},
+    {"level", "of a study: the values of each axis; compare reads it"},
+    {"condition", "of a study: each combination of levels; compare reads it"},
+    {"condition_key", "of a study: the conditions' values of the scenario's keys, for queries"},
+    {"replicate", "of a study: which task is which condition with which seed; compare reads it"},
+    {"task", "of a study: how each run ended; compare and status read it"},
+    {"result", "of a study: what `measures` asks for; compare reads it"},
+    {"timing", "of a study: when and where each task was computed"},
     {"checkpoint", "only until the run has finished: run --resume goes on from it"},
     {"checkpoint_frame", "only until the run has finished: the shapes of its sequence of pictures"},
 };
@@ -90,7 +100,9 @@ std::vector<TableContents> contentsOf(Database& db, const std::string& id) {
     const auto measured = pages.find(table);
     t.estimated = measured == pages.end();
     t.bytes = t.estimated ? lengthOf(db, table, columnsOf(db, table)) : measured->second;
-    if (id.empty()) continue;
+    const std::vector<std::string> columns = columnsOf(db, table);
+    const bool ofRuns = table == "document" || std::ranges::find(columns, "run_id") != columns.end();
+    if (id.empty() || !ofRuns) continue;
     Statement count(db, table == "document" ? "SELECT count(DISTINCT hash) FROM run_document WHERE run_id = ?"
                                             : "SELECT count(*) FROM \"" + table + "\" WHERE run_id = ?");
     count.start(id).next();

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/read_file.h"
@@ -64,7 +65,8 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
   if (!isFolder(file_)) requireRegularFile(file_);  // SQLite itself says what is wrong with a folder
   if (mode == Mode::existing && !fileExists(file_))
     throw StoreError(file_.string() + ": no such file; a database of results is expected");
-  // Also for reading: whoever opens a file after a crash has to roll back what was left half done. SQLite opens a
+  // For writing, even if it is only to be read: after a crash the first to open the file must undo the unfinished
+  // transaction. SQLite opens a
   // write-protected file for reading by itself. A connection belongs to one thread, so it needs no mutex.
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (mode == Mode::existing ? 0 : SQLITE_OPEN_CREATE);
@@ -73,14 +75,47 @@ Database::Database(fs::path file, Mode mode, std::chrono::milliseconds patience)
       sqlite3_open_v2(mode == Mode::temporary ? "" : file_.string().c_str(), &db, flags, nullptr);
   db_.reset(db);
   if (code != SQLITE_OK) fail(code, "open the database");
-  sqlite3_extended_result_codes(db, 1);
   sqlite3_busy_timeout(db, static_cast<int>(patience.count()));
+  protect();
+}
+
+void Database::protect() {
+  sqlite3* const db = db_.get();
+  sqlite3_extended_result_codes(db, 1);
   // What a stranger's file brings along is data: neither its triggers nor its views run, and its schema calls no function that
   // could reach beyond the file.
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_db_config(db, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   integer("SELECT count(*) FROM sqlite_schema");  // reads the file's first page: is it a database?
+}
+
+Database Database::inMemory(fs::path name, std::string_view bytes) {
+  sqlite3* handle = nullptr;
+  const int code = sqlite3_open_v2(
+      ":memory:", &handle,
+      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_MEMORY | SQLITE_OPEN_NOMUTEX, nullptr);
+  Database db(std::move(name), handle);
+  if (code != SQLITE_OK) db.fail(code, "open the database");
+  if (!bytes.empty()) {
+    auto* copy = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size()));
+    if (!copy) db.fail(SQLITE_NOMEM, "open the database");
+    std::memcpy(copy, bytes.data(), bytes.size());
+    const auto size = static_cast<sqlite3_int64>(bytes.size());
+    const int taken = sqlite3_deserialize(handle, "main", copy, size, size,
+                                          SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_RESIZEABLE);
+    if (taken != SQLITE_OK) db.fail(taken, "open the database");
+  }
+  db.protect();
+  return db;
+}
+
+std::string Database::bytes() {
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, void (*)(void*)> copy(sqlite3_serialize(db_.get(), "main", &size, 0),
+                                                             sqlite3_free);
+  if (!copy) fail(SQLITE_NOMEM, "read the database");
+  return {reinterpret_cast<const char*>(copy.get()), static_cast<std::size_t>(size)};
 }
 
 void Database::fail(int code, const std::string& doing) const {
@@ -173,6 +208,33 @@ std::string Statement::line(int column) const {
   auto value = text(column);
   if (printableLine(value) != value) refuse(column, "needs one line of plain text");
   return value;
+}
+
+int Statement::columns() const { return sqlite3_column_count(statement_.get()); }
+
+void Statement::addTo(Hasher& hasher, int column) const {
+  switch (sqlite3_column_type(statement_.get(), column)) {
+    case SQLITE_INTEGER:
+      hasher.add("integer").add(integer(column));
+      return;
+    case SQLITE_FLOAT:
+      hasher.add("real").add(real(column));
+      return;
+    case SQLITE_NULL:
+      return;
+    default:
+      hasher.add("text").add(text(column));
+  }
+}
+
+void Statement::runWith(const Statement& row) {
+  reset();
+  const int count = row.columns();
+  expectParameters(count);
+  for (int i = 0; i < count; ++i)
+    bound(sqlite3_bind_value(statement_.get(), i + 1, sqlite3_column_value(row.statement_.get(), i)));
+  next();
+  reset();
 }
 
 void Statement::bound(int code) const {

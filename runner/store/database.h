@@ -15,6 +15,8 @@ struct sqlite3_stmt;
 
 namespace morula {
 
+class Hasher;
+
 class Database {
  public:
   enum class Mode { create, existing, temporary };
@@ -23,6 +25,12 @@ class Database {
   /// `patience` for other writers, now and later. Mode::temporary: a database of its own, in memory and on
   /// the disk where it is large, which is gone with the connection; `file` only names it in messages.
   Database(std::filesystem::path file, Mode mode, std::chrono::milliseconds patience);
+
+  /// A database in memory: an empty one, or with all that the bytes of a database's file hold. `name` only names it in
+  /// messages. Throws StoreError if the bytes are no database.
+  static Database inMemory(std::filesystem::path name, std::string_view bytes = {});
+  /// The bytes of its file, also of one that is none.
+  std::string bytes();
 
   /// Runs statements that take no values and give no rows.
   void execute(const std::string& sql);
@@ -35,6 +43,8 @@ class Database {
 
  private:
   friend class Statement;
+  Database(std::filesystem::path name, sqlite3* db) : file_(std::move(name)), db_(db) {}
+  void protect();
   struct Close {
     void operator()(sqlite3* db) const;
   };
@@ -54,6 +64,11 @@ struct BoundNumbers {
     bool isWhole = false;
   };
   std::vector<Number> numbers;
+};
+
+/// Texts for several columns in a row; NULL where there is none.
+struct Texts {
+  std::vector<std::optional<std::string>> texts;
 };
 
 /// A prepared statement. Parameters are bound in order by `run` or `start`, columns read by number from 0.
@@ -77,6 +92,9 @@ class Statement {
     return *this;
   }
 
+  /// Binds the columns of another statement's row, in their order, and runs.
+  void runWith(const Statement& row);
+
   /// Goes to the next row; false after the last one, and then ready to start again.
   bool next();
 
@@ -92,6 +110,10 @@ class Statement {
   std::string text(int column) const;  // or a BLOB; NULL reads as ""
   /// A text of one line, without control characters.
   std::string line(int column) const;
+
+  int columns() const;
+  /// Adds a value with its type; nothing for NULL.
+  void addTo(Hasher& hasher, int column) const;
 
   /// Throws the StoreError for a value that cannot be right. `right`: "needs …".
   [[noreturn]] void refuse(int column, const std::string& right) const;
@@ -118,6 +140,10 @@ class Statement {
       if (value && isWhole) bind(++place, static_cast<std::int64_t>(*value));
       else bind(++place, value);
     }
+  }
+
+  void bindNext(int& place, const Texts& values) {
+    for (const auto& text : values.texts) bind(++place, text);
   }
 
   /// SQLite keeps every finite double and the infinities bit for bit, but −0.0 becomes 0.0 and NaN becomes

@@ -91,6 +91,11 @@ std::string binaryHash() {
   return hash;
 }
 
+std::string hostName() {
+  utsname u{};
+  return uname(&u) == 0 && u.nodename[0] ? u.nodename : "unknown";
+}
+
 std::string utcNow() {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};

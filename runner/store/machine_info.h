@@ -17,6 +17,9 @@ MachineInfo machineInfo();
 /// 32 hexadecimal digits over the file of the running program; "unknown" if it cannot be read.
 std::string binaryHash();
 
+/// The machine's name in its network; "unknown" if it has none.
+std::string hostName();
+
 /// Now, as "2008-06-17T12:34:56Z".
 std::string utcNow();
 

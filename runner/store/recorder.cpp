@@ -16,7 +16,7 @@ void Recorder::observe(const World& world) {
   const Clock& clock = world.clock;
   if (options_.hashEvery && clock.step % *options_.hashEvery == 0) hash(world);
   const bool reached = reaches(world.cells.path.size()), due = isDue(clock.time);
-  if (!reached && !due) return;
+  if (!divided(world) && !reached && !due) return;
   sample(world);
   if (due) expectNext(clock.time);
 }
@@ -44,13 +44,19 @@ bool Recorder::reaches(std::uint64_t cells) {
   return reached_ > before;
 }
 
+bool Recorder::divided(const World& world) {
+  if (!options_.atDivisions) return false;
+  // A division adds both daughters to the lineage.
+  return std::exchange(divisions_, world.lineage.entries.size()) < world.lineage.entries.size();
+}
+
 void Recorder::resume(const World& world, const RunResults& earlier) {
   std::map<StateId, StateId> here;
   for (const auto& [state, text] : earlier.stateTexts) here[state] = world.biology->stateOf(text);
   for (Sample s : earlier.samples) {
     if (s.world.step > world.clock.step || s.world.time > world.clock.time) continue;
     const bool reached = reaches(static_cast<std::uint64_t>(s.world.at("cells"))), due = isDue(s.world.time);
-    if (!reached && !due) continue;
+    if (!reached && !due && !options_.atDivisions) continue;
     for (CellMeasures& c : s.cells) describe(world, c.state = here.at(c.state));
     keepTouching(s.contacts, s.world.time);
     if (due) expectNext(s.world.time);
@@ -82,7 +88,7 @@ void Recorder::sample(const World& world) {
   if (options_.reference) now.reference = &*options_.reference;
   Sample s{measureWorld(now), measureCells(now), measureContacts(now), {}};
   keepTouching(s.contacts, now.time);
-  std::vector<double> durations;  // by (a, b), as the contacts; none where nobody asks for them
+  std::vector<double> durations;  // by (a, b), as the contacts; empty unless recorded
   for (const auto& [pair, since] : touchingSince_) durations.push_back(now.time - since);
   now.contactDurations = durations;
   s.more = takeMeasures(now, options_.measures);
@@ -104,7 +110,9 @@ RunResults Recorder::take(const World& world, bool failed) {
   const bool measuredAlready =
       !results_.samples.empty() && results_.samples.back().world.step == world.clock.step;
   if (!failed && !measuredAlready) sample(world);
-  if (options_.hashEvery && !failed && results_.chain.back().step != world.clock.step) hash(world);
+  const bool hashesEnd = options_.hashEnd || options_.hashEvery;
+  if (hashesEnd && !failed && (results_.chain.empty() || results_.chain.back().step != world.clock.step))
+    hash(world);
 
   for (const LineageEntry& e : world.lineage.entries) describe(world, e.state);
   RunResults results = std::exchange(results_, {});

@@ -18,7 +18,9 @@ struct RecordOptions {
                 // and at the end only
   std::optional<std::uint64_t> hashEvery{};  // [steps] a link of the chain of hashes at step 0, hashEvery, …
                                              // and at the end; absent: none
+  bool hashEnd = false;                      // without hashEvery: one link, at the end
   std::vector<std::uint64_t> atCells{};      // rising; also when so many cells live for the first time
+  bool atDivisions = false;                  // also after each step in which cells divided
   std::vector<std::string> measures{};       // on demand, at every sample
   std::optional<Reference> reference{};      // that some of them compare with
   /// What people call a cell; empty: cells go by their paths. Nothing that is recorded depends on it but the names.
@@ -66,11 +68,14 @@ class Recorder {
   void expectNext(double time);
   /// True if `cells` is a number to look for, or more, for the first time.
   bool reaches(std::uint64_t cells);
+  /// True if cells have divided since the last call, and atDivisions asks.
+  bool divided(const World& world);
 
   RecordOptions options_;
   std::uint64_t next_ = 0;   // number of the next due sample: due at time next_·every; without `every` only
                              // number 0 is ever due
   std::size_t reached_ = 0;  // of atCells
+  std::size_t divisions_ = 0;  // that have been seen
   bool sampled_ = false;
   double bytes_ = 0;
   RunResults results_;

@@ -278,7 +278,13 @@ CREATE TABLE measure (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array migrations{&version1, &version2, &version3, &version4, &version5, &version6};
+// Version 6 to 7: which condition of a study a run is of. The tables of a study (study_tables.h) join where there is one.
+const char* const version7 = R"sql(
+ALTER TABLE run ADD COLUMN
+  condition_id INTEGER;              -- of a study's merged database; NULL elsewhere
+)sql";
+
+constexpr std::array migrations{&version1, &version2, &version3, &version4, &version5, &version6, &version7};
 
 /// Throws unless the file is empty or Morula's and not newer than this program. Returns its version, 0 when empty.
 int checkedVersion(Database& db) {
@@ -308,7 +314,7 @@ void configure(Database& db) {
   db.execute("PRAGMA synchronous = FULL");
   db.execute("PRAGMA cache_size = -65536");  // 64 MiB: a large run's rows need not be written twice
   // The rollback journal is SQLite's own default. Write-ahead logs lose data with several writers before
-  // SQLite 3.51.3 and do not work on network disks, so a file that somebody has switched is switched back.
+  // SQLite 3.51.3 and do not work on network disks, so a file that was switched to them is switched back.
   if (!db.readOnly()) db.execute("PRAGMA journal_mode = DELETE");
 }
 

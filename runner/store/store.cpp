@@ -135,6 +135,8 @@ void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
   Statement(db_, "VACUUM INTO ?").run(file.string());
   Database copy(file, Database::Mode::existing, std::chrono::seconds(1));
   configure(copy);
+  for (const char* table : {"replicate", "condition_key", "condition", "level", "axis", "study"})
+    copy.execute(std::string("DROP TABLE IF EXISTS ") + table);  // of all runs of a study together
   Statement(copy, "DELETE FROM run WHERE run_id <> ?").run(id);
   copy.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");
   copy.execute("DELETE FROM checkpoint");

@@ -58,7 +58,7 @@ class Store {
   std::string begin(const RunRecord& record);
 
   /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples
-  /// and hashes that the file has not yet: whoever kills the program at any moment leaves one whole
+  /// and hashes that the file has not yet: a program killed at any moment leaves one whole
   /// checkpoint and what was recorded up to it. Not for a run that the file has finished, nor in place of a checkpoint of a later step. Returns whether there is one to resume from.
   bool keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, const RunResults& records,
                       const FrameSource& frames = {});
@@ -111,6 +111,7 @@ class Store {
   const std::filesystem::path& file() const { return db_.file(); }
 
  private:
+  friend class TaskFile;
   struct Attempt {
     RunRecord record;
     std::string started;

@@ -12,7 +12,7 @@ struct StoreError : FileError {
 };
 
 /// One scenario, seed and build gave two different results. The earlier result stays in the database. A check
-/// that differs, so exit 1; whoever catches FileErrors alone reports it as exit 6.
+/// that differs, so exit 1; code that catches FileErrors alone reports it as exit 6.
 struct NondeterminismError : StoreError {
   NondeterminismError(const std::string& text, std::string runId, std::string stored, std::string computed)
       : StoreError(text), runId(std::move(runId)), stored(std::move(stored)), computed(std::move(computed)) {}

@@ -1,5 +1,7 @@
 #include "system/usable_memory.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -38,6 +40,12 @@ double freeOfGroup() {
 }
 
 }  // namespace
+
+std::uint64_t peakMemory() {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
+}
 
 double usableMemory() { return share * std::min(freeOfMachine(), freeOfGroup()); }
 

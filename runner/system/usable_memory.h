@@ -1,11 +1,16 @@
 #pragma once
 // How much memory a run may take on this machine.
 
+#include <cstdint>
+
 namespace morula {
 
 /// [byte] Nine tenths of what this machine, or the group of processes that this one is in, has free: what is
 /// not known does not limit.
 double usableMemory();
+
+/// [byte] The most that this process has had resident so far.
+std::uint64_t peakMemory();
 
 /// The end of a message about memory that was not to be had.
 inline constexpr const char* outOfMemoryRemedy =

@@ -1,6 +1,6 @@
 #pragma once
-// A YAML document as a tree of places and uninterpreted text. What the text means is decided by whoever reads
-// it, not by YAML: to yaml-cpp 010 is 8 and yes is true.
+// A YAML document as a tree of places and uninterpreted text. What the text means is decided by the
+// code that reads the tree, not by YAML: to yaml-cpp 010 is 8 and yes is true.
 #include <string>
 #include <vector>
 

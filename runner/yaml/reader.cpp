@@ -203,7 +203,7 @@ class TreeBuilder : public YAML::EventHandler {
   const SourceText& source_;
   Problems& problems_;
   std::vector<Open> open_;
-  std::deque<Node> unread_;  // keys and further documents: parsed, but nobody's value
+  std::deque<Node> unread_;  // keys and further documents: parsed, but no part of the tree
   int documents_ = 0;
 };
 

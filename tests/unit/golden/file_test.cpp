@@ -68,14 +68,46 @@ TEST_CASE("the error of a scenario's settings is kept, and sealed") {
   complains(replaced("error time 0.00028 mesh 0.014 until 1.6875"), 0, "edited");
   complains(replaced("error time 0.00028 mesh unknown until 1.6875"), 0, "edited");
   for (const char* broken :
-       {"error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2",
-        "error time 1 until 2", "error time 1 mesh until 2", "error time 1 mesh -1 until 2",
-        "error time 1 mesh 1 until 0", "error time 1 mesh 1 until 2 3"})
+       {"error 1 until", "error -1 until 2", "error 1 until 0", "error 1 at 2", "error time 1 until 2",
+        "error time 1 mesh until 2", "error time 1 mesh -1 until 2", "error time 1 mesh 1 until 0",
+        "error time 1 mesh 1 until 2 3"})
     CHECK_THROWS_WITH(readGolden(replaced(broken), "x.golden"),
                       ContainsSubstring("`error time SIZE mesh SIZE until TIME` is expected"));
   complains(replaced("error"), 0, "'error' begins no line");
   complains(replaced(line + "\n" + line), 0, "stands twice");
   CHECK_FALSE(readGolden(writeGolden(exampleGolden()), "x.golden").error);
+}
+
+TEST_CASE("statistics of the end are kept in their order, and sealed") {
+  Golden golden = exampleGolden();
+  golden.error = GoldenError{2.8e-4, 0.013, 1.6875};
+  golden.statistics = {{"clone_radius", "half-step", -0.0012, -0.0041, 0.0017, 8},
+                       {"clone_radius", "coarse-mesh", 0.5, 0.25, 1, 20}};
+  const std::string text = writeGolden(golden);
+  const std::string line =
+      "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 8";
+  CHECK(text.find("\n" + line + "\n") != text.npos);
+  const Golden again = readGolden(text, "x.golden");
+  CHECK(again.statistics == golden.statistics);
+  CHECK(writeGolden(again) == text);
+  const auto replaced = [&](const std::string& by) {
+    std::string other = text;
+    return other.replace(other.find(line), line.size(), by);
+  };
+  for (const char* other :
+       {"statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0018 runs 8",
+        "statistic clone_radius against half-step difference -0.0012 low -0.0041 high 0.0017 runs 9",
+        "statistic clone_radius against half difference -0.0012 low -0.0041 high 0.0017 runs 8"})
+    complains(replaced(other), 0, "edited");
+  for (const char* broken :
+       {"statistic clone_radius", "statistic clone_radius against a difference 1 low 2 high 3",
+        "statistic clone_radius against a difference 1 low 2 high 1 runs 8",
+        "statistic clone_radius against a difference x low 0 high 1 runs 8",
+        "statistic clone_radius against a difference 1 low 0 high 1 runs 1",
+        "statistic clone_radius than a difference 1 low 0 high 1 runs 8"})
+    complains(replaced(broken), 0,
+              "`statistic MEASURE against LABEL difference X low X high X runs N` is expected");
+  complains(replaced(line + "\n" + line), 0, "stands twice");
 }
 
 TEST_CASE("an error without a mesh is not known there, and goldens once said it shorter") {
@@ -232,7 +264,8 @@ TEST_CASE("how fast runs part is kept, and cannot be edited") {
     std::string edited = text;
     return edited.replace(edited.find("growth 1e-09 700"), 16, line);
   };
-  CHECK_THROWS_WITH(readGolden(with("growth 1e-09 900"), "x"), ContainsSubstring("they were edited afterwards"));
+  CHECK_THROWS_WITH(readGolden(with("growth 1e-09 900"), "x"),
+                    ContainsSubstring("they were edited afterwards"));
   for (const char* line :
        {"growth", "growth 1e-9", "growth 0 7", "growth x 7", "growth 1e-9 -7", "growth 1e-9 7 8"})
     CHECK_THROWS_WITH(readGolden(with(line), "x"), ContainsSubstring("x:10: "));

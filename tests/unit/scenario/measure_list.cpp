@@ -1,5 +1,5 @@
 // Every measure has a row, and every row is documented.
-#include "scenario/measure_list.h"
+#include "values/measure_list.h"
 
 #include "helpers.h"
 

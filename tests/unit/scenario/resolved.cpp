@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "scenario/parameter.h"
+#include "scenario/loading.h"
 #include "simulation/scene_parts.h"
 // Last, because of CHECK:
 #include "helpers.h"

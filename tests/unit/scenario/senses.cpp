@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "biology/sense.h"
-#include "scenario/value_types.h"
 #include "simulation/scene_parts.h"
+#include "values/value_types.h"
 // Last, because of CHECK:
 #include "helpers.h"
 

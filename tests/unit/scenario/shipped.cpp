@@ -11,6 +11,7 @@ TEST_CASE("every shipped scenario loads, bears its file's name and says what it 
   int count = 0;
   for (const auto& entry : fs::recursive_directory_iterator("scenarios")) {
     if (entry.path().extension() != ".yaml") continue;
+    if (entry.path().stem().extension() == ".study") continue;  // of many runs
     INFO(entry.path().string());
     const auto s = loadScenario(entry.path());
     CHECK(s.scene.name == entry.path().stem());

@@ -2,7 +2,7 @@
 #include <set>
 
 #include "helpers.h"
-#include "scenario/parameter.h"
+#include "scenario/loading.h"
 
 using namespace morula;
 using namespace morula::test;

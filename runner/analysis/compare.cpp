@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <set>
+
+#include "analysis/compare_parts.h"
+
+namespace morula {
+
+namespace {
+
+ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std::size_t condition,
+                           Bootstrap& bootstrap) {
+  ConditionSummary summary{
+      .measure = measure, .condition = condition, .seeds = {}, .values = {}, .interval = {}};
+  const auto& tasks = results.conditions[condition].tasks;
+  std::set<std::size_t> seen;
+  std::set<std::string> states;
+  std::vector<double> distinct;  // of each run once
+  for (std::size_t s = 0; s < tasks.size(); ++s) {
+    const auto value = results.end(measure, tasks[s]);
+    if (!value) continue;
+    summary.seeds.push_back(results.seeds[s]);
+    summary.values.push_back(*value);
+    if (!seen.insert(tasks[s]).second) continue;
+    distinct.push_back(*value);
+    states.insert(results.tasks[tasks[s]].stateHash);
+  }
+  summary.distinct = states.size();
+  if (distinct.empty()) return summary;
+  summary.mean = mean(distinct);
+  if (summary.distinct > 1) summary.interval = bootstrap.ofMean(distinct);
+  return summary;
+}
+
+/// Several seeds and one run, or several runs that end in one state.
+bool isSeedless(const StudyResults& results, const ResultCondition& condition) {
+  std::set<std::string> states;
+  std::size_t done = 0;
+  for (const std::size_t t : condition.tasks) {
+    if (t == noTask || results.tasks[t].status != "done") continue;
+    ++done;
+    states.insert(results.tasks[t].stateHash);
+  }
+  return results.seeds.size() > 1 && (!condition.usesSeed || (done > 1 && states.size() == 1));
+}
+
+template <class Get>
+std::vector<std::size_t> numbersOf(const std::string& option, const std::string& kind,
+                                   const std::vector<std::string>& words, std::size_t count,
+                                   const Get& nameOf) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) names.push_back(nameOf(i));
+  std::vector<std::size_t> numbers;
+  for (const std::string& word : words) {
+    const auto name = nameAmong(option, kind, word, names);
+    const auto number = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    if (std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
+  }
+  if (words.empty())
+    for (std::size_t i = 0; i < count; ++i) numbers.push_back(i);
+  return numbers;
+}
+
+}  // namespace
+
+std::vector<std::size_t> comparedAxes(const StudyComparison& comparison) {
+  std::vector<std::size_t> axes;
+  for (const std::size_t a : comparison.by)
+    if (comparison.results.axes[a].labels.size() > 1) axes.push_back(a);
+  return axes;
+}
+
+StudyComparison compareStudy(StudyResults results, const CompareOptions& options) {
+  StudyComparison c;
+  c.results = std::move(results);
+  const StudyResults& r = c.results;
+  c.by = numbersOf("--by", "axis", options.by, r.axes.size(), [&](std::size_t i) { return r.axes[i].name; });
+  c.measures = numbersOf("--measure", "measure", options.measures, r.measures.size(),
+                         [&](std::size_t i) { return r.measures[i]; });
+  c.margins = parseMargins(options.margins, r.measures);
+  Bootstrap bootstrap;
+  for (std::size_t i = 0; i < r.conditions.size(); ++i)
+    if (isSeedless(r, r.conditions[i])) c.seedless.push_back(i);
+  for (const std::size_t m : c.measures)
+    for (std::size_t i = 0; i < r.conditions.size(); ++i)
+      c.conditions.push_back(summaryOf(r, m, i, bootstrap));
+  comparePairs(c, options.within);
+  compareFactors(c);
+  compareOverTime(c, bootstrap);
+  return c;
+}
+
+}  // namespace morula

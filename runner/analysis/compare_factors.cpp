@@ -1,0 +1,93 @@
+// Main effects and interactions.
+#include <set>
+
+#include "analysis/compare_parts.h"
+
+namespace morula {
+
+namespace {
+
+/// A cell of the design: all conditions with these levels of the axes that are compared.
+struct Cell {
+  std::vector<std::size_t> conditions;
+};
+
+std::vector<Cell> cellsOf(const StudyResults& results, const std::vector<std::size_t>& axes) {
+  std::size_t count = 1;
+  for (const std::size_t a : axes) count *= results.axes[a].labels.size();
+  std::vector<Cell> cells(count);
+  for (std::size_t i = 0; i < results.conditions.size(); ++i) {
+    std::size_t cell = 0;
+    for (const std::size_t a : axes)
+      cell = cell * results.axes[a].labels.size() + results.conditions[i].levels[a];
+    cells[cell].conditions.push_back(i);
+  }
+  return cells;
+}
+
+/// The mean over the cell's conditions under one seed. None if one of them has no value.
+std::optional<double> valueOf(const StudyResults& results, std::size_t measure, const Cell& cell,
+                              std::size_t seed) {
+  double sum = 0;
+  for (const std::size_t i : cell.conditions) {
+    const auto value = results.end(measure, results.conditions[i].tasks[seed]);
+    if (!value) return std::nullopt;
+    sum += *value;
+  }
+  if (cell.conditions.empty()) return std::nullopt;
+  return sum / static_cast<double>(cell.conditions.size());
+}
+
+bool varies(const StudyResults& results, const Cell& cell) {
+  std::set<std::size_t> tasks;
+  for (const std::size_t i : cell.conditions) {
+    tasks.clear();
+    tasks.insert(results.conditions[i].tasks.begin(), results.conditions[i].tasks.end());
+    if (tasks.size() > 1) return true;
+  }
+  return false;
+}
+
+std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t measure,
+                                        const std::vector<std::size_t>& axes) {
+  const StudyResults& r = c.results;
+  const auto cells = cellsOf(r, axes);
+  std::vector<std::vector<double>> bySeed;  // complete seeds alone: [seed][cell]
+  for (std::size_t s = 0; s < r.seeds.size(); ++s) {
+    std::vector<double> values;
+    for (const Cell& cell : cells)
+      if (const auto v = valueOf(r, measure, cell, s)) values.push_back(*v);
+    if (values.size() == cells.size()) bySeed.push_back(std::move(values));
+  }
+  if (bySeed.empty()) return std::nullopt;
+  std::vector<double> values;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    for (const auto& seed : bySeed) values.push_back(seed[cell]);
+  std::vector<std::size_t> levels;
+  for (const std::size_t a : axes) levels.push_back(r.axes[a].labels.size());
+  MeasureEffects effects{
+      .measure = measure, .axes = axes, .means = {}, .analysis = {}, .untested = {}, .seeds = bySeed.size()};
+  effects.analysis = analyseFactorial(levels, values, true);
+  for (std::size_t f = 0; f < axes.size(); ++f) effects.means.push_back(levelMeans(levels, values, f));
+  std::size_t still = 0;
+  for (const Cell& cell : cells) still += !varies(r, cell);
+  // An F test takes it that all cells vary alike.
+  if (still > 0)
+    effects.untested = "seeds change nothing in " + std::to_string(still) + " of " +
+                       std::to_string(cells.size()) + " cells of the design";
+  else if (bySeed.size() < 2) effects.untested = "one seed has values everywhere: nothing says how they vary";
+  if (!effects.untested.empty())
+    for (FactorEffect& e : effects.analysis.effects) e.f = e.p = e.partial = std::nullopt;
+  return effects;
+}
+
+}  // namespace
+
+void compareFactors(StudyComparison& c) {
+  const auto axes = comparedAxes(c);
+  if (axes.empty()) return;
+  for (const std::size_t m : c.measures)
+    if (auto effects = effectsOf(c, m, axes)) c.effects.push_back(std::move(*effects));
+}
+
+}  // namespace morula

@@ -1,0 +1,149 @@
+// Two levels of an axis, seed by seed.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "analysis/compare_parts.h"
+#include "statistics/holm.h"
+
+namespace morula {
+
+namespace {
+
+using Fixed = std::vector<std::optional<std::size_t>>;
+
+/// Conditions that differ in one axis alone: level a of it, and level b.
+std::vector<std::pair<std::size_t, std::size_t>> partners(const StudyResults& results, std::size_t axis,
+                                                          std::size_t a, std::size_t b, const Fixed& at) {
+  std::map<std::vector<std::size_t>, std::size_t> byLevels;
+  for (std::size_t i = 0; i < results.conditions.size(); ++i) byLevels[results.conditions[i].levels] = i;
+  std::vector<std::pair<std::size_t, std::size_t>> all;
+  for (std::size_t i = 0; i < results.conditions.size(); ++i) {
+    auto levels = results.conditions[i].levels;
+    bool fits = levels[axis] == a;
+    for (std::size_t x = 0; x < levels.size(); ++x) fits = fits && (!at[x] || *at[x] == levels[x]);
+    if (!fits) continue;
+    levels[axis] = b;
+    if (const auto partner = byLevels.find(levels); partner != byLevels.end())
+      all.push_back({i, partner->second});
+  }
+  return all;
+}
+
+PairComparison compare(const StudyResults& results, std::size_t measure, std::size_t axis, std::size_t a,
+                       std::size_t b, const Fixed& at) {
+  PairComparison pair;
+  pair.measure = measure, pair.axis = axis, pair.a = a, pair.b = b, pair.at = at, pair.sameRuns = true;
+  const auto conditions = partners(results, axis, a, b, at);
+  std::set<std::vector<std::size_t>> seen;  // what pairs are made of
+  bool varies = false;                      // a condition of theirs does, by what its scene asks of the seed
+  for (std::size_t s = 0; s < results.seeds.size(); ++s) {
+    double sumA = 0, sumB = 0;
+    std::vector<std::size_t> tasks;
+    for (const auto& [i, j] : conditions) {
+      const std::size_t ti = results.conditions[i].tasks[s], tj = results.conditions[j].tasks[s];
+      const auto of = results.end(measure, ti), against = results.end(measure, tj);
+      if (!of || !against) continue;
+      sumA += *of, sumB += *against;
+      tasks.push_back(ti), tasks.push_back(tj);
+      pair.sameRuns = pair.sameRuns && ti == tj;
+      varies = varies || results.conditions[i].usesSeed || results.conditions[j].usesSeed;
+    }
+    if (tasks.empty()) continue;
+    ++pair.seeds;
+    if (!seen.insert(tasks).second) continue;
+    const double count = static_cast<double>(tasks.size() / 2);
+    pair.of.push_back(sumA / count), pair.against.push_back(sumB / count);
+  }
+  if (pair.of.empty()) return pair;
+  pair.meanA = mean(pair.of), pair.meanB = mean(pair.against);
+  pair.signs = signsOf(pair.of, pair.against);
+  if (pair.of.size() > 1) {
+    pair.paired = comparePaired(pair.of, pair.against);
+    pair.unpaired = compareUnpaired(pair.of, pair.against);
+    pair.effect = effectSizes(pair.of, pair.against);
+    return pair;
+  }
+  pair.known = varies && !pair.sameRuns ? Known::oneSeed : Known::exact;
+  pair.paired.difference = pair.of.front() - pair.against.front();
+  pair.paired.interval = {pair.paired.difference, pair.paired.difference};
+  return pair;
+}
+
+/// All ways to fix the other axes that are compared; first, and alone unless `within`, none of them.
+std::vector<Fixed> fixedLevels(const StudyComparison& c, std::size_t axis, bool within) {
+  std::vector<Fixed> all{Fixed(c.results.axes.size())};
+  if (!within) return all;
+  std::vector<Fixed> open = all;
+  for (const std::size_t other : comparedAxes(c)) {
+    if (other == axis) continue;
+    std::vector<Fixed> next;
+    for (const Fixed& f : open)
+      for (std::size_t level = 0; level < c.results.axes[other].labels.size(); ++level)
+        next.push_back(f), next.back()[other] = level;
+    open = std::move(next);
+  }
+  if (open.size() > 1) all.insert(all.end(), open.begin(), open.end());
+  return all;
+}
+
+/// Holm over all pairs that have a p-value: they are what could be called a difference by chance.
+template <class Get, class Set>
+void correct(std::vector<PairComparison>& pairs, const Get& get, const Set& set) {
+  std::vector<double> p;
+  std::vector<PairComparison*> of;
+  for (PairComparison& pair : pairs)
+    if (const auto value = get(pair)) p.push_back(*value), of.push_back(&pair);
+  const auto corrected = correctHolm(p);
+  for (std::size_t i = 0; i < of.size(); ++i) set(*of[i], corrected[i]);
+}
+
+void testEquivalences(StudyComparison& c) {
+  for (PairComparison& pair : c.pairs) {
+    const auto margin = marginOf(c.margins, c.measureName(pair.measure), 0.5 * (pair.meanA + pair.meanB));
+    if (!margin || pair.known == Known::oneSeed) continue;
+    auto& same = pair.equivalence.emplace();
+    same.test = testEquivalence(pair.paired, *margin);
+    same.corrected = same.test.p, same.correctedBeyond = same.test.pBeyond;
+  }
+  using Value = std::optional<double>;
+  const auto tested = [](const PairComparison& p) { return p.equivalence && p.known == Known::estimated; };
+  correct(
+      c.pairs, [&](PairComparison& p) { return tested(p) ? Value(p.equivalence->test.p) : Value(); },
+      [](PairComparison& p, double corrected) { p.equivalence->corrected = corrected; });
+  correct(
+      c.pairs, [&](PairComparison& p) { return tested(p) ? Value(p.equivalence->test.pBeyond) : Value(); },
+      [](PairComparison& p, double corrected) { p.equivalence->correctedBeyond = corrected; });
+  for (PairComparison& p : c.pairs)
+    if (p.equivalence)
+      p.equivalence->verdict = verdictOf(p.equivalence->corrected, p.equivalence->correctedBeyond);
+}
+
+}  // namespace
+
+std::optional<double> PairComparison::intervalRatio() const {
+  if (!unpaired || !(unpaired->interval.width() > 0)) return std::nullopt;
+  return paired.interval.width() / unpaired->interval.width();
+}
+
+void comparePairs(StudyComparison& c, bool within) {
+  for (const std::size_t m : c.measures)
+    for (const std::size_t axis : comparedAxes(c))
+      for (const Fixed& at : fixedLevels(c, axis, within)) {
+        const std::size_t levels = c.results.axes[axis].labels.size();
+        for (std::size_t a = 0; a < levels; ++a)
+          for (std::size_t b = a + 1; b < levels; ++b) {
+            auto pair = compare(c.results, m, axis, a, b, at);
+            if (pair.seeds > 0) c.pairs.push_back(std::move(pair));
+          }
+      }
+  correct(
+      c.pairs,
+      [](PairComparison& p) {
+        return p.known == Known::estimated && !p.sameRuns ? std::optional(p.paired.p) : std::nullopt;
+      },
+      [](PairComparison& p, double corrected) { p.corrected = corrected; });
+  testEquivalences(c);
+}
+
+}  // namespace morula

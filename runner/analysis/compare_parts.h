@@ -1,0 +1,17 @@
+#pragma once
+// The parts of compareStudy, one file each.
+#include "analysis/comparison.h"
+
+namespace morula {
+
+/// Fills `pairs`, correction and equivalence included.
+void comparePairs(StudyComparison& comparison, bool within);
+/// Fills `effects`.
+void compareFactors(StudyComparison& comparison);
+/// Fills `courses`.
+void compareOverTime(StudyComparison& comparison, Bootstrap& bootstrap);
+
+/// The numbers of the axes with two levels or more that are compared.
+std::vector<std::size_t> comparedAxes(const StudyComparison& comparison);
+
+}  // namespace morula

@@ -1,0 +1,121 @@
+#pragma once
+// A study's results held against each other: every condition, every pair of levels, every factor.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/margins.h"
+#include "analysis/study_results.h"
+#include "statistics/bootstrap.h"
+#include "statistics/compare_means.h"
+#include "statistics/equivalence.h"
+#include "statistics/factorial.h"
+#include "system/json.h"
+
+namespace morula {
+
+struct CompareOptions {
+  std::vector<std::string> by;        // axes whose levels are held against each other; none: all axes
+  std::vector<std::string> measures;  // none: all
+  std::vector<std::string> margins;   // as parseMargins takes them; none: equivalence is not tested
+  bool within =
+      false;  // hold levels against each other also at each level of the other axes, not only in their mean
+};
+
+/// One measure under one condition, at the end of the runs.
+struct ConditionSummary {
+  std::size_t measure = 0, condition = 0;
+  std::vector<std::uint64_t> seeds;  // those with a value
+  std::vector<double> values;        // one for each of them
+  std::size_t distinct = 0;          // final states that differ
+  double mean = 0;  // of the distinct runs: what was computed once counts once. 0 without values
+  std::optional<Interval>
+      interval;  // of the mean, 95 %, bootstrap; none where seeds change nothing, or of one value
+};
+
+/// What is known of a difference.
+enum class Known {
+  estimated,  // two pairs or more: with an interval
+  exact,      // seeds change neither side: the difference is what it is
+  oneSeed,    // one pair of runs alone: nothing says how far it would vary
+};
+
+/// Two levels of one axis. Each pair is of one seed: the mean over the conditions with level a and over those with level b
+/// that differ in nothing else and have both been measured.
+struct PairComparison {
+  std::size_t measure = 0, axis = 0, a = 0, b = 0;  // levels of the axis, a < b
+  std::vector<std::optional<std::size_t>> at;  // [axis] its level if it is fixed; otherwise the mean over it
+  Known known = Known::estimated;
+  bool sameRuns = false;            // both levels mean the same scenes
+  std::size_t seeds = 0;            // for which both sides have values
+  std::vector<double> of, against;  // [pair] of a and of b; pairs of the same runs count once
+  double meanA = 0, meanB = 0;
+  MeanDifference paired;                   // n ≥ 2: otherwise the difference alone
+  std::optional<MeanDifference> unpaired;  // the same values without their pairs
+  EffectSizes effect{};
+  Signs signs{};
+  double corrected = 1;  // p of `paired`, by Holm over all pairs that are compared
+  struct Same {
+    Equivalence test;
+    double corrected = 1, correctedBeyond = 1;  // Holm
+    Equivalent verdict = Equivalent::undecided;
+  };
+  std::optional<Same> equivalence;
+
+  bool isShown() const { return known == Known::estimated && corrected < 0.05; }
+  /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay.
+  std::optional<double> intervalRatio() const;
+};
+
+/// Main effects and interactions of the axes that are compared, in the mean over the others; seeds are blocks.
+struct MeasureEffects {
+  std::size_t measure = 0;
+  std::vector<std::size_t> axes;           // with two levels or more; factors count in these
+  std::vector<std::vector<double>> means;  // [axis of these][level]
+  FactorialAnalysis analysis;
+  std::string untested;  // why there is no F test; "": there is one
+  std::size_t seeds = 0;
+};
+
+/// One measure under one condition, over time.
+struct TimeCourse {
+  std::size_t measure = 0, condition = 0;
+  struct Point {
+    double time = 0;
+    std::size_t n = 0;  // distinct runs
+    double mean = 0;
+    std::optional<Interval> interval;  // as ConditionSummary
+  };
+  std::vector<Point> points;
+};
+
+struct StudyComparison {
+  StudyResults results;
+  std::vector<std::size_t> by;        // axes, in the order asked for
+  std::vector<std::size_t> measures;  // those compared
+  std::vector<Margin> margins;
+  std::vector<std::size_t> seedless;  // conditions whose seeds change nothing, though the study has several
+  std::vector<ConditionSummary> conditions;  // by measure, then condition
+  std::vector<PairComparison> pairs;         // by measure, axis, what is fixed, levels
+  std::vector<MeasureEffects> effects;
+  std::vector<TimeCourse> courses;  // of measures that were taken at several times
+
+  const std::string& measureName(std::size_t m) const { return results.measures[m]; }
+};
+
+/// Throws UsageError for axes, measures and margins that the study has not.
+StudyComparison compareStudy(StudyResults results, const CompareOptions& options);
+
+/// Sentences: what differs, what does not, what tells nothing. Failed runs and seeds that change nothing come first.
+std::vector<std::string> verdictsOf(const StudyComparison& comparison);
+/// Runs that failed or are missing, a line each; and groups of conditions that are the same runs.
+std::vector<std::string> troublesOf(const StudyResults& results);
+
+/// For people.
+std::string describe(const StudyComparison& comparison);
+/// As `compare --json` prints it.
+Json toJson(const StudyComparison& comparison);
+/// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column [RFC 4180].
+std::string toCsv(const StudyComparison& comparison);
+
+}  // namespace morula

@@ -1,0 +1,75 @@
+#include "analysis/measure_words.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "simulation/measures.h"
+
+namespace morula {
+
+namespace {
+
+struct Words {
+  const char *measure, *subject, *more, *less;
+};
+
+constexpr std::array known{
+    Words{"sister_contact", "sister adjacency", "higher", "lower"},
+    Words{"cousin_contact", "cousin adjacency", "higher", "lower"},
+    Words{"clone_contact", "contact within clones", "more", "less"},
+    Words{"homotypic_contact", "contact between cells of one kind", "more", "less"},
+    Words{"clone_radius", "clones", "wider", "tighter"},
+    Words{"clone_components", "pieces of a clone", "more", "fewer"},
+    Words{"mixing_index", "clones", "more mixed", "less mixed"},
+    Words{"lineage_space", "correlation of lineage and space", "higher", "lower"},
+    Words{"sphericity", "cells", "rounder", "less round"},
+    Words{"elongation", "cells", "longer", "shorter"},
+    Words{"organism_elongation", "organism", "longer", "shorter"},
+    Words{"extent", "organism", "wider", "narrower"},
+    Words{"neighbours", "neighbours of a cell", "more", "fewer"},
+    Words{"cells", "cells", "more", "fewer"},
+    Words{"volume", "volume", "larger", "smaller"},
+    Words{"cell.volume", "cells", "larger", "smaller"},
+    Words{"area", "area of contacts", "larger", "smaller"},
+};
+
+struct Row {
+  std::size_t place;
+  std::string unit;
+};
+
+template <class Of>
+std::optional<Row> rowIn(const std::string& scope, const std::string& measure, std::size_t& before) {
+  const auto rows = measures<Of>();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (measure == rows[i].name || measure == scope + "." + rows[i].name)
+      return Row{before + i, rows[i].unit};
+  before += rows.size();
+  return std::nullopt;
+}
+
+Row rowOf(const std::string& measure) {
+  std::size_t before = 0;
+  if (const auto row = rowIn<Observation>("world", measure, before)) return *row;
+  if (const auto row = rowIn<CellContext>("cell", measure, before)) return *row;
+  if (const auto row = rowIn<Touch>("pair", measure, before)) return *row;
+  return {before, ""};
+}
+
+}  // namespace
+
+MeasureWords wordsOfMeasure(const std::string& measure) {
+  for (const Words& w : known)
+    if (measure == w.measure) return {w.subject, w.more, w.less};
+  std::string subject = measure;
+  std::ranges::replace(subject, '_', ' ');
+  std::ranges::replace(subject, '.', ' ');
+  return {subject, "higher", "lower"};
+}
+
+std::string unitOfMeasure(const std::string& measure) { return rowOf(measure).unit; }
+
+std::size_t placeOfMeasure(const std::string& measure) { return rowOf(measure).place; }
+
+}  // namespace morula

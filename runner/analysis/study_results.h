@@ -1,0 +1,54 @@
+#pragma once
+// What a merged study has found, as a comparison needs it: for each condition, seed and measure the values over time.
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace morula {
+
+struct TimedValue {
+  double time = 0, value = 0;
+};
+
+/// One distinct run.
+struct ResultTask {
+  std::string id, status, reason;               // done, failed or missing; the reason of a failure
+  std::string runId;                            // "" while it is missing
+  std::string stateHash;                        // of its last state; "" unless done
+  std::vector<std::vector<TimedValue>> values;  // [measure] by time; empty: there was nothing to measure
+};
+
+struct ResultAxis {
+  std::string name;
+  std::vector<std::string> labels;
+};
+
+struct ResultCondition {
+  std::vector<std::size_t> levels;  // one for each axis
+  bool usesSeed = true;
+  std::vector<std::size_t>
+      tasks;  // [seed] conditions and seeds that mean the same share them; noTask: not planned
+};
+inline constexpr std::size_t noTask = std::numeric_limits<std::size_t>::max();
+
+struct StudyResults {
+  std::string name, summary;
+  std::vector<ResultAxis> axes;       // in the order of the study file, as their levels
+  std::vector<std::string> measures;  // those that the study asks for, in its order
+  std::vector<std::uint64_t> seeds;   // in rising order
+  std::vector<ResultTask> tasks;      // in the order of the plan
+  std::vector<ResultCondition> conditions;
+
+  /// The value at the end of a run. Absent unless the run is done and had something to measure.
+  std::optional<double> end(std::size_t measure, std::size_t task) const;
+  /// "longest, none"; "the scenario as it is" without axes.
+  std::string nameOf(const ResultCondition& condition) const;
+};
+
+/// Throws StoreError (exit 6) if the file is none that `morula study merge` has made.
+StudyResults readStudyResults(const std::filesystem::path& file);
+
+}  // namespace morula

@@ -1,0 +1,186 @@
+// What a comparison says, in sentences. Each is made of numbers that the tables below it show.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "analysis/comparison.h"
+#include "analysis/comparison_text.h"
+#include "analysis/measure_words.h"
+#include "base/number_text.h"
+#include "files/text.h"
+
+namespace morula {
+
+namespace {
+
+/// Less than this between all values of a measure, over the largest of them, is nothing to go by.
+constexpr double littleRange = 0.01;
+
+struct Spread {
+  double low = INFINITY, high = -INFINITY;
+  double share() const {
+    const double size = std::max(std::abs(low), std::abs(high));
+    return size > 0 ? (high - low) / size : 0;
+  }
+};
+
+Spread spreadOf(const StudyComparison& c, std::size_t measure) {
+  Spread s;
+  for (const ConditionSummary& summary : c.conditions)
+    if (summary.measure == measure)
+      for (const double v : summary.values) s.low = std::min(s.low, v), s.high = std::max(s.high, v);
+  return s;
+}
+
+bool anyShown(const StudyComparison& c, std::size_t measure) {
+  return std::ranges::any_of(c.pairs, [&](const PairComparison& p) {
+    return p.measure == measure && (p.isShown() || (p.known == Known::exact && p.paired.difference != 0));
+  });
+}
+
+/// " at none" for what is fixed.
+std::string place(const StudyComparison& c, const PairComparison& pair) {
+  std::vector<std::string> fixed;
+  for (std::size_t a = 0; a < pair.at.size(); ++a)
+    if (pair.at[a]) fixed.push_back(c.results.axes[a].name + ": " + c.results.axes[a].labels[*pair.at[a]]);
+  return fixed.empty() ? "" : " with " + join(fixed);
+}
+
+const std::string& label(const StudyComparison& c, const PairComparison& pair, std::size_t level) {
+  return c.results.axes[pair.axis].labels[level];
+}
+
+/// "clones 4.5 % tighter under longest than under random".
+std::string differs(const StudyComparison& c, const PairComparison& pair) {
+  const MeasureWords words = wordsOfMeasure(c.measureName(pair.measure));
+  const double d = pair.paired.difference;
+  const bool relative = pair.meanA > 0 && pair.meanB > 0;
+  const std::string size =
+      relative ? numberText(100 * std::abs(d) / pair.meanB, 2) + " %" : numberText(std::abs(d), 2);
+  return fmt::format("{} {} {} under {} than under {}{}", words.subject, size,
+                     d > 0 ? words.more : words.less, label(c, pair, pair.a), label(c, pair, pair.b),
+                     place(c, pair));
+}
+
+/// "every one of 10 pairs", "9 of 10 pairs".
+std::string inHowMany(const PairComparison& pair) {
+  const std::size_t n = pair.signs.pairs(),
+                    with = pair.paired.difference > 0 ? pair.signs.higher : pair.signs.lower;
+  return with == n ? fmt::format("every one of {} pairs", n) : fmt::format("{} of {} pairs", with, n);
+}
+
+std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
+  const MeasureWords words = wordsOfMeasure(c.measureName(pair.measure));
+  const std::string between =
+      fmt::format("{} and {}{}", label(c, pair, pair.a), label(c, pair, pair.b), place(c, pair));
+  if (pair.sameRuns) return fmt::format("{}: {} are the same runs", words.subject, between);
+  switch (pair.known) {
+    case Known::exact:
+      return pair.paired.difference == 0
+                 ? fmt::format("{}: the same under {}, and no seed changes it", words.subject, between)
+                 : differs(c, pair) + ", exactly: seeds change neither";
+    case Known::oneSeed:
+      return differs(c, pair) + ", in one pair of runs: nothing says how far that varies";
+    case Known::estimated:
+      break;
+  }
+  if (pair.isShown()) return fmt::format("{}, {}", differs(c, pair), inHowMany(pair));
+  return fmt::format("{}: no difference is shown between {} ({}, 95 % interval {} to {}{})", words.subject,
+                     between, numberText(pair.paired.difference, 2), numberText(pair.paired.interval.low, 2),
+                     numberText(pair.paired.interval.high, 2),
+                     pair.paired.p < 0.05 ? "; one by chance is likely among so many comparisons" : "");
+}
+
+std::string equivalenceVerdict(const StudyComparison& c, const PairComparison& pair) {
+  const auto& same = *pair.equivalence;
+  return fmt::format("{} {} under {} and {}{}: they differ by {}, 90 % interval {} to {}, margin ±{}",
+                     c.measureName(pair.measure), name(same.verdict), label(c, pair, pair.a),
+                     label(c, pair, pair.b), place(c, pair), numberText(pair.paired.difference, 2),
+                     numberText(same.test.interval.low, 2), numberText(same.test.interval.high, 2),
+                     numberText(same.test.margin, 3));
+}
+
+/// Interactions alone: main effects are what the pairs say.
+void addInteractions(const StudyComparison& c, std::size_t measure, std::vector<std::string>& verdicts) {
+  for (const MeasureEffects& effects : c.effects) {
+    if (effects.measure != measure) continue;
+    for (const FactorEffect& e : effects.analysis.effects) {
+      if (e.factors.size() < 2 || !e.p || *e.p >= 0.05) continue;
+      verdicts.push_back(fmt::format(
+          "{}: what {} does depends on {} (interaction, η² {}, {})",
+          wordsOfMeasure(c.measureName(measure)).subject, c.results.axes[effects.axes[e.factors[0]]].name,
+          c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(e.p)));
+    }
+  }
+}
+
+void addMeasure(const StudyComparison& c, std::size_t measure, std::vector<std::string>& verdicts) {
+  const Spread spread = spreadOf(c, measure);
+  if (!(spread.low <= spread.high)) {
+    verdicts.push_back(c.measureName(measure) + ": there was nothing to measure in any run");
+    return;
+  }
+  const bool tellsNothing = spread.share() <= littleRange && !anyShown(c, measure);
+  if (tellsNothing) {
+    const std::string low = numberText(spread.low, 3), high = numberText(spread.high, 3);
+    verdicts.push_back(fmt::format("{} is {} everywhere: it tells nothing",
+                                   wordsOfMeasure(c.measureName(measure)).subject,
+                                   low == high ? low : low + " to " + high));
+  }
+  for (const PairComparison& pair : c.pairs) {
+    if (pair.measure != measure) continue;
+    if (!tellsNothing) verdicts.push_back(pairVerdict(c, pair));
+    if (pair.equivalence) verdicts.push_back(equivalenceVerdict(c, pair));
+  }
+  if (!tellsNothing) addInteractions(c, measure, verdicts);
+}
+
+/// What pairs of one seed save.
+void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& verdicts) {
+  const PairComparison* best = nullptr;
+  double least = INFINITY, most = 0;
+  for (const PairComparison& pair : c.pairs) {
+    const auto ratio = pair.intervalRatio();
+    if (!ratio) continue;
+    if (*ratio < least) least = *ratio, best = &pair;
+    most = std::max(most, *ratio);
+  }
+  if (!best) return;
+  const std::string where = fmt::format("{}: {} and {}{}", c.measureName(best->measure),
+                                        label(c, *best, best->a), label(c, *best, best->b), place(c, *best));
+  verdicts.push_back(fmt::format(
+      "common random numbers: the interval of a paired difference is {}{} of the unpaired one ({})",
+      numberText(least, 2), least < most ? " to " + numberText(most, 2) : "", where));
+}
+
+}  // namespace
+
+std::vector<std::string> verdictsOf(const StudyComparison& c) {
+  std::vector<std::string> verdicts;
+  for (const std::size_t m : c.measures) addMeasure(c, m, verdicts);
+  addCommonRandomNumbers(c, verdicts);
+  return verdicts;
+}
+
+std::vector<std::string> troublesOf(const StudyResults& r) {
+  std::vector<std::string> lines;
+  std::vector<bool> told(r.tasks.size());
+  for (const ResultCondition& condition : r.conditions)
+    for (std::size_t s = 0; s < r.seeds.size(); ++s) {
+      const std::size_t t = condition.tasks[s];
+      if (t == noTask || r.tasks[t].status == "done" || told[t]) continue;
+      told[t] = true;
+      lines.push_back(fmt::format("{}  {}, seed {}{}", r.tasks[t].status, r.nameOf(condition), r.seeds[s],
+                                  r.tasks[t].reason.empty() ? "" : ": " + r.tasks[t].reason));
+    }
+  std::map<std::vector<std::size_t>, std::vector<std::string>> byTasks;
+  for (const ResultCondition& condition : r.conditions)
+    byTasks[condition.tasks].push_back(r.nameOf(condition));
+  for (const auto& [tasks, names] : byTasks)
+    if (names.size() > 1) lines.push_back("the same runs  " + join(names, " = "));
+  return lines;
+}
+
+}  // namespace morula

@@ -1,0 +1,55 @@
+// morula study plan: what a study will compute, and what that will cost.
+#include <memory>
+
+#include "base/error.h"
+#include "cli/exit_codes.h"
+#include "cli/options.h"
+#include "cli/verb.h"
+#include "study/plan_folder.h"
+#include "system/console.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct PlanCommand {
+  std::string study, to;
+  InputOptions input;
+  OutputOptions output;
+  bool dryRun = false, noPredict = false;
+};
+
+int act(const PlanCommand& command) {
+  const Study study = loadStudy(command.study, command.input.allowOutside);
+  const Plan plan = makePlan(study, {.predict = !command.noPredict});
+  const std::filesystem::path folder =
+      command.to.empty() ? studyFolder(study) : std::filesystem::path(command.to);
+  tellWarnings(plan.warnings, command.output.quiet);
+  const bool isNew = !command.dryRun && keepPlan(plan, folder);
+  const std::string file = planFile(folder).string();
+  if (command.output.json) {
+    Json members = summaryOf(plan);
+    members["file"] = command.dryRun ? Json() : Json(file);
+    printJson(members);
+  } else {
+    print(describe(plan));
+    if (!command.dryRun) tell((isNew ? "wrote " : "as planned before in ") + file, command.output.quiet);
+  }
+  return fine;
+}
+
+}  // namespace
+
+void addStudyPlan(CLI::App& study, Action& action) {
+  auto command = std::make_shared<PlanCommand>();
+  Verb verb(study, action, "plan", "Decide what a study computes, and tell what that costs");
+  verb.needs("study", command->study, "FILE", "A study file");
+  verb.takes("--to", command->to, "DIR", "The study's folder; default: results/studies/NAME");
+  verb.takes("--dry-run", command->dryRun, "Tell it, and write nothing");
+  verb.takes("--no-predict", command->noPredict, "Do not predict what the runs cost");
+  add(verb, command->input);
+  add(verb, command->output);
+  verb.does([command] { return act(*command); });
+}
+
+}  // namespace morula::cli

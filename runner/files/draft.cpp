@@ -1,0 +1,86 @@
+#include "files/draft.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "base/error.h"
+#include "files/folders.h"
+
+namespace morula {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view beginning = ".morula-", ending = ".part";
+
+[[noreturn]] void refuse(const fs::path& file) {
+  throw FileError("'" + file.string() + "' cannot be written: " + std::strerror(errno));
+}
+
+/// A name in the same folder that nothing else uses. Processes of several machines may share the folder.
+fs::path draftFor(const fs::path& file) {
+  static std::atomic<unsigned> number{0};
+  char host[65] = {};
+  ::gethostname(host, sizeof host - 1);
+  for (char& c : host)
+    if (c == '/') c = '_';
+  return file.parent_path() / (std::string(beginning) + host + "-" + std::to_string(::getpid()) + "-" +
+                               std::to_string(++number) + std::string(ending));
+}
+
+/// Between its making and its locking a draft looks abandoned: it may be gone once it is locked.
+bool isThere(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
+}
+
+}  // namespace
+
+Draft::Draft(fs::path file) : file_(std::move(file)), descriptor_(-1) {
+  do {
+    draft_ = draftFor(file_);
+    descriptor_ =
+        Descriptor(::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
+    if (!descriptor_.isOpen() && errno == EEXIST) continue;  // of a process of this number on another machine
+    if (!descriptor_.isOpen()) refuse(file_);
+    ::flock(descriptor_.number(), LOCK_EX);
+  } while (!descriptor_.isOpen() || !isThere(descriptor_.number()));
+}
+
+Draft::~Draft() {
+  if (!placed_) ::unlink(draft_.c_str());
+}
+
+void Draft::write(std::string_view bytes) {
+  if (!writeAll(descriptor_.number(), bytes)) refuse(file_);
+}
+
+void Draft::takePlace() {
+  if (::fsync(descriptor_.number()) != 0 || ::rename(draft_.c_str(), file_.c_str()) != 0) refuse(file_);
+  placed_ = true;
+  if (!descriptor_.close()) refuse(file_);
+}
+
+std::size_t removeAbandonedDrafts(const fs::path& folder) {
+  std::size_t removed = 0;
+  if (!isFolder(folder)) return removed;
+  for (const fs::path& name : namesIn(folder)) {
+    const std::string text = name.string();
+    if (!text.starts_with(beginning) || !text.ends_with(ending)) continue;
+    const fs::path file = folder / name;
+    const Descriptor held(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    if (!held.isOpen() || ::flock(held.number(), LOCK_EX | LOCK_NB) != 0) continue;
+    if (removeFile(file)) ++removed;
+  }
+  return removed;
+}
+
+}  // namespace morula

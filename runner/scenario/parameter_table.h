@@ -1,0 +1,56 @@
+#pragma once
+// One table of all sections and parameters feeds the loader, the schema for editors, the list for people and the
+// resolved form.
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "values/parameter.h"
+
+namespace morula::scenario {
+
+/// A map of parameters. Absent: its parameters have their defaults, or the part that it describes does not
+/// exist.
+struct Section {
+  enum class Members { any, atLeastOne, exactlyOne };  // not counting what refines another
+  std::string path{};                                  // "" is the whole file
+  std::string meaning{};
+  std::string absent{};  // for people: what holds without it
+  bool required = false;
+  Members members = Members::any;
+  Decides decides = Decides::results;
+  std::string needs{};                    // the path of a section without which this one makes no sense
+  bool later = false;                     // as of a parameter: with nothing in it no part of the meaning
+  std::function<void(Scenario&)> make{};  // called when the section is given
+  std::function<bool(const Scenario&)> exists{};  // absent: always
+  // Of a section whose keys are the user's own, such as substances: all of them, as one map.
+  std::optional<Parameter> entries{};
+  std::string details{};  // Markdown that stands below the section's meaning
+
+  std::string key() const { return path.substr(path.rfind('.') + 1); }
+  std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
+};
+
+struct ParameterTable {
+  std::vector<Section> sections;      // a section before those inside it
+  std::vector<Parameter> parameters;  // in the order in which people should meet them
+
+  const Section* section(std::string_view path) const;
+  const Parameter* parameter(std::string_view path) const;
+  /// The parameters and sections directly inside a section.
+  std::vector<const Parameter*> parametersOf(std::string_view section) const;
+  std::vector<const Section*> sectionsOf(std::string_view section) const;
+};
+
+/// The table (parameter_table.cpp).
+const ParameterTable& parameterTable();
+
+/// All sections of the table (section_table.cpp), one before those inside it.
+std::vector<Section> sections();
+
+/// A Scenario with all defaults, in which every section exists.
+Scenario allDefaults();
+
+}  // namespace morula::scenario

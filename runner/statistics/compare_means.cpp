@@ -1,0 +1,77 @@
+#include "statistics/compare_means.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/error.h"
+#include "base/maths.h"
+#include "statistics/distributions.h"
+
+namespace morula {
+
+namespace {
+
+std::vector<double> differences(std::span<const double> a, std::span<const double> b) {
+  MORULA_CHECK(a.size() == b.size() && a.size() > 1, "pairs, two at least");
+  std::vector<double> all(a.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = a[i] - b[i];
+  return all;
+}
+
+MeanDifference test(double difference, double standardError, double df) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  MeanDifference d{.difference = difference, .standardError = standardError, .degreesOfFreedom = df};
+  if (standardError > 0) d.t = difference / standardError;
+  else if (difference != 0) d.t = difference > 0 ? infinity : -infinity;
+  d.p = studentBeyond(d.t, df);
+  d.interval = intervalOf(d, 0.95);
+  return d;
+}
+
+}  // namespace
+
+Interval intervalOf(const MeanDifference& d, double level) {
+  if (d.standardError == 0) return {d.difference, d.difference};
+  const double half = studentQuantile(0.5 + 0.5 * level, d.degreesOfFreedom) * d.standardError;
+  return {d.difference - half, d.difference + half};
+}
+
+MeanDifference comparePaired(std::span<const double> a, std::span<const double> b) {
+  const auto d = differences(a, b);
+  const double n = static_cast<double>(d.size()), spread = variance(d);
+  return test(spread == 0 ? d.front() : mean(d), std::sqrt(spread / n), n - 1);
+}
+
+MeanDifference compareUnpaired(std::span<const double> a, std::span<const double> b) {
+  const double na = static_cast<double>(a.size()), nb = static_cast<double>(b.size());
+  const double ea = variance(a) / na, eb = variance(b) / nb, e = ea + eb;
+  // Welch & Satterthwaite; without any variance the number does not matter
+  const double df = e > 0 ? e * e / (ea * ea / (na - 1) + eb * eb / (nb - 1)) : na + nb - 2;
+  return test(mean(a) - mean(b), std::sqrt(e), df);
+}
+
+double hedgesFactor(double df) {
+  return exponential(logGamma(0.5 * df) - logGamma(0.5 * (df - 1))) / std::sqrt(0.5 * df);
+}
+
+EffectSizes effectSizes(std::span<const double> a, std::span<const double> b) {
+  EffectSizes sizes;
+  const auto d = differences(a, b);
+  if (const double spread = variance(d); spread > 0) sizes.dz = mean(d) / std::sqrt(spread);
+  if (const double spread = 0.5 * (variance(a) + variance(b)); spread > 0) {
+    sizes.d = (mean(a) - mean(b)) / std::sqrt(spread);
+    sizes.g = *sizes.d * hedgesFactor(2 * static_cast<double>(a.size() - 1));
+  }
+  return sizes;
+}
+
+Signs signsOf(std::span<const double> a, std::span<const double> b) {
+  MORULA_CHECK(a.size() == b.size(), "pairs");
+  Signs signs;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    ++(a[i] > b[i] ? signs.higher : a[i] < b[i] ? signs.lower : signs.same);
+  return signs;
+}
+
+}  // namespace morula

@@ -1,0 +1,50 @@
+#pragma once
+// Two means held against each other: Student's t for pairs, Welch's for samples that are not paired, and how large
+// the difference is.
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "statistics/bootstrap.h"
+
+namespace morula {
+
+/// The difference of two means and how sure it is.
+struct MeanDifference {
+  double difference = 0;  // mean of a − mean of b
+  double standardError = 0, degreesOfFreedom = 0;
+  double t = 0;         // difference / standardError; ±∞ where nothing varies and the means differ
+  double p = 1;         // two-sided; 0 for t = ±∞, 1 where nothing varies and the means are the same
+  Interval interval{};  // at 95 %, Student's
+};
+
+/// The interval of the difference at another level.
+Interval intervalOf(const MeanDifference& d, double level);
+
+/// Of pairs (a[i], b[i]), two at least: Student's t of their differences.
+MeanDifference comparePaired(std::span<const double> a, std::span<const double> b);
+
+/// Of two samples of two values at least, whose variances may differ [Welch 1947].
+MeanDifference compareUnpaired(std::span<const double> a, std::span<const double> b);
+
+/// Differences in standard deviations. Absent where nothing varies.
+struct EffectSizes {
+  std::optional<double> dz;  // mean of the differences over their standard deviation: what a paired test sees
+  std::optional<double> d;   // over the root of the mean of both variances [Cohen 1988]
+  std::optional<double> g;   // the same without its bias of small samples [Hedges 1981], df = 2 (n − 1)
+};
+EffectSizes effectSizes(std::span<const double> a, std::span<const double> b);
+
+/// The factor that takes the bias off a standardised difference: Γ(df/2) / (√(df/2) Γ((df − 1)/2)), df > 1.
+double hedgesFactor(double df);
+
+/// In how many of the pairs a is above b, below and the same.
+struct Signs {
+  std::size_t higher = 0, lower = 0, same = 0;
+  std::size_t pairs() const { return higher + lower + same; }
+  /// All differ, and in one direction.
+  bool agree() const { return pairs() > 0 && same == 0 && (higher == 0 || lower == 0); }
+};
+Signs signsOf(std::span<const double> a, std::span<const double> b);
+
+}  // namespace morula

@@ -1,0 +1,33 @@
+#pragma once
+// The distributions of the normal deviate, Student's t and Fisher's F, made of + − × ÷ and square roots only
+// (base/maths.h), so that a p-value has the same bits on every machine.
+
+namespace morula {
+
+/// ln Γ(a), a > 0, to within 1e-14 (1 + |ln Γ(a)|): Stirling's series above 16, reached by Γ(a) = Γ(a + 1) / a.
+double logGamma(double a);
+
+/// The regularised incomplete beta function
+///
+///   I_x(a, b) = ∫₀ˣ t^(a−1) (1 − t)^(b−1) dt / B(a, b),   a, b > 0, 0 ≤ x ≤ 1
+///
+/// by its continued fraction [DLMF 8.17.22]. `y` is 1 − x, given apart because it may be known more exactly than
+/// a subtraction would give it. To within 1e-11 of the value for a, b up to 10⁴.
+double incompleteBeta(double a, double b, double x, double y);
+
+/// P(T > t) of Student's t with `df` > 0 degrees of freedom, which need not be whole.
+double studentAbove(double t, double df);
+/// P(|T| > |t|).
+double studentBeyond(double t, double df);
+/// The t with P(T ≤ t) = share, 0 < share < 1.
+double studentQuantile(double share, double df);
+
+/// P(F > f) of Fisher's F with these degrees of freedom; 1 for f ≤ 0.
+double fisherAbove(double f, double df1, double df2);
+
+/// P(Z ≤ z) of the normal distribution with mean 0 and standard deviation 1, to within 1e-15.
+double normalBelow(double z);
+/// The z with P(Z ≤ z) = share; −8.5 and 8.5, beyond which shares are not told from 0 and 1, at the ends.
+double normalQuantile(double share);
+
+}  // namespace morula

@@ -1,0 +1,62 @@
+#pragma once
+// The merged database of a study: all its runs in one file, made anew from the files of the tasks. The same tasks, added in
+// the same order, make the same bytes, but for the table `timing`.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/draft.h"
+#include "store/task_file.h"
+
+namespace morula {
+
+/// What the plan says, as rows.
+struct StudyTables {
+  std::string name, summary, planId, plan;
+  struct AxisRow {
+    std::string name;
+    struct LevelRow {
+      std::string label, keys;
+    };
+    std::vector<LevelRow> levels;
+  };
+  std::vector<AxisRow> axes;
+  std::vector<std::string> keys;  // columns of condition_key
+  struct ConditionRow {
+    std::vector<std::string> labels;  // one for each axis
+    bool usesSeed = false;
+    std::uint64_t distinctRuns = 0;
+    std::vector<std::optional<std::string>> keyValues;  // one for each of `keys`
+  };
+  std::vector<ConditionRow> conditions;  // by number
+  struct ReplicateRow {
+    std::uint64_t condition = 0, seed = 0;
+    std::string task;
+  };
+  std::vector<ReplicateRow> replicates;
+};
+
+class MergedStudy {
+ public:
+  /// Begins a file that replaces `file` when it is finished. Throws FileError.
+  MergedStudy(const std::filesystem::path& file, const StudyTables& study);
+
+  /// Adds a task and its run. `number`, `condition` and `seed` are the plan's.
+  void add(const TaskRow& planned, TaskFile& file);
+  void addMissing(const TaskRow& planned);
+
+  /// All tasks have been added.
+  void finish(const StudyTables& study, const std::string& buildId);
+
+ private:
+  struct Copy {
+    std::string select;
+    Statement insert;
+  };
+  Draft draft_;
+  Database db_;
+  std::vector<Copy> copies_;
+};
+
+}  // namespace morula

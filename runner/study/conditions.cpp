@@ -1,0 +1,156 @@
+#include "study/conditions.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/error.h"
+#include "files/folders.h"
+#include "files/read_file.h"
+#include "loop/simulate.h"
+#include "scenario/loading.h"
+#include "study/condition_mistakes.h"
+#include "study/study_measures.h"
+#include "study/study_table.h"
+#include "values/measure_list.h"
+
+namespace morula::study {
+
+using scenario::Problems;
+
+namespace {
+
+struct BaseFile {
+  std::filesystem::path path;
+  std::optional<std::string> bytes;  // none: it cannot be read, which has been said
+};
+
+std::vector<BaseFile> readBases(const Study& study, Problems& problems) {
+  const auto folder = folderOf(study.file);
+  std::vector<BaseFile> files;
+  for (const Base& base : study.bases) {
+    auto& file = files.emplace_back(BaseFile{(folder / base.file).lexically_normal(), {}});
+    try {
+      if (!study.allowOutside && !liesWithin(file.path, sharedFolder(folder)))
+        problems.add(base.place, "base", "'" + base.file + "' lies outside of the study's folder",
+                     "move it there, or give --allow-outside if you trust this study with your files");
+      else file.bytes = readFile(file.path);
+    } catch (const FileError& error) {
+      problems.add(base.place, "base", error.what(), "names count from the study's folder");
+    }
+  }
+  return files;
+}
+
+/// What the study says instead of the scenario: what is measured, and when.
+void takeOver(Scenario& scenario, const Study& study) {
+  scenario.record = {};
+  if (study.when.moments == Moments::every) scenario.record.every = study.when.every;
+  bool comparesContacts = false, comparesPositions = false;
+  for (const std::string& name : study.measures) {
+    const StudyMeasure& m = *findStudyMeasure(name);
+    comparesContacts |= m.needs == Needs::referenceContacts;
+    comparesPositions |= m.needs == Needs::referencePositions;
+    if (m.onDemand) scenario.record.measures.push_back(m.row);
+  }
+  auto reference = std::move(scenario.check.reference);
+  scenario.check = {};
+  if (reference && !comparesContacts) reference->contacts.clear();
+  if (reference && !comparesPositions) reference->positions.clear();
+  if (comparesContacts || comparesPositions) scenario.check.reference = std::move(reference);
+}
+
+void checkMeasures(const Study& study, const Condition& condition, ConditionMistakes& mistakes) {
+  for (std::size_t i = 0; i < study.measures.size(); ++i) {
+    const auto place = [&] {
+      return scenario::placeText(study.file, study.measurePlaces[i]) + ": measures: ";
+    };
+    const StudyMeasure& m = *findStudyMeasure(study.measures[i]);
+    if (const std::string lacking = lackingFor(m.needs, condition.scenario); !lacking.empty())
+      mistakes.add(condition.number, place() + m.name + " would find nothing to measure; needs " + lacking);
+    if (m.row == "contact_duration" && study.when.moments != Moments::every)
+      mistakes.add(condition.number,
+                   place() + m.name + " counts from sample to sample; needs when: {every: T}");
+  }
+}
+
+}  // namespace
+
+std::size_t countConditions(const Study& study) {
+  std::size_t count = 1;
+  for (const Axis& axis : study.axes)
+    count = std::min(count * std::max<std::size_t>(axis.levels.size(), 1), mostConditions + 1);
+  return count;
+}
+
+Condition conditionOf(const Study& study, std::size_t number) {
+  Condition condition;
+  condition.number = number;
+  condition.levels.resize(study.axes.size());
+  for (std::size_t axis = study.axes.size(); axis-- > 0;) {
+    const auto& levels = study.axes[axis].levels;
+    condition.levels[axis] = number % levels.size();
+    number /= levels.size();
+  }
+  for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
+    condition.labels.push_back(study.axes[axis].levels[condition.levels[axis]].label);
+  if (study.bases.size() > 1) condition.base = condition.levels[0];
+  return condition;
+}
+
+Scenario readConditionScenario(const Study& study, const Condition& condition, const std::string& bytes,
+                               const std::string& file, const std::filesystem::path& folder,
+                               const std::vector<NamedFile>& files) {
+  std::vector<Override> overrides;
+  for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
+    for (const Override& change : study.axes[axis].levels[condition.levels[axis]].overrides)
+      overrides.push_back(change);
+  overrides.push_back({"seed", std::to_string(study.seeds.front()), "seeds"});
+  return readScenario(bytes, file, folder, overrides, files, study.allowOutside);
+}
+
+void finish(Condition& condition, const Study& study) {
+  Scenario& s = condition.scenario;
+  takeOver(s, study);
+  resolveAgain(s);
+  condition.usesSeed = usesSeed(s.scene);
+  Hasher hasher;
+  const std::uint64_t seed = std::exchange(s.scene.seed, 0);
+  hasher.field("scene").add(scenario::hashMeaning(s));
+  s.scene.seed = seed;
+  if (const auto& reference = s.check.reference) {
+    hasher.field("contacts").add(std::uint64_t{reference->contacts.size()});
+    for (const auto& [a, b] : reference->contacts) hasher.add(a.text()).add(b.text());
+    hasher.field("positions").add(std::uint64_t{reference->positions.size()});
+    for (const auto& [path, x] : reference->positions) hasher.add(path.text()).add(x.x).add(x.y).add(x.z);
+  }
+  if (study.keep.pictures != PicturesKept::none) {
+    hasher.field("colours");
+    for (const auto& [substance, colour] : s.colours) hasher.add(substance).add(colour);
+  }
+  condition.meaning = hasher.digest();
+}
+
+std::vector<Condition> loadConditions(const Study& study, Problems& problems,
+                                      std::vector<std::string>& warnings, const Execution& execution,
+                                      std::size_t most) {
+  const auto bases = readBases(study, problems);
+  std::vector<Condition> conditions;
+  ConditionMistakes mistakes;
+  for (std::size_t number = 0; number < std::min(countConditions(study), most); ++number) {
+    Condition& condition = conditions.emplace_back(conditionOf(study, number));
+    const BaseFile& base = bases[condition.base];
+    if (!base.bytes) continue;
+    try {
+      condition.scenario =
+          readConditionScenario(study, condition, *base.bytes, base.path.string(), folderOf(base.path), {});
+      checkMeasures(study, condition, mistakes);
+      makeScenarioWorld(condition.scenario, execution);  // the time step may be above the stability limit
+      for (const std::string& warning : condition.scenario.warnings)
+        if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+    } catch (const InputError& error) { mistakes.add(number, error.what()); }
+  }
+  mistakes.tell(study, conditions, problems);
+  return conditions;
+}
+
+}  // namespace morula::study

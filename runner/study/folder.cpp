@@ -1,0 +1,48 @@
+// Files and places as they are called from the study's folder.
+#include "study/plan_parts.h"
+
+namespace morula::study {
+
+namespace {
+
+/// What a path is called from the folder; as it is where that cannot be said, as of "/a" from "b".
+std::string fromFolder(const std::string& path, const std::filesystem::path& folder) {
+  const auto shorter = std::filesystem::path(path).lexically_relative(folder.lexically_normal());
+  return shorter.empty() ? path : shorter.generic_string();
+}
+
+/// A place "file:line:column" of this file, with its new name.
+void rename(std::string& place, const std::string& file, const std::string& name) {
+  if (place.starts_with(file + ":")) place = name + place.substr(file.size());
+}
+
+/// What a plan's file can hold of a text: what is not UTF-8 becomes U+FFFD.
+std::string asStored(const std::string& text) { return Json::parse(jsonText(Json(text))).get<std::string>(); }
+
+}  // namespace
+
+void countFromFolder(Plan& plan) {
+  Study& study = plan.study;
+  const auto folder = folderOf(study.file);
+  const std::string file = study.file, name = std::filesystem::path(file).filename().string();
+  for (Axis& axis : study.axes)
+    for (Level& level : axis.levels)
+      for (Override& change : level.overrides) rename(change.place, file, name);
+  for (Condition& condition : plan.conditions) {
+    Scenario& scenario = condition.scenario;
+    const std::string own = scenario.file;
+    scenario.file = fromFolder(own, folder);
+    for (NamedFile& named : scenario.files) {
+      named.path = fromFolder(named.path, folder);
+      named.content = asStored(named.content);
+    }
+    for (auto& [path, place] : scenario.places) {
+      rename(place, own, scenario.file);
+      rename(place, file, name);
+    }
+    scenario.warnings.clear();  // they were told as the files are called here
+  }
+  study.file = name;
+}
+
+}  // namespace morula::study

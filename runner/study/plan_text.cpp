@@ -1,0 +1,145 @@
+// A plan as people and programs read it before anything starts.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "files/text.h"
+#include "parts/prediction.h"
+#include "simulation/memory.h"
+#include "study/plan.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::size_t mostNamed = 10;  // conditions, in a list for people
+
+std::string plural(std::size_t count, const std::string& word) {
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+std::string seedsText(const std::vector<std::uint64_t>& seeds) {
+  const bool inARow = seeds.back() - seeds.front() + 1 == seeds.size() && std::ranges::is_sorted(seeds);
+  if (inARow && seeds.size() > 2) return fmt::format("{}..{}", seeds.front(), seeds.back());
+  std::vector<std::string> texts;
+  for (const std::uint64_t seed : seeds) texts.push_back(std::to_string(seed));
+  if (texts.size() > 20) texts.resize(20), texts.push_back("…");
+  return join(texts);
+}
+
+std::string whenText(const When& when) {
+  return when.moments == Moments::every          ? fmt::format("every {}", when.every)
+         : when.moments == Moments::eachDivision ? "at each division"
+                                                 : "at the end";
+}
+
+/// Each on a line of its own, as far as a reader will want them.
+std::string listOf(const Plan& plan, const std::vector<std::size_t>& conditions) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(conditions.size(), mostNamed); ++i)
+    text += "    " + nameOf(plan, conditions[i]) + "\n";
+  if (conditions.size() > mostNamed) text += fmt::format("    and {} more\n", conditions.size() - mostNamed);
+  return text;
+}
+
+std::string costText(const Plan& plan) {
+  const auto total = totalCost(plan);
+  if (!total) return "  costs were not predicted\n";
+  const auto& [least, most] = std::ranges::minmax(plan.costs, {}, &RunCost::seconds);
+  const auto tried = std::size_t(std::ranges::count(plan.costs, true, &RunCost::tried));
+  std::string text = fmt::format(
+      "  foreseen on one thread of this machine: {} of CPU time, {} to {} a run; {} of arrays at most; {} on "
+      "disk\n",
+      timeText(total->seconds), timeText(least.seconds), timeText(most.seconds), bytesText(total->memory),
+      bytesText(total->disk));
+  if (tried < plan.conditions.size())
+    text += fmt::format("    by the beginnings of {}, the others by how they differ from these\n",
+                        plural(tried, "condition"));
+  const auto& limit = plan.study.limits.cpu;
+  if (limit && most.seconds > *limit)
+    text += fmt::format("    some may not end within limits.cpu-per-run, {}\n", timeText(*limit));
+  return text;
+}
+
+std::size_t distinctConditions(const Plan& plan) {
+  std::set<Hash> meanings;
+  for (const Condition& condition : plan.conditions) meanings.insert(condition.meaning);
+  return meanings.size();
+}
+
+Json toJson(const RunCost& c) { return {{"cpu_seconds", c.seconds}, {"memory", c.memory}, {"disk", c.disk}}; }
+
+}  // namespace
+
+std::optional<RunCost> totalCost(const Plan& plan) {
+  if (plan.costs.empty()) return std::nullopt;
+  RunCost total;
+  for (const Task& task : plan.tasks) {
+    const RunCost& one = plan.costs[task.condition];
+    total.seconds += one.seconds;
+    total.disk += one.disk;
+    total.memory = std::max(total.memory, one.memory);
+  }
+  return total;
+}
+
+std::string describe(const Plan& plan) {
+  const Study& s = plan.study;
+  std::string text = s.name + (s.summary.empty() ? "" : ": " + s.summary) + "\n";
+  for (const Axis& axis : s.axes) {
+    std::vector<std::string> labels;
+    for (const Level& level : axis.levels) labels.push_back(level.label);
+    text += fmt::format("  {}: {}\n", axis.name, join(labels));
+  }
+  text += fmt::format("  seeds: {}\n  measures: {}, {}\n\n", seedsText(s.seeds), join(s.measures),
+                      whenText(s.when));
+  text += fmt::format("  {} × {} = {}, {} to compute\n", plural(plan.conditions.size(), "condition"),
+                      plural(s.seeds.size(), "seed"), plural(plan.replicates.size(), "replicate"),
+                      plural(plan.tasks.size(), "distinct run"));
+  if (const auto without = conditionsWithoutSeeds(plan); !without.empty())
+    text += fmt::format(
+        "  {} without anything that a seed changes: run once, and compared without an interval "
+        "(`variation` would make seeds count)\n{}",
+        plural(without.size(), "condition"), listOf(plan, without));
+  for (const auto& group : conditionsThatShare(plan))
+    text += fmt::format("  {} that mean the same and share their runs:\n{}",
+                        plural(group.size(), "condition"), listOf(plan, group));
+  return text + costText(plan) + "  plan " + plan.id + "\n";
+}
+
+Json summaryOf(const Plan& plan) {
+  Json conditions = Json::array(), axes = Json::array(), tasks = Json::array();
+  for (const Axis& axis : plan.study.axes) {
+    Json labels = Json::array();
+    for (const Level& level : axis.levels) labels.push_back(level.label);
+    axes.push_back({{"name", axis.name}, {"labels", std::move(labels)}});
+  }
+  for (const Condition& c : plan.conditions) {
+    Json labels = Json::object();
+    for (std::size_t i = 0; i < c.labels.size(); ++i) labels[plan.study.axes[i].name] = c.labels[i];
+    conditions.push_back({{"condition_id", c.number},
+                          {"labels", std::move(labels)},
+                          {"uses_seed", c.usesSeed},
+                          {"meaning", c.meaning.text()},
+                          {"cost", plan.costs.empty() ? Json() : toJson(plan.costs[c.number])}});
+  }
+  for (const Task& t : plan.tasks)
+    tasks.push_back({{"task_id", t.id}, {"condition_id", t.condition}, {"seed", t.seed}});
+  const auto total = totalCost(plan);
+  return {{"study", plan.study.name},
+          {"plan", plan.id},
+          {"axes", std::move(axes)},
+          {"seeds", plan.study.seeds},
+          {"measures", plan.study.measures},
+          {"replicates", plan.replicates.size()},
+          {"distinct_conditions", distinctConditions(plan)},
+          {"distinct_runs", plan.tasks.size()},
+          {"without_seeds", conditionsWithoutSeeds(plan)},
+          {"shared", conditionsThatShare(plan)},
+          {"cost", total ? toJson(*total) : Json()},
+          {"conditions", std::move(conditions)},
+          {"tasks", std::move(tasks)}};
+}
+
+}  // namespace morula

@@ -1,0 +1,89 @@
+#include "study/study_file.h"
+
+#include "files/read_file.h"
+#include "files/text.h"
+#include "study/conditions.h"
+#include "study/study_table.h"
+#include "yaml/node.h"
+
+namespace morula {
+
+using scenario::Node;
+using scenario::Problems;
+
+namespace {
+
+/// A scenario instead of a study is told as such, not key by key.
+void refuseScenario(const Node& root, Problems& problems) {
+  const auto* version = root.find("morula");
+  if (!version || root.find("morula-study")) return;
+  problems.add(version->place, "morula", "the file is a scenario, not a study",
+               "morula run runs it; morula init --study writes a study to begin with");
+  problems.throwIfAny();
+}
+
+void addBaseAxis(Study& study) {
+  if (study.bases.size() < 2) return;
+  Axis axis{"base", {}};
+  for (const Base& base : study.bases) axis.levels.push_back({base.label, {}});
+  study.axes.insert(study.axes.begin(), std::move(axis));
+}
+
+void checkSize(const Study& study, const Node& root, Problems& problems) {
+  const std::size_t conditions = study::countConditions(study);
+  const auto* vary = root.find("vary");
+  const scenario::Place place = vary ? vary->place : root.place;
+  if (conditions > study::mostConditions)
+    problems.add(place, "vary", "makes more than " + std::to_string(study::mostConditions) + " conditions",
+                 "vary fewer axes at a time, or fewer levels");
+  else if (conditions * study.seeds.size() > study::mostReplicates)
+    problems.add(place, "vary",
+                 "makes " + std::to_string(conditions) + " conditions of " +
+                     std::to_string(study.seeds.size()) + " seeds each",
+                 "at most " + std::to_string(study::mostReplicates) + " runs: give fewer seeds or levels");
+}
+
+/// What can be seen of the scenarios although the study file has mistakes.
+void lookAtScenarios(Study study, Problems& problems) {
+  constexpr std::size_t enough = 200;  // conditions
+  if (study.bases.empty()) return;
+  std::erase_if(study.axes, [](const Axis& axis) { return axis.levels.empty(); });
+  if (study.seeds.empty()) study.seeds = {1};
+  std::vector<std::string> warnings;
+  study::loadConditions(study, problems, warnings, {}, enough);
+}
+
+}  // namespace
+
+Study loadStudy(const std::filesystem::path& file, bool allowOutside) {
+  Study study;
+  study.file = file.string();
+  study.bytes = readFile(file);
+  study.allowOutside = allowOutside;
+  Problems problems(study.file);
+  const scenario::SourceText source(study.bytes, problems);
+  problems.throwIfAny();
+  const Node root = readYaml(source, problems);
+  if (root.kind == Node::Kind::broken) problems.throwIfAny();
+  refuseScenario(root, problems);
+  study::readKeys(root, study, problems);
+  addBaseAxis(study);
+  study::checkAxes(study, problems);
+  checkSize(study, root, problems);
+  if (!problems.empty()) lookAtScenarios(study, problems);
+  problems.throwIfAny();
+  return study;
+}
+
+bool isStudy(const std::filesystem::path& file) {
+  if (file.filename().string().ends_with(".study.yaml")) return true;
+  for (std::string_view line : linesOf(readHead(file, 4096))) {
+    while (!line.empty() && (line[0] == ' ' || line[0] == '\xEF' || line[0] == '\xBB' || line[0] == '\xBF'))
+      line.remove_prefix(1);
+    if (line.empty() || line[0] == '#' || line.starts_with("---") || line == "\r") continue;
+    return line.starts_with("morula-study");
+  }
+  return false;
+}
+
+}  // namespace morula

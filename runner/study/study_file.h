@@ -1,0 +1,108 @@
+#pragma once
+// A study file, read as strictly as a scenario: scenarios × policies × seeds, and what is measured of them.
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/choice.h"
+#include "scenario/scenario.h"
+#include "yaml/problems.h"
+
+namespace morula {
+
+/// One value of an axis: a label, and what it changes in the scenario. Each override's place is that of its value in
+/// the study file, "file:line:column".
+struct Level {
+  std::string label;
+  std::vector<Override> overrides;  // none: the scenario as it is
+};
+
+struct Axis {
+  std::string name;
+  std::vector<Level> levels;  // one or more, in the order of the file
+};
+
+/// A scenario that the study varies.
+struct Base {
+  std::string label;  // of the axis `base`, if there are several: given, or the file's name without ".yaml"
+  std::string file;   // from the study's folder
+  scenario::Place place;  // where the study file names it
+};
+
+enum class HashesKept { none, end, all };
+template <>
+inline constexpr auto choices<HashesKept> =
+    std::to_array<Choice<HashesKept>>({{HashesKept::none, "none", "no hash of a state"},
+                                       {HashesKept::end, "end", "that of the last state"},
+                                       {HashesKept::all, "all", "those on the way, too"}});
+
+enum class SamplesKept { end, all };
+template <>
+inline constexpr auto choices<SamplesKept> =
+    std::to_array<Choice<SamplesKept>>({{SamplesKept::end, "end", "the cells at the end"},
+                                        {SamplesKept::all, "all", "the cells whenever measures are taken"}});
+
+enum class PicturesKept { none, firstSeed, all };
+template <>
+inline constexpr auto choices<PicturesKept> = std::to_array<Choice<PicturesKept>>(
+    {{PicturesKept::none, "none", "no picture"},
+     {PicturesKept::firstSeed, "first-seed", "one a condition, of its first seed"},
+     {PicturesKept::all, "all", "one of each run"}});
+
+/// When measures are taken: always at the end, and before it at these times.
+enum class Moments { end, eachDivision, every };
+template <>
+inline constexpr auto choices<Moments> = std::to_array<Choice<Moments>>(
+    {{Moments::end, "end", "at the end alone"},
+     {Moments::eachDivision, "each-division", "at the start and after each step in which cells divided"},
+     {Moments::every, "every", "at the start and at regular times"}});
+struct When {
+  Moments moments = Moments::end;
+  double every = 0;  // [time] with Moments::every
+  friend bool operator==(const When&, const When&) = default;
+};
+
+struct Kept {
+  HashesKept hashes = HashesKept::end;
+  SamplesKept samples = SamplesKept::end;
+  PicturesKept pictures = PicturesKept::none;
+  friend bool operator==(const Kept&, const Kept&) = default;
+};
+
+/// Of one run. What is absent is not limited.
+struct RunLimits {
+  std::optional<double> cpu;            // [s]
+  std::optional<std::uint64_t> memory;  // [byte]
+  friend bool operator==(const RunLimits&, const RunLimits&) = default;
+};
+
+struct Study {
+  std::string file;   // as given by the user
+  std::string bytes;  // the file, byte by byte
+  std::string name, summary;
+  std::vector<Base> bases;
+  std::vector<Axis>
+      axes;  // as in the file; several bases are the first axis, `base`, whose levels override nothing
+  std::vector<std::uint64_t> seeds;   // one or more, each once, in the order of the file
+  std::vector<std::string> measures;  // as StudyMeasure::name [study_measures.h], each once
+  When when;
+  Kept keep;
+  RunLimits limits;
+  std::vector<scenario::Place> measurePlaces;  // where the file names each of them
+  bool allowOutside = false;                   // scenarios and their files may lie anywhere
+};
+
+/// Reads and checks a study file. Throws InputError with one line per mistake, all of them at once, sorted by line:
+/// `file:line:column: path: what is wrong; what would be right`. If the file itself has mistakes, its scenarios are looked
+/// at, too, as far as it could be read; if it has none, they are checked by makePlan. Throws FileError if it cannot be read.
+/// Its scenarios must lie in its folder, or with it below a folder `scenarios`, unless `allowOutside`.
+Study loadStudy(const std::filesystem::path& file, bool allowOutside = false);
+
+/// Whether the file is a study rather than a scenario: its first key, beside comments, is `morula-study`, or its name
+/// ends in .study.yaml.
+bool isStudy(const std::filesystem::path& file);
+
+}  // namespace morula

@@ -1,0 +1,47 @@
+#include "study/study_measures.h"
+
+#include <algorithm>
+
+namespace morula {
+
+namespace {
+
+template <class Of>
+void addRows(Scope scope, std::vector<StudyMeasure>& list) {
+  for (const Measure<Of>& m : measures<Of>())
+    list.push_back({.name = m.name,
+                    .row = m.name,
+                    .unit = m.unit,
+                    .scope = scope,
+                    .needs = m.needs,
+                    .onDemand = m.taken == Taken::onDemand});
+}
+
+std::string withScope(const StudyMeasure& m) { return std::string(name(m.scope)) + "." + m.row; }
+
+std::vector<StudyMeasure> makeList() {
+  std::vector<StudyMeasure> list;
+  addRows<Observation>(Scope::world, list);
+  addRows<CellContext>(Scope::cell, list);
+  addRows<Touch>(Scope::pair, list);
+  for (StudyMeasure& m : list)
+    if (std::ranges::count(list, m.row, &StudyMeasure::row) > 1) m.name = withScope(m);
+  return list;
+}
+
+}  // namespace
+
+const std::vector<StudyMeasure>& studyMeasures() {
+  static const std::vector<StudyMeasure> list = makeList();
+  return list;
+}
+
+const StudyMeasure* findStudyMeasure(std::string text) {
+  std::ranges::replace(text, '-', '_');
+  const auto& list = studyMeasures();
+  const auto found = std::ranges::find_if(
+      list, [&](const StudyMeasure& m) { return m.name == text || withScope(m) == text; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+}  // namespace morula

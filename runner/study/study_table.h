@@ -1,0 +1,44 @@
+#pragma once
+// One description per key of a study file feeds the reader, the schema for editors and the list for people.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "study/study_file.h"
+#include "system/json.h"
+#include "yaml/node.h"
+
+namespace morula::study {
+
+struct Key {
+  std::string path;     // "keep.hashes"
+  std::string allowed;  // for people: "none, end or all"
+  std::string meaning;  // one line
+  std::string absent;   // for people: what holds without it; "": it is required
+  Json schema;
+  std::function<void(Study&, const scenario::Node&, scenario::Problems&)> read;
+};
+
+/// In the order in which people should meet them. `keep` and `limits` are maps; what is in them stands behind them.
+const std::vector<Key>& keys();
+
+/// Fills the study from the document. Everything the table does not allow becomes a problem.
+void readKeys(const scenario::Node& root, Study& study, scenario::Problems& problems);
+
+// Keys whose values have a form of their own.
+Key baseKey();
+Key varyKey();
+Key seedsKey();
+Key measuresKey();
+
+/// Letters, digits and . _ + -, a letter or digit first, at most 50: names of axes (no '.' or '+') and labels.
+bool isLabel(const std::string& text);
+inline constexpr const char* labelNeeds =
+    "needs letters, digits and . _ + -, a letter or digit first, at most 50 of them";
+
+/// Axes that set the same key, or one a part of what the other sets: which of them holds would depend on their order.
+void checkAxes(const Study& study, scenario::Problems& problems);
+
+inline constexpr std::size_t mostConditions = 10'000, mostReplicates = 1'000'000;
+
+}  // namespace morula::study

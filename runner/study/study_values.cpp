@@ -1,0 +1,232 @@
+// Values of a study file: scenarios, seeds, measures and when they are taken.
+#include <algorithm>
+#include <set>
+
+#include "base/did_you_mean.h"
+#include "files/text.h"
+#include "study/study_measures.h"
+#include "study/study_table.h"
+#include "values/value_types.h"
+
+namespace morula::study {
+
+using scenario::Node;
+using scenario::Problems;
+
+namespace {
+
+const std::string baseAllowed = "a scenario file, a list of them, or a map of labels and files";
+
+void addBase(Study& study, const Node& node, std::string label, Problems& problems) {
+  const auto file = scenario::readText(node, "base", baseAllowed, problems);
+  if (!file) return;
+  if (file->empty()) return problems.add(node.place, "base", "is empty", "needs " + baseAllowed);
+  const bool own = label.empty();
+  if (own) label = std::filesystem::path(*file).stem().string();
+  for (const Base& other : study.bases)
+    if (other.label == label)
+      return problems.add(node.place, "base", "'" + label + "' stands there twice",
+                          "give labels of their own, as base: {small: a.yaml, large: b.yaml}");
+  if (!isLabel(label))
+    return problems.add(node.place, "base", "'" + label + "' is no label",
+                        own ? "give one, as base: {small: " + *file + "}" : labelNeeds);
+  study.bases.push_back({label, *file, node.place});
+}
+
+void readBase(Study& study, const Node& node, Problems& problems) {
+  if (node.kind == Node::Kind::sequence) {
+    scenario::expectEntries(node, "base", baseAllowed, problems);
+    for (const Node& item : node.items) addBase(study, item, "", problems);
+  } else if (node.kind == Node::Kind::map) {
+    if (node.members.empty()) problems.add(node.place, "base", "is empty", "needs " + baseAllowed);
+    for (const auto& member : node.members)
+      if (!member.key.empty()) addBase(study, member.value, member.key, problems);
+  } else {
+    addBase(study, node, "", problems);
+  }
+}
+
+const std::string seedsAllowed = "whole numbers: one, FIRST..LAST as 1..10, or a list of such";
+
+/// "7" or "1..10"; empty and a problem if it is neither.
+std::vector<std::uint64_t> readSeedRange(const Node& node, Problems& problems) {
+  if (!node.isPlain())
+    return scenario::refuse(node, "seeds", seedsAllowed, problems), std::vector<std::uint64_t>{};
+  const auto complain = [&](const std::string& what) {
+    problems.add(node.place, "seeds", what, "needs " + seedsAllowed);
+    return std::vector<std::uint64_t>{};
+  };
+  const auto dots = node.text.find("..");
+  const auto first = scenario::parseNatural(node.text.substr(0, dots));
+  const auto last = dots == node.text.npos ? first : scenario::parseNatural(node.text.substr(dots + 2));
+  for (const auto& end : {first, last}) {
+    if (!end.wrong.empty()) return complain(describe(node) + " " + end.wrong);
+    if (end.value > scenario::largestNatural) return complain(node.text + " is out of range");
+  }
+  if (last.value < first.value) return complain(node.text + " runs backward");
+  if (last.value - first.value >= mostReplicates)
+    return complain(node.text + " are too many, more than " + std::to_string(mostReplicates));
+  std::vector<std::uint64_t> seeds;
+  for (auto seed = first.value; seed <= last.value; ++seed) seeds.push_back(seed);
+  return seeds;
+}
+
+void readSeeds(Study& study, const Node& node, Problems& problems) {
+  const bool isList = node.kind == Node::Kind::sequence;
+  if (isList) scenario::expectEntries(node, "seeds", seedsAllowed, problems);
+  std::set<std::uint64_t> known;
+  for (const Node& item : isList ? node.items : std::vector<Node>{node})
+    for (const std::uint64_t seed : readSeedRange(item, problems)) {
+      if (!known.insert(seed).second) {
+        problems.add(item.place, "seeds", std::to_string(seed) + " stands there twice",
+                     "each seed is run once: remove it");
+        break;
+      }
+      study.seeds.push_back(seed);
+    }
+}
+
+const std::string measuresAllowed =
+    "a list of measures, as [sister-contact, sphericity], or {names: [...], when: each-division}";
+const std::string whenAllowed = "end, each-division or {every: T}";
+
+/// What was probably meant by a name that no measure has.
+std::string remedyFor(std::string text) {
+  std::ranges::replace(text, '-', '_');
+  std::vector<std::string> names, scopes;
+  for (const StudyMeasure& m : studyMeasures()) {
+    names.push_back(m.name);
+    if (m.row == text) scopes.push_back(m.name);
+  }
+  if (!scopes.empty()) return "write " + join(scopes, " or ");
+  const std::string near = closest(text, names);
+  return near.empty() ? "morula schema --measures lists all" : "did you mean " + near + "?";
+}
+
+void readMeasureNames(Study& study, const Node& node, const std::string& path, Problems& problems) {
+  if (!scenario::expectEntries(node, path, measuresAllowed, problems)) return;
+  for (const Node& item : node.items) {
+    const auto text = scenario::readText(item, path, "a measure's name", problems);
+    if (!text) continue;
+    const StudyMeasure* m = findStudyMeasure(*text);
+    if (!m) {
+      const std::string remedy = remedyFor(*text);
+      problems.add(item.place, path,
+                   remedy.starts_with("write") ? "'" + *text + "' is measured of more than one thing"
+                                               : "there is no measure '" + *text + "'",
+                   remedy);
+    } else if (std::ranges::find(study.measures, m->name) != study.measures.end()) {
+      problems.add(item.place, path, "'" + *text + "' stands there twice", "remove it");
+    } else {
+      study.measures.push_back(m->name);
+      study.measurePlaces.push_back(item.place);
+    }
+  }
+}
+
+void readWhen(Study& study, const Node& node, Problems& problems) {
+  const std::string path = "measures.when";
+  if (node.kind == Node::Kind::map) {
+    if (const auto* every = scenario::readOnly(node, path, {"every"}, whenAllowed, problems))
+      if (const auto time = scenario::readReal(every->value, scenario::positive, path + ".every",
+                                               scenario::numberAllowed(scenario::positive, "time"), problems))
+        study.when = {Moments::every, *time};
+    return;
+  }
+  const auto text = scenario::readText(node, path, whenAllowed, problems);
+  if (!text) return;
+  if (*text == nameOf(Moments::end)) study.when = {Moments::end};
+  else if (*text == nameOf(Moments::eachDivision)) study.when = {Moments::eachDivision};
+  else {
+    const std::string near =
+        closest(*text, std::vector<std::string>{nameOf(Moments::end), nameOf(Moments::eachDivision)});
+    problems.add(node.place, path, describe(node) + " is not known here",
+                 (near.empty() ? "" : "did you mean " + near + "? ") + "needs " + whenAllowed);
+  }
+}
+
+void readMeasures(Study& study, const Node& node, Problems& problems) {
+  if (node.kind != Node::Kind::map) return readMeasureNames(study, node, "measures", problems);
+  scenario::refuseUnknown(node, "measures", {"names", "when"}, problems);
+  if (const auto* names = node.find("names"))
+    readMeasureNames(study, names->value, "measures.names", problems);
+  else problems.add(node.place, "measures.names", "is missing", "needs " + measuresAllowed);
+  if (const auto* when = node.find("when")) readWhen(study, when->value, problems);
+}
+
+Json measureNamesSchema() {
+  Json names = Json::array();
+  for (const StudyMeasure& m : studyMeasures()) {
+    names.push_back(m.name);
+    std::string dashed = m.name;
+    std::ranges::replace(dashed, '_', '-');
+    if (dashed != m.name) names.push_back(dashed);
+  }
+  return {{"type", "array"}, {"items", {{"enum", names}}}, {"minItems", 1}, {"uniqueItems", true}};
+}
+
+}  // namespace
+
+bool isLabel(const std::string& text) {
+  const auto isAlphanumeric = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  };
+  return !text.empty() && text.size() <= 50 && isAlphanumeric(text[0]) &&
+         std::ranges::all_of(text, [&](char c) {
+           return isAlphanumeric(c) || std::string_view("._+-").find(c) != std::string_view::npos;
+         });
+}
+
+Key baseKey() {
+  const Json file{{"type", "string"}, {"minLength", 1}};
+  return {
+      "base",
+      baseAllowed,
+      "The scenarios, from the study's folder. Several are an axis of their own, base, the first",
+      "",
+      {{"oneOf", Json::array({file,
+                              {{"type", "array"}, {"items", file}, {"minItems", 1}},
+                              {{"type", "object"}, {"additionalProperties", file}, {"minProperties", 1}}})}},
+      readBase};
+}
+
+Key seedsKey() {
+  const Json natural{{"type", "integer"}, {"minimum", 0}};
+  const Json range{{"type", "string"}, {"pattern", "^[0-9]+\\.\\.[0-9]+$"}};
+  const Json one{{"oneOf", Json::array({natural, range})}};
+  return {"seeds",
+          seedsAllowed,
+          "Each condition is run with each of them, in their order",
+          "",
+          {{"oneOf", Json::array({natural, range, {{"type", "array"}, {"items", one}, {"minItems", 1}}})}},
+          readSeeds};
+}
+
+Key measuresKey() {
+  const Json names = measureNamesSchema();
+  const Json when{
+      {"oneOf", Json::array({{{"enum", Json::array({"end", "each-division"})}},
+                             {{"type", "object"},
+                              {"properties", {{"every", scenario::numberSchema(scenario::positive)}}},
+                              {"required", Json::array({"every"})},
+                              {"additionalProperties", false}}})}};
+  return {
+      "measures",
+      measuresAllowed,
+      "What is measured [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over those that "
+      "live; of "
+      "pairs, in the mean over those that touch. when: end, the default: of the last state; each-division: "
+      "also of "
+      "the first, and after each step in which cells divided; {every: T}: also of the first, and every T "
+      "units of time. "
+      "A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",
+      "",
+      {{"oneOf", Json::array({names,
+                              {{"type", "object"},
+                               {"properties", {{"names", names}, {"when", when}}},
+                               {"required", Json::array({"names"})},
+                               {"additionalProperties", false}}})}},
+      readMeasures};
+}
+
+}  // namespace morula::study

@@ -1,0 +1,155 @@
+// The axes of a study: what they are called, and what each of their levels changes.
+#include <algorithm>
+#include <map>
+
+#include "base/did_you_mean.h"
+#include "files/text.h"
+#include "study/override_text.h"
+#include "study/study_table.h"
+#include "values/value_types.h"
+
+namespace morula::study {
+
+using scenario::Member;
+using scenario::Node;
+using scenario::Problems;
+
+namespace {
+
+const std::string varyAllowed =
+    "a map of axes, each a map of labels, as division: {longest: {division.plane: longest}}";
+const std::string levelAllowed = "a map of scenario keys; {} for the scenario as it is";
+
+/// Names of columns and values that results have of their own.
+const std::vector<std::string> reserved{
+    "base",  "condition_id", "uses_seed", "distinct_runs", "run_id", "task_id", "seed", "measure", "time",
+    "value", "labels",       "n",         "distinct",      "mean",   "low",     "high", "number"};
+
+/// What a study says itself, and where.
+const std::map<std::string, std::string> saidElsewhere{
+    {"morula", "the scenario says its own format"},
+    {"name", "labels name the conditions"},
+    {"summary", "labels name the conditions"},
+    {"seed", "`seeds` says which seeds are run"},
+    {"record", "`measures` says what is measured and when, and `keep` what is stored"}};
+
+bool isAxisName(const std::string& text) { return isLabel(text) && text.find_first_of(".+") == text.npos; }
+
+bool isPath(const std::string& key) {
+  return key.front() != '.' && key.back() != '.' && key.find("..") == key.npos;
+}
+
+std::string placeOf(const Node& node, const Problems& problems) {
+  return scenario::placeText(problems.file(), node.place);
+}
+
+void readLevel(Axis& axis, const Member& member, Problems& problems) {
+  const std::string path = "vary." + axis.name + "." + member.key;
+  if (!isLabel(member.key))
+    return problems.add(member.place, path, "'" + member.key + "' is no label", labelNeeds);
+  if (member.value.kind != Node::Kind::map)
+    return scenario::refuse(member.value, path, levelAllowed, problems);
+  Level level{member.key, {}};
+  for (const Member& change : member.value.members) {
+    if (change.key.empty() || change.value.kind == Node::Kind::broken) continue;
+    const std::string at = path + "." + change.key;
+    if (!isPath(change.key)) {
+      problems.add(change.place, at, "is no scenario key",
+                   "needs names with dots between them, as division.plane");
+      continue;
+    }
+    const std::string top = change.key.substr(0, change.key.find('.'));
+    if (const auto said = saidElsewhere.find(top); said != saidElsewhere.end()) {
+      problems.add(change.place, at, "cannot be varied", said->second);
+      continue;
+    }
+    level.overrides.push_back({change.key, overrideText(change.value), placeOf(change.value, problems),
+                               change.value.kind == Node::Kind::null});
+  }
+  axis.levels.push_back(std::move(level));
+}
+
+void readAxis(Study& study, const Member& member, Problems& problems) {
+  const std::string path = "vary." + member.key;
+  if (!isAxisName(member.key))
+    return problems.add(member.place, path, "'" + member.key + "' is no name of an axis",
+                        "needs letters, digits, '-' and '_', a letter or digit first, at most 50 of them");
+  if (std::ranges::any_of(reserved,
+                          [&](const std::string& word) { return equalButForCase(word, member.key); }))
+    return problems.add(member.place, path, "results have a column of this name already",
+                        "call the axis otherwise");
+  for (const Axis& other : study.axes)
+    if (equalButForCase(other.name, member.key))
+      return problems.add(member.place, path, "is called as " + other.name + " but for case",
+                          "call one otherwise");
+  Axis axis{member.key, {}};
+  if (member.value.kind != Node::Kind::map)
+    return scenario::refuse(member.value, path, "a map of labels, as {longest: {division.plane: longest}}",
+                            problems);
+  if (member.value.members.empty())
+    return problems.add(member.value.place, path, "is empty",
+                        "needs a map of labels, as {longest: {division.plane: longest}}");
+  for (const Member& level : member.value.members)
+    if (!level.key.empty()) readLevel(axis, level, problems);
+  study.axes.push_back(std::move(axis));
+}
+
+void readVary(Study& study, const Node& node, Problems& problems) {
+  if (node.kind != Node::Kind::map) return scenario::refuse(node, "vary", varyAllowed, problems);
+  if (node.members.empty())
+    return problems.add(node.place, "vary", "is empty", "needs " + varyAllowed + ", or remove it");
+  for (const Member& member : node.members)
+    if (!member.key.empty()) readAxis(study, member, problems);
+}
+
+}  // namespace
+
+Key varyKey() {
+  const Json level{{"type", "object"},
+                   {"description", "Scenario keys and their values; null takes a part away"}};
+  const Json axis{{"type", "object"}, {"additionalProperties", level}, {"minProperties", 1}};
+  return {"vary",
+          varyAllowed,
+          "The axes of the design: each condition has one level of each, and all combinations are run. A "
+          "level sets any keys "
+          "of a scenario, as --set does; null takes a part away, {} leaves the scenario as it is",
+          "one condition: the scenario as it is",
+          {{"type", "object"}, {"additionalProperties", axis}, {"minProperties", 1}},
+          readVary};
+}
+
+void checkAxes(const Study& study, Problems& problems) {
+  struct Use {
+    const Axis* axis;
+    const Override* change;
+  };
+  std::map<std::string, std::vector<Use>> uses;  // of each path, one an axis
+  for (const Axis& axis : study.axes)
+    for (const Level& level : axis.levels)
+      for (const Override& change : level.overrides) {
+        auto& list = uses[change.path];
+        if (std::ranges::none_of(list, [&](const Use& use) { return use.axis == &axis; }))
+          list.push_back({&axis, &change});
+        // Within a level: a key and a part of it.
+        for (const Override& other : level.overrides)
+          if (change.path.starts_with(other.path + "."))
+            problems.addForeign({}, change.place + ": " + change.path + ": lies within " + other.path +
+                                        ", which the same level sets; write it there");
+      }
+  for (const auto& [path, list] : uses)
+    for (std::size_t end = path.find('.');; end = path.find('.', end + 1)) {
+      const std::string whole = path.substr(0, end);
+      if (const auto found = uses.find(whole); found != uses.end())
+        for (const Use& use : list)
+          for (const Use& other : found->second) {
+            if (use.axis == other.axis || (whole == path && use.axis < other.axis)) continue;
+            problems.addForeign({}, use.change->place + ": " + path + ": " +
+                                        (whole == path ? "is set by axis "
+                                                       : "lies within " + whole + ", which is set by axis ") +
+                                        other.axis->name + ", too; let one axis set both");
+          }
+      if (end == path.npos) break;
+    }
+}
+
+}  // namespace morula::study

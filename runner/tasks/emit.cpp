@@ -1,0 +1,194 @@
+#include "tasks/emit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace morula {
+
+namespace {
+
+constexpr double secondsPerJob = 600;
+constexpr std::size_t mostJobs = 1000;  // Slurm's MaxArraySize is 1001 unless a site has raised it
+
+/// A word of a shell, whatever it holds.
+std::string shellWord(const std::string& text) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '/' ||
+           c == '.' || c == '_' || c == '-';
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+/// A string of Python: JSON's are.
+std::string pythonText(const std::string& text) { return jsonText(Json(text)); }
+
+double secondsOfLongest(const Plan& plan) {
+  double most = 0;
+  for (const RunCost& c : plan.costs) most = std::max(most, c.seconds);
+  return most;
+}
+
+/// [s] A job's time limit: three times what is predicted, for slower machines, and ten minutes at least. With a limit for
+/// each run, what all of its runs may take, if that is less.
+std::optional<double> secondsFor(const Plan& plan, std::size_t shares) {
+  const auto cost = totalCost(plan);
+  const double most = std::ceil(double(plan.tasks.size()) / double(shares));
+  std::optional<double> seconds;
+  if (cost) seconds = std::max(3 * (cost->seconds / double(shares) + secondsOfLongest(plan)), 600.0);
+  if (plan.study.limits.cpu) {
+    const double limited = most * (*plan.study.limits.cpu + 1) + 60;
+    seconds = seconds ? std::min(*seconds, std::max(limited, 600.0)) : limited;
+  }
+  return seconds;
+}
+
+/// [MB] A job's memory: what is limited, or twice what is predicted, and 512 for the program besides.
+std::optional<std::uint64_t> megabytesFor(const Plan& plan) {
+  const auto cost = totalCost(plan);
+  double bytes = 0;
+  if (plan.study.limits.memory) bytes = static_cast<double>(*plan.study.limits.memory);
+  else if (cost) bytes = 2 * cost->memory;
+  else return std::nullopt;
+  return static_cast<std::uint64_t>(std::ceil(bytes / 1e6)) + 512;
+}
+
+std::uint64_t minutes(double seconds) { return static_cast<std::uint64_t>(std::ceil(seconds / 60)); }
+
+std::string slurm(const PlannedStudy& study, std::size_t shares) {
+  const Plan& plan = study.plan;
+  const std::string folder = study.folder.path().string(), word = shellWord(folder);
+  std::string text = "#!/bin/bash\n#SBATCH --job-name=" + plan.study.name +
+                     fmt::format("\n#SBATCH --array=1-{}\n", shares) +
+                     "#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n";
+  if (const auto megabytes = megabytesFor(plan)) text += fmt::format("#SBATCH --mem={}M\n", *megabytes);
+  if (const auto seconds = secondsFor(plan, shares))
+    text += fmt::format("#SBATCH --time={}\n", minutes(*seconds));
+  text += "#SBATCH --output=" + folder + "/slurm-%A_%a.log\n";
+  text += "#SBATCH --requeue\n";
+  text += fmt::format(
+      "#\n# The study {}: {} runs in {} jobs. From the folder that it was written from:\n"
+      "#   sbatch FILE && squeue --me          # this file; what has a result is not computed again\n"
+      "#   morula study status {}              # how far it is\n"
+      "#   morula study merge {}               # afterwards\n"
+      "# MORULA: the program, if it is not in PATH.\n"
+      "set -eu\n"
+      "exec \"${{MORULA:-morula}}\" study run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" \\\n"
+      "  --jobs \"${{SLURM_CPUS_PER_TASK:-1}}\" --quiet\n",
+      plan.study.name, plan.tasks.size(), shares, folder, folder, word, shares);
+  return text;
+}
+
+std::string snakemake(const PlannedStudy& study, std::size_t shares) {
+  const Plan& plan = study.plan;
+  std::string text = fmt::format(
+      "# The study {}: {} runs. For Snakemake 7 and later; from the folder that this was written from:\n"
+      "#   snakemake --snakefile FILE --cores 8\n"
+      "# On a cluster, several runs make one job: --group-components runs={}.\n"
+      "# MORULA: the program, if it is not in PATH.\n"
+      "import os\n\n"
+      "FOLDER = {}\nMORULA = os.environ.get(\"MORULA\", \"morula\")\n",
+      plan.study.name, plan.tasks.size(), (plan.tasks.size() + shares - 1) / shares,
+      pythonText(study.folder.path().string()));
+  text += "TASKS = [\n";
+  for (const Task& task : plan.tasks) text += "    \"" + task.id + "\",\n";
+  text += "]\n\n\n";
+  text +=
+      "localrules: merge\n\n\n"
+      "rule merge:\n"
+      "    input:\n        expand(os.path.join(FOLDER, \"tasks\", \"{task}.db\"), task=TASKS)\n"
+      "    output:\n        os.path.join(FOLDER, \"study.db\")\n"
+      "    params:\n        folder=FOLDER, morula=MORULA\n"
+      "    shell:\n        \"{params.morula:q} study merge {params.folder:q} --quiet >/dev/null\"\n\n\n"
+      "rule task:\n"
+      "    output:\n        os.path.join(FOLDER, \"tasks\", \"{task}.db\")\n"
+      "    wildcard_constraints:\n        task=\"[0-9a-f]+\"\n"
+      "    params:\n        folder=FOLDER, morula=MORULA\n"
+      "    group: \"runs\"\n    threads: 1\n";
+  std::string resources;
+  if (const auto megabytes = megabytesFor(plan)) resources += fmt::format("mem_mb={}", *megabytes);
+  if (const auto seconds = secondsFor(plan, plan.tasks.size()))
+    resources += fmt::format("{}runtime={}", resources.empty() ? "" : ", ", minutes(*seconds));
+  if (!resources.empty()) text += "    resources:\n        " + resources + "\n";
+  text +=
+      "    shell:\n        \"{params.morula:q} study run {params.folder:q} --task {wildcards.task} --quiet "
+      ">/dev/null\"\n";
+  return text;
+}
+
+std::string parallel(const PlannedStudy& study, std::size_t shares) {
+  const std::string folder = study.folder.path().string(), word = shellWord(folder);
+  const std::string job =
+      fmt::format("\"$MORULA\" study run {} --shard {{}}/{} --quiet >/dev/null", word, shares);
+  return fmt::format(
+      "#!/bin/sh\n"
+      "# The study {}: {} runs in {} jobs, as many at a time as there are processors; `sh FILE --jobs 4`: "
+      "four. What has a\n"
+      "# result is not computed again. From the folder that this was written from. MORULA: the program, if "
+      "it is not in PATH.\n"
+      "set -eu\n"
+      "export MORULA=\"${{MORULA:-morula}}\"\n"
+      "# shellcheck disable=SC2016  # expanded by the shell of each job\n"
+      "seq {} | parallel \"$@\" --joblog {} {}\n"
+      "exec \"$MORULA\" study merge {}\n",
+      study.plan.study.name, study.plan.tasks.size(), shares, shares, shellWord(folder + "/parallel.log"),
+      shellWord(job), word);
+}
+
+}  // namespace
+
+std::size_t sharesFor(const Plan& plan) {
+  const std::size_t tasks = std::max<std::size_t>(plan.tasks.size(), 1);
+  const auto cost = totalCost(plan);
+  const double jobs = cost ? std::ceil(cost->seconds / secondsPerJob) : 100;
+  return std::min({static_cast<std::size_t>(std::clamp(jobs, 1.0, double(mostJobs))), tasks, mostJobs});
+}
+
+std::string emit(const PlannedStudy& study, const EmitOptions& options) {
+  const std::size_t tasks = std::max<std::size_t>(study.plan.tasks.size(), 1);
+  std::size_t shares = options.shares ? std::min(options.shares, tasks) : sharesFor(study.plan);
+  switch (options.site) {
+    case Site::slurm:
+      return slurm(study, shares);
+    case Site::snakemake:
+      return snakemake(study, shares);
+    case Site::parallel:
+      // On one machine a job costs little: enough of them that all processors end at about the same time.
+      return parallel(
+          study, options.shares ? shares : std::min<std::size_t>(tasks, std::max<std::size_t>(shares, 200)));
+  }
+  throw BugError("a site that is not one");
+}
+
+std::filesystem::path siteFile(const PlannedStudy& study, Site site) {
+  switch (site) {
+    case Site::slurm:
+      return study.folder.path() / "study.sbatch";
+    case Site::snakemake:
+      return study.folder.path() / "Snakefile";
+    case Site::parallel:
+      return study.folder.path() / "parallel.sh";
+  }
+  throw BugError("a site that is not one");
+}
+
+std::string howToStart(const PlannedStudy& study, Site site, const std::filesystem::path& file) {
+  const std::string name = shellWord(file.string()), folder = shellWord(study.folder.path().string());
+  switch (site) {
+    case Site::slurm:
+      return "sbatch " + name + "; afterwards: morula study merge " + folder;
+    case Site::snakemake:
+      return "snakemake --snakefile " + name + " --cores 8";
+    case Site::parallel:
+      return "sh " + name;
+  }
+  throw BugError("a site that is not one");
+}
+
+}  // namespace morula

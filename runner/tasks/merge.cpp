@@ -1,0 +1,265 @@
+#include "tasks/merge.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include "base/error.h"
+#include "files/draft.h"
+#include "files/folders.h"
+#include "simulation/memory.h"
+#include "store/store_error.h"
+#include "system/clock.h"
+#include "tasks/study_rows.h"
+
+namespace morula {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isTaskId(const std::string& text) {
+  return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == text.npos;
+}
+
+/// The tasks' files in a folder: it is a study's folder, or holds them itself.
+std::vector<fs::path> filesIn(const fs::path& folder) {
+  const fs::path tasks = isFolder(folder / "tasks") ? folder / "tasks" : folder;
+  std::vector<fs::path> files;
+  for (const fs::path& name : namesIn(tasks))
+    if (name.extension() == ".db" && isTaskId(name.stem().string())) files.push_back(tasks / name);
+  return files;
+}
+
+/// What scenarioOf would give as `resolved`, which it takes long to make: the seed stands on a line of its own.
+std::string resolvedWithSeed(const Scenario& scenario, std::uint64_t seed) {
+  std::string text = scenario.resolved;
+  const std::string before = fmt::format("\n  \"seed\": {}", scenario.scene.seed);
+  const auto at = text.find(before);
+  MORULA_CHECK(at != text.npos, "a resolved scenario has its seed on a line of its own");
+  return text.replace(at, before.size(), fmt::format("\n  \"seed\": {}", seed));
+}
+
+/// Where the files of each task lie; those whose names do not say so are looked into.
+class Sources {
+ public:
+  Sources(const PlannedStudy& study, const MergeOptions& options, MergeReport& report) : report_(report) {
+    for (std::size_t t = 0; t < study.plan.tasks.size(); ++t) numbers_[study.plan.tasks[t].id] = t;
+    if (isFolder(study.folder.tasks())) addFolder(study.folder.tasks());
+    for (const std::string& shard : options.shards) {
+      if (isFolder(shard)) addFolder(shard);
+      else addFile(shard, taskIn(shard));
+    }
+  }
+
+  const std::vector<fs::path>& of(std::size_t task) const {
+    static const std::vector<fs::path> none;
+    const auto found = files_.find(task);
+    return found == files_.end() ? none : found->second;
+  }
+
+ private:
+  void addFolder(const fs::path& folder) {
+    for (const fs::path& file : filesIn(folder)) addFile(file, file.stem().string());
+  }
+
+  static std::string taskIn(const fs::path& file) { return TaskFile(file).task().id; }
+
+  void addFile(const fs::path& file, const std::string& id) {
+    const auto number = numbers_.find(id);
+    if (number == numbers_.end()) report_.foreign.push_back(file);
+    else if (seen_.insert(absolutePath(file)).second) files_[number->second].push_back(file);
+  }
+
+  MergeReport& report_;
+  std::map<std::string, std::size_t> numbers_;
+  std::set<fs::path> seen_;
+  std::map<std::size_t, std::vector<fs::path>> files_;
+};
+
+class Merge {
+ public:
+  Merge(const PlannedStudy& study, const MergeOptions& options) : study_(study), options_(options) {}
+
+  MergeReport run() {
+    const double begun = seconds(ClockKind::wall);
+    const Plan& plan = study_.plan;
+    report_.database = options_.output;
+    report_.tasks = plan.tasks.size();
+    const Sources sources(study_, options_, report_);
+    const StudyTables tables = tablesOf(plan);
+    makeFolder(options_.output.parent_path());
+    removeAbandonedDrafts(options_.output.parent_path());
+    MergedStudy merged(options_.output, tables);
+    for (std::size_t task = 0; task < plan.tasks.size(); ++task) {
+      const Task& t = plan.tasks[task];
+      const TaskRow planned{.id = t.id, .number = task, .condition = t.condition, .seed = t.seed};
+      if (auto chosen = choose(task, sources.of(task))) {
+        note(task, *chosen);
+        merged.add(planned, *chosen);
+      } else {
+        report_.missing.push_back(task);
+        merged.addMissing(planned);
+      }
+    }
+    if (report_.differing.empty()) {
+      merged.finish(tables, build_);
+      report_.bytes = fileSize(options_.output);
+    }
+    report_.seconds = seconds(ClockKind::wall) - begun;
+    return std::move(report_);
+  }
+
+ private:
+  /// The whole file of a task: what a computation decided comes before what a machine's limits did, and of several of the
+  /// latter the one with the least hash, so that the order in which files are named decides nothing.
+  std::optional<TaskFile> choose(std::size_t task, const std::vector<fs::path>& files) {
+    std::optional<TaskFile> chosen;
+    fs::path from;
+    for (const fs::path& file : files) {
+      std::optional<TaskFile> found = verified(task, file);
+      if (!found) continue;
+      if (chosen && chosen->task().isComputed() && found->task().isComputed() &&
+          chosen->task().resultHash != found->task().resultHash)
+        report_.differing.push_back({task, from, file, chosen->task().resultHash, found->task().resultHash});
+      if (!chosen || comesBefore(found->task(), chosen->task())) chosen = std::move(found), from = file;
+    }
+    return chosen;
+  }
+
+  static bool comesBefore(const TaskRow& a, const TaskRow& b) {
+    if (a.isComputed() != b.isComputed()) return a.isComputed();
+    return a.resultHash < b.resultHash;
+  }
+
+  std::optional<TaskFile> verified(std::size_t task, const fs::path& file) {
+    try {
+      TaskFile found(file);
+      std::string wrong = found.whatIsWrong();
+      if (wrong.empty()) wrong = differsFromPlan(task, found);
+      if (wrong.empty()) {
+        requireOneBuild(found, file);
+        return found;
+      }
+      report_.damaged.push_back({file, wrong});
+    } catch (const StoreError& error) { report_.damaged.push_back({file, error.what()}); }
+    return std::nullopt;
+  }
+
+  std::string differsFromPlan(std::size_t task, TaskFile& found) const {
+    const Task& planned = study_.plan.tasks[task];
+    if (found.task().id != planned.id)
+      return "it is named after task " + planned.id + ", and holds task " + found.task().id;
+    if (found.run().record.seed != planned.seed ||
+        found.resolved() !=
+            resolvedWithSeed(study_.plan.conditions[planned.condition].scenario, planned.seed))
+      return "its run is of another scene or seed than the plan's task " + planned.id;
+    return "";
+  }
+
+  void requireOneBuild(TaskFile& found, const fs::path& file) {
+    const std::string build = found.buildId();
+    if (build_.empty()) build_ = build, firstOfBuild_ = file;
+    if (build == build_) return;
+    throw FileError("'" + firstOfBuild_.string() + "' and '" + file.string() +
+                    "' were computed by different builds of the program (" + build_ + " and " + build +
+                    "), so they cannot be compared; run one of them again with the other's");
+  }
+
+  void note(std::size_t task, TaskFile& file) {
+    if (file.task().status == "done") ++report_.done;
+    else report_.failed.push_back({task, file.task().reason});
+    if (file.insaneChecks() > 0) report_.insane.push_back(task);
+  }
+
+  const PlannedStudy& study_;
+  const MergeOptions& options_;
+  MergeReport report_;
+  std::string build_;
+  fs::path firstOfBuild_;
+};
+
+/// The first few of many.
+template <class List, class Line>
+std::string some(const List& list, const Line& line) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  std::size_t told = 0;
+  for (const auto& item : list) {
+    if (++told > most) break;
+    text += line(item);
+  }
+  if (list.size() > most) text += fmt::format("  … and {} more\n", list.size() - most);
+  return text;
+}
+
+}  // namespace
+
+MergeReport mergeStudy(const PlannedStudy& study, const MergeOptions& options) {
+  return Merge(study, options).run();
+}
+
+std::string describe(const MergeReport& r, const PlannedStudy& study) {
+  const Plan& plan = study.plan;
+  std::string text = fmt::format("{}: {} runs: {} done, {} failed, {} missing\n", plan.study.name, r.tasks,
+                                 r.done, r.failed.size(), r.missing.size());
+  for (const FailedTask& f : r.failed)
+    text += "  failed   " + nameOfTask(plan, f.task) + ": " + f.reason + "\n";
+  text += some(r.insane, [&](std::size_t task) {
+    return "  not sane " + nameOfTask(plan, task) +
+           ": its bodies ended in a state that cannot be (check_result)\n";
+  });
+  text += some(r.missing, [&](std::size_t task) { return "  missing  " + nameOfTask(plan, task) + "\n"; });
+  text += some(r.damaged,
+               [](const RefusedFile& f) { return "  left out " + f.file.string() + ": " + f.why + "\n"; });
+  text += some(r.foreign, [](const fs::path& f) {
+    return "  left out " + f.string() + ": the plan has no such task\n";
+  });
+  for (const Nondeterminism& n : r.differing)
+    text += fmt::format(
+        "  NONDETERMINISM {}: the same scenario, seed and build gave two results: {} in {}, {} in {}. This "
+        "is a bug or "
+        "broken hardware; nothing was written\n",
+        nameOfTask(plan, n.task), n.hashA, n.a.string(), n.hashB, n.b.string());
+  if (r.differing.empty())
+    text += fmt::format("  results  {} ({})\n", r.database.string(), bytesText(static_cast<double>(r.bytes)));
+  return text;
+}
+
+Json toJson(const MergeReport& r, const PlannedStudy& study) {
+  const Plan& plan = study.plan;
+  const auto one = [&](std::size_t task) {
+    return Json{{"task_id", plan.tasks[task].id},
+                {"condition", nameOf(plan, plan.tasks[task].condition)},
+                {"seed", plan.tasks[task].seed}};
+  };
+  Json json{{"study", plan.study.name}, {"plan_id", plan.id}, {"tasks", r.tasks}, {"done", r.done}};
+  json["failed"] = Json::array();
+  for (const FailedTask& f : r.failed) {
+    json["failed"].push_back(one(f.task));
+    json["failed"].back()["reason"] = f.reason;
+  }
+  for (const auto& [name, list] : {std::pair("missing", &r.missing), std::pair("not_sane", &r.insane)}) {
+    json[name] = Json::array();
+    for (const std::size_t task : *list) json[name].push_back(one(task));
+  }
+  json["left_out"] = Json::array();
+  for (const RefusedFile& f : r.damaged)
+    json["left_out"].push_back({{"file", f.file.string()}, {"why", f.why}});
+  for (const fs::path& f : r.foreign)
+    json["left_out"].push_back({{"file", f.string()}, {"why", "the plan has no such task"}});
+  json["nondeterminism"] = Json::array();
+  for (const Nondeterminism& n : r.differing) {
+    json["nondeterminism"].push_back(one(n.task));
+    json["nondeterminism"].back().update(
+        Json{{"files", {n.a.string(), n.b.string()}}, {"result_hashes", {n.hashA, n.hashB}}});
+  }
+  json["db"] = r.differing.empty() ? Json(r.database.string()) : Json();
+  json["bytes"] = r.bytes;
+  json["seconds"] = r.seconds;
+  return json;
+}
+
+}  // namespace morula

@@ -1,0 +1,52 @@
+#pragma once
+// The results of all tasks in one database, whoever computed them and wherever their files lie.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "system/json.h"
+#include "tasks/run_study.h"
+
+namespace morula {
+
+struct MergeOptions {
+  /// Folders of studies, folders of tasks' files, and tasks' files, besides the study's own.
+  std::vector<std::string> shards;
+  std::filesystem::path output;
+};
+
+/// A file that was left out, and why.
+struct RefusedFile {
+  std::filesystem::path file;
+  std::string why;
+};
+
+/// Two files of one task whose results differ.
+struct Nondeterminism {
+  std::size_t task = 0;
+  std::filesystem::path a, b;
+  std::string hashA, hashB;
+};
+
+struct MergeReport {
+  std::filesystem::path database;
+  std::size_t tasks = 0, done = 0;
+  std::vector<FailedTask> failed;    // their results, by number
+  std::vector<std::size_t> missing;  // by number
+  std::vector<std::size_t> insane;   // that ended, with bodies that cannot be so (check_result, kind sanity)
+  std::vector<RefusedFile> damaged;  // each with what is wrong
+  std::vector<std::filesystem::path> foreign;  // of tasks that the plan does not have
+  std::vector<Nondeterminism> differing;       // then nothing is written
+  double seconds = 0;                          // [s]
+  std::uint64_t bytes = 0;                     // of the database
+};
+
+/// Verifies every file, its structure, ids and hashes, and puts the database together anew: the same results give the same
+/// bytes, in whatever order and from however many places they come. What cannot be right is left out and told. Writes nothing
+/// if two files of one task differ. Throws FileError if a shard cannot be read, or if they come from several builds.
+MergeReport mergeStudy(const PlannedStudy& study, const MergeOptions& options);
+
+std::string describe(const MergeReport& report, const PlannedStudy& study);
+Json toJson(const MergeReport& report, const PlannedStudy& study);
+
+}  // namespace morula

@@ -1,0 +1,229 @@
+#include "tasks/run_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <deque>
+#include <memory>
+
+#include "base/error.h"
+#include "files/draft.h"
+#include "files/folders.h"
+#include "loop/progress.h"
+#include "store/build_info.h"
+#include "system/clock.h"
+#include "system/signals.h"
+#include "tasks/task_progress.h"
+
+namespace morula {
+
+namespace {
+
+/// Signals with which a process ends by its own fault. Others come from outside: from people, from the system that has no
+/// more memory, from a scheduler.
+bool isCrash(int signal) {
+  for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP})
+    if (signal == own) return true;
+  return false;
+}
+
+/// One build's results are compared with one another; a mixture would compare programs.
+void requireOwnBuild(const std::filesystem::path& file) {
+  const std::string theirs = TaskFile(file).buildId(), ours = buildId(buildInfo());
+  if (theirs == ours) return;
+  throw FileError("'" + file.string() + "' was computed by another build of the program (" + theirs +
+                  ", this is " + ours + "); go on with that build, or give a new folder with --to");
+}
+
+/// Keeps the order, but begins with those that take longest, so that none runs alone at the end.
+void longestFirst(const Plan& plan, std::vector<std::size_t>& tasks) {
+  if (plan.costs.empty()) return;
+  std::stable_sort(tasks.begin(), tasks.end(), [&](std::size_t a, std::size_t b) {
+    return plan.costs[plan.tasks[a].condition].seconds > plan.costs[plan.tasks[b].condition].seconds;
+  });
+}
+
+class StudyRun {
+ public:
+  StudyRun(const PlannedStudy& study, const RunStudyOptions& options)
+      : study_(study), options_(options), settings_(options.settings) {
+    double& limit = settings_.execution.memoryLimit;
+    if (const auto& most = study.plan.study.limits.memory)
+      limit = std::min(limit, static_cast<double>(*most));
+  }
+
+  RunStudyReport run() {
+    const double begun = seconds(ClockKind::wall);
+    report_.asked = options_.tasks.size();
+    removeAbandonedDrafts(study_.folder.tasks());
+    removeAbandonedDrafts(study_.folder.path());
+    std::vector<std::size_t> open = openTasks();
+    emptyTaskFile(), binaryHash(), machineInfo();  // once, not in each process
+    if (options_.jobs > 1) longestFirst(study_.plan, open);
+    progress_ = std::make_unique<TaskProgress>(study_.plan, open, options_.jobs, options_.quiet);
+    runAll(open);
+    progress_->clear();
+    std::ranges::sort(report_.failed, {}, &FailedTask::task);
+    std::ranges::sort(report_.stopped, {}, &FailedTask::task);
+    report_.seconds = seconds(ClockKind::wall) - begun;
+    return std::move(report_);
+  }
+
+ private:
+  struct Running {
+    std::size_t task;
+    std::unique_ptr<Forked> process;
+  };
+
+  std::filesystem::path fileOf(std::size_t task) const {
+    return study_.folder.task(study_.plan.tasks[task].id);
+  }
+
+  bool isThere(std::size_t task) {
+    const auto file = fileOf(task);
+    if (!fileExists(file) || !looksWhole(file)) return false;
+    if (!ownBuild_) requireOwnBuild(file), ownBuild_ = true;
+    return !options_.retryFailed || TaskFile(file).task().status == "done";
+  }
+
+  std::vector<std::size_t> openTasks() {
+    std::vector<std::size_t> open;
+    for (const std::size_t task : options_.tasks) {
+      if (isThere(task)) ++report_.already;
+      else open.push_back(task);
+    }
+    return open;
+  }
+
+  void begin(std::size_t task) {
+    const RunLimits& limits = study_.plan.study.limits;
+    running_.push_back({task, std::make_unique<Forked>(ForkedLimits{limits.cpu, limits.memory}, [&, task] {
+                          return runTask(study_.plan, task, study_.folder, settings_);
+                        })});
+  }
+
+  void runAll(const std::vector<std::size_t>& open) {
+    const SignalWatch signals;
+    std::size_t next = 0;
+    while (next < open.size() || !running_.empty()) {
+      if (const int signal = SignalWatch::caught(); signal && !report_.signal) {
+        report_.signal = signal;
+        for (Running& r : running_) r.process->stop(SIGTERM);  // which their runs notice
+      }
+      if (report_.signal && running_.empty()) break;
+      while (!report_.signal && next < open.size() &&
+             running_.size() < static_cast<std::size_t>(options_.jobs))
+        begin(open[next++]);
+      std::vector<Forked*> processes;
+      for (const Running& r : running_) processes.push_back(r.process.get());
+      std::vector<std::size_t> ended = endedAmong(processes, 0.2);
+      for (auto place = ended.rbegin(); place != ended.rend(); ++place) end(*place);
+      progress_->show();
+    }
+    report_.left = open.size() - next;
+  }
+
+  void end(std::size_t place) {
+    const Running running = std::move(running_[place]);
+    running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(place));
+    ForkedEnd end = running.process->wait();
+    report_.cpuSeconds += end.cpuSeconds;
+    settle(running.task, end);
+  }
+
+  void settle(std::size_t task, const ForkedEnd& end) {
+    const RunLimits& limits = study_.plan.study.limits;
+    const ForkedAnswer& answer = end.answer;
+    if (answer.code == cannotWrite) throw FileError(answer.text);
+    if (end.signal == 0 && answer.code == 0) return computed(task, end, answer.text);
+    if (end.signal == SIGXCPU && limits.cpu)
+      return fail(task, end, FailureKind::cpuLimit,
+                  fmt::format("more than {:g} s of CPU time (limits.cpu-per-run)", *limits.cpu));
+    if (end.signal == 0 && answer.code == outOfMemory)
+      return fail(task, end, FailureKind::memoryLimit,
+                  limits.memory
+                      ? fmt::format("{} within {} bytes (limits.memory-per-run)", answer.text, *limits.memory)
+                      : answer.text);
+    if (isCrash(end.signal)) return fail(task, end, FailureKind::crash, signalName(end.signal));
+    if (end.signal == 0 && answer.code < 128)
+      return fail(task, end, FailureKind::crash,
+                  answer.code == brokeDown ? "a bug of Morula's: " + answer.text
+                                           : fmt::format("ended with code {}", answer.code));
+    const int signal = end.signal ? end.signal : answer.code - 128;
+    report_.stopped.push_back({task, "stopped from outside by " + signalName(signal)});
+    progress_->ended(task, end.cpuSeconds, false);
+  }
+
+  /// `failure`: why the task failed; "" if it is done.
+  void computed(std::size_t task, const ForkedEnd& end, const std::string& failure) {
+    ++report_.computed;
+    if (!failure.empty()) report_.failed.push_back({task, failure});
+    progress_->ended(task, end.cpuSeconds, !failure.empty());
+  }
+
+  void fail(std::size_t task, const ForkedEnd& end, FailureKind kind, const std::string& why) {
+    writeFailure(study_.plan, task, study_.folder, settings_, kind, why, end);
+    computed(task, end, std::string(name(kind)) + ": " + why);
+  }
+
+  const PlannedStudy& study_;
+  const RunStudyOptions& options_;
+  TaskSettings settings_;
+  RunStudyReport report_;
+  std::vector<Running> running_;
+  std::unique_ptr<TaskProgress> progress_;
+  bool ownBuild_ = false;  // a result that was there has been looked at
+};
+
+Json toJson(const std::vector<FailedTask>& tasks, const Plan& plan) {
+  Json list = Json::array();
+  for (const FailedTask& f : tasks)
+    list.push_back({{"task_id", plan.tasks[f.task].id},
+                    {"condition", nameOf(plan, plan.tasks[f.task].condition)},
+                    {"seed", plan.tasks[f.task].seed},
+                    {"reason", f.reason}});
+  return list;
+}
+
+}  // namespace
+
+RunStudyReport runStudy(const PlannedStudy& study, const RunStudyOptions& options) {
+  return StudyRun(study, options).run();
+}
+
+std::string nameOfTask(const Plan& plan, std::size_t task) {
+  const Task& t = plan.tasks[task];
+  return fmt::format("{}, seed {} (task {})", nameOf(plan, t.condition), t.seed, t.id);
+}
+
+std::string describe(const RunStudyReport& r, const PlannedStudy& study) {
+  std::string text =
+      fmt::format("{}: {} of {} runs have a result: {} computed now, {} there before; {} of CPU time in {}\n",
+                  study.plan.study.name, r.already + r.computed, r.asked, r.computed, r.already,
+                  formatDuration(r.cpuSeconds), formatDuration(r.seconds));
+  for (const FailedTask& f : r.failed)
+    text += "  failed   " + nameOfTask(study.plan, f.task) + ": " + f.reason + "\n";
+  for (const FailedTask& f : r.stopped)
+    text +=
+        "  no result  " + nameOfTask(study.plan, f.task) + ": " + f.reason + "; the next run does it again\n";
+  if (r.left) text += fmt::format("  {} runs were not begun; the same command goes on\n", r.left);
+  return text;
+}
+
+Json toJson(const RunStudyReport& r, const PlannedStudy& study) {
+  return {{"study", study.plan.study.name},
+          {"plan_id", study.plan.id},
+          {"folder", study.folder.path().string()},
+          {"asked", r.asked},
+          {"already", r.already},
+          {"computed", r.computed},
+          {"failed", toJson(r.failed, study.plan)},
+          {"stopped", toJson(r.stopped, study.plan)},
+          {"left", r.left},
+          {"complete", r.isComplete()},
+          {"seconds", r.seconds},
+          {"cpu_seconds", r.cpuSeconds}};
+}
+
+}  // namespace morula

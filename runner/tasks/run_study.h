@@ -1,0 +1,49 @@
+#pragma once
+// All tasks of a study, or a share of them: each in a process of its own, several at a time.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "system/json.h"
+#include "tasks/run_task.h"
+
+namespace morula {
+
+struct RunStudyOptions {
+  std::vector<std::size_t> tasks;  // which, by number
+  int jobs = 1;
+  bool retryFailed = false;  // tasks whose result is a failure are computed once more
+  TaskSettings settings;
+  bool quiet = false;
+};
+
+struct FailedTask {
+  std::size_t task = 0;
+  std::string reason;
+};
+
+/// What became of the tasks that were asked for.
+struct RunStudyReport {
+  std::size_t asked = 0, already = 0, computed = 0;  // computed: those that failed among them
+  std::vector<FailedTask> failed;                    // of those that were computed now, by number
+  std::vector<FailedTask> stopped;     // from outside: they have no result, and will be run again
+  std::size_t left = 0;                // that were not begun, because a signal came
+  int signal = 0;                      // that stopped the whole
+  double seconds = 0, cpuSeconds = 0;  // [s]
+
+  bool isComplete() const { return already + computed == asked; }
+};
+
+/// Runs those tasks that have no whole file yet, and removes what processes that died have left. Has to be called while the
+/// process has one thread. Throws FileError if a result cannot be written, or if results are there that another build of
+/// the program has computed.
+RunStudyReport runStudy(const PlannedStudy& study, const RunStudyOptions& options);
+
+/// For people: one line of counts, and one for each task that failed or was stopped.
+std::string describe(const RunStudyReport& report, const PlannedStudy& study);
+Json toJson(const RunStudyReport& report, const PlannedStudy& study);
+
+/// "division: longest, connections: none, seed 4 (task 0123456789abcdef)"
+std::string nameOfTask(const Plan& plan, std::size_t task);
+
+}  // namespace morula

@@ -1,0 +1,161 @@
+#include "tasks/run_task.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "base/error.h"
+#include "check/sanity.h"
+#include "files/write_file.h"
+#include "loop/simulate.h"
+#include "pictures/pictures.h"
+#include "system/clock.h"
+#include "system/usable_memory.h"
+#include "tasks/values.h"
+
+namespace morula {
+
+namespace {
+
+/// The scenario's `record` says already what the study measures, and every how often.
+RecordOptions recordingOf(const Plan& plan, const Scenario& scenario) {
+  const Study& study = plan.study;
+  RecordOptions record = recordingOf(scenario, study.keep.hashes == HashesKept::all);
+  record.hashEnd = study.keep.hashes == HashesKept::end;
+  record.atDivisions = study.when.moments == Moments::eachDivision;
+  return record;
+}
+
+/// With `when: end` the start is recorded, as of every run, and not compared.
+std::vector<Sample> measuredSamples(const Study& study, const std::vector<Sample>& samples) {
+  if (study.when.moments != Moments::end || samples.empty()) return samples;
+  return {samples.back()};
+}
+
+/// What is not asked for is not stored: of samples the start's and the end's stay, as of every run.
+void drop(RunResults& results, const Study& study) {
+  if (study.keep.samples == SamplesKept::all) return;
+  if (results.samples.size() > 2)
+    results.samples.erase(results.samples.begin() + 1, results.samples.end() - 1);
+}
+
+/// The words of a failure tell memory apart: they come from the simulator's and the loop's checks and from bad_alloc.
+FailureKind kindOf(const std::string& failure) {
+  return failure.find("memory") == failure.npos ? FailureKind::numerical : FailureKind::memoryLimit;
+}
+
+std::string reasonOf(FailureKind kind, const std::string& why) {
+  return std::string(name(kind)) + ": " + why;
+}
+
+TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenario,
+                      const TaskSettings& settings) {
+  const Task& planned = plan.tasks[task];
+  TaskOutcome outcome;
+  outcome.task.id = planned.id;
+  outcome.task.number = task;
+  outcome.task.condition = planned.condition;
+  outcome.task.seed = planned.seed;
+  outcome.record = recordOf(scenario, settings.execution, settings.command);
+  TimingRow& timing = outcome.timing;
+  const RunRecord& r = outcome.record;
+  timing.host = hostName();
+  timing.cpu = r.machine.cpu, timing.kernel = r.machine.kernel, timing.cpuFeatures = r.machine.features;
+  timing.fpEnvironment = r.machine.fpEnvironment, timing.isa = r.isa, timing.threads = r.threads;
+  timing.command = r.command, timing.binaryHash = r.binaryHash;
+  timing.started = utcNow();
+  return outcome;
+}
+
+void draw(const World& world, const Scenario& scenario, const std::filesystem::path& file) {
+  if (world.bodies) writePicture(drawOrganism(pictureOf(world, scenario)), file);
+  else writePicture(drawLineage(lineagePictureOf(world, scenario)), file);
+}
+
+/// Simulates; the signal that stopped it, or 0.
+int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const StudyFolder& folder,
+            const TaskSettings& settings, TaskOutcome& outcome) {
+  World world = makeScenarioWorld(scenario, settings.execution);
+  const SanityCheck sanity(world);
+  Progress progress("", true);
+  Simulation run =
+      simulate(std::move(world), Recorder(recordingOf(plan, scenario)), progress, RunHooks{}, false);
+  if (run.end.status == RunStatus::killed) return run.signal;
+  outcome.end = run.end;
+  outcome.results = std::move(run.results);
+  if (run.end.status == RunStatus::failed) {
+    outcome.task.reason = reasonOf(kindOf(run.end.failure), run.end.failure);
+  } else {
+    outcome.values = valuesOf(measuredSamples(plan.study, outcome.results.samples), plan.study.measures);
+    outcome.results.checks = sanity.results(run.world, scenario.check, false);
+    if (keepsPicture(plan, task)) draw(run.world, scenario, folder.picture(plan.tasks[task].id));
+  }
+  drop(outcome.results, plan.study);
+  return 0;
+}
+
+void write(TaskOutcome outcome, const std::filesystem::path& file) {
+  outcome.timing.ended = utcNow();
+  overwriteFile(file, taskFileBytes(std::move(outcome)));
+}
+
+void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& folder,
+                     const TaskSettings& settings, ForkedAnswer& answer) {
+  const Scenario scenario = scenarioOf(plan, plan.tasks[task]);
+  TaskOutcome outcome = outcomeOf(plan, task, scenario, settings);
+  const auto fail = [&](const std::string& why) {
+    outcome.end = {
+        .status = RunStatus::failed, .stateHash = {}, .steps = 0, .cells = 0, .time = 0, .failure = why};
+    outcome.task.reason = reasonOf(kindOf(why), why);
+  };
+  try {
+    if (const int signal = compute(plan, task, scenario, folder, settings, outcome)) {
+      answer.code = 128 + signal;
+      return;
+    }
+  } catch (const InputError& error) {  // with this seed the scene cannot begin
+    fail(error.what());
+  } catch (const NumericalError& error) { fail(error.what()); }
+  liftMemoryLimit();
+  outcome.timing.cpuSeconds = seconds(ClockKind::process);
+  outcome.timing.maxMemory = peakMemory();
+  answer.text = outcome.task.reason;
+  write(std::move(outcome), folder.task(plan.tasks[task].id));
+}
+
+}  // namespace
+
+ForkedAnswer runTask(const Plan& plan, std::size_t task, const StudyFolder& folder,
+                     const TaskSettings& settings) {
+  ForkedAnswer answer;
+  try {
+    computeAndWrite(plan, task, folder, settings, answer);
+  } catch (const std::bad_alloc&) {
+    answer = {outOfMemory, "there is no more memory"};
+  } catch (const FileError& error) {
+    answer = {cannotWrite, error.what()};
+  } catch (const std::exception& error) { answer = {brokeDown, error.what()}; }
+  return answer;
+}
+
+void writeFailure(const Plan& plan, std::size_t task, const StudyFolder& folder, const TaskSettings& settings,
+                  FailureKind kind, const std::string& why, const ForkedEnd& end) {
+  TaskOutcome outcome = outcomeOf(plan, task, scenarioOf(plan, plan.tasks[task]), settings);
+  outcome.end = {
+      .status = RunStatus::failed, .stateHash = {}, .steps = 0, .cells = 0, .time = 0, .failure = why};
+  outcome.task.reason = reasonOf(kind, why);
+  outcome.timing.cpuSeconds = end.cpuSeconds;
+  outcome.timing.maxMemory = end.maxMemory;
+  write(std::move(outcome), folder.task(plan.tasks[task].id));
+}
+
+bool keepsPicture(const Plan& plan, std::size_t task) {
+  if (plan.study.keep.pictures == PicturesKept::none) return false;
+  if (plan.study.keep.pictures == PicturesKept::all) return true;
+  const std::uint64_t first = plan.study.seeds.front();
+  return std::any_of(plan.replicates.begin(), plan.replicates.end(),
+                     [&](const Replicate& r) { return r.task == task && r.seed == first; });
+}
+
+}  // namespace morula

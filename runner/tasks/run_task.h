@@ -1,0 +1,32 @@
+#pragma once
+// One task: its run from beginning to end, and the file of its result. Each is computed in a process of its own.
+#include <optional>
+#include <string>
+
+#include "store/task_file.h"
+#include "system/forked.h"
+#include "tasks/study_folder.h"
+
+namespace morula {
+
+struct TaskSettings {
+  Execution execution;
+  std::string command;  // as typed, for the record
+};
+
+/// The exit codes of a task's process beside 0, its file is written, and 128 + the number of a signal.
+enum TaskCode : int { cannotWrite = 6, brokeDown = 70, outOfMemory = 71 };
+
+/// Computes the task and writes its picture, if the study keeps one of it, and its file; the answer's text is then why the run
+/// failed, "" if it did not. Does not throw.
+ForkedAnswer runTask(const Plan& plan, std::size_t task, const StudyFolder& folder,
+                     const TaskSettings& settings);
+
+/// Writes the file of a task whose process ended without one: its result is the failure.
+void writeFailure(const Plan& plan, std::size_t task, const StudyFolder& folder, const TaskSettings& settings,
+                  FailureKind kind, const std::string& why, const ForkedEnd& end);
+
+/// Whether the study keeps a picture of the task.
+bool keepsPicture(const Plan& plan, std::size_t task);
+
+}  // namespace morula

@@ -1,0 +1,33 @@
+#pragma once
+// How far a study is, read from the files of its tasks.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tasks/run_study.h"
+
+namespace morula {
+
+struct StudyStatus {
+  std::size_t tasks = 0, done = 0;
+  std::vector<FailedTask> failed;      // by number
+  std::vector<std::size_t> missing;    // by number
+  std::vector<FailedTask> unreadable;  // files that are no results; their tasks are missing, too
+  std::uint64_t bytes = 0;             // of all files of the study
+  double cpuSeconds = 0;               // [s] that the results took
+  // [s] of CPU time for what is missing: what was predicted, corrected by what the others took; without a prediction as
+  // their mean. Absent if nothing is known.
+  std::optional<double> secondsLeft;
+  bool isMerged = false;  // study.db is there and no result is later
+
+  bool isComplete() const { return missing.empty(); }
+};
+
+/// Looks at every task's file, but not for damage inside of it: merging does.
+StudyStatus statusOf(const PlannedStudy& study);
+
+std::string describe(const StudyStatus& status, const PlannedStudy& study);
+Json toJson(const StudyStatus& status, const PlannedStudy& study);
+
+}  // namespace morula

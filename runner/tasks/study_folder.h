@@ -1,0 +1,45 @@
+#pragma once
+// A study's folder: the plan, a file for each task, the merged database.
+#include <filesystem>
+#include <string>
+
+#include "study/plan.h"
+
+namespace morula {
+
+class StudyFolder {
+ public:
+  explicit StudyFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path plan() const { return path_ / "plan.json"; }
+  std::filesystem::path tasks() const { return path_ / "tasks"; }
+  std::filesystem::path task(const std::string& id) const { return tasks() / (id + ".db"); }
+  std::filesystem::path picture(const std::string& id) const { return tasks() / (id + ".png"); }
+  std::filesystem::path merged() const { return path_ / "study.db"; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct PlannedStudy {
+  StudyFolder folder;
+  Plan plan;
+  bool isNew = false;  // the folder has no plan yet
+};
+
+struct StudyChoice {
+  std::string what;  // a study file, or a study's folder
+  std::string to;    // the folder; "": results/studies/NAME, or `what` itself if it is one
+  bool allowOutside = false;
+  bool resume = false;       // go on with the folder's plan, whatever the file says by now
+  bool mustBeThere = false;  // a plan is not made but expected
+};
+
+/// The plan of a folder, or that of a study file where the folder has none. Throws InputError for mistakes in the study, and
+/// FileError: neither study nor folder, a plan that is damaged, a file that has changed since its plan was made.
+PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options);
+
+/// Writes the plan of a new study into its folder, which is made if it is not there.
+void keepPlan(const PlannedStudy& study);
+
+}  // namespace morula

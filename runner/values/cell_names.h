@@ -1,0 +1,50 @@
+#pragma once
+// What people call the cells of an organism. Presentation alone: the simulator knows lineage paths, and nothing
+// that it does depends on a name.
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/cell_path.h"
+
+namespace morula {
+
+/// A cell's name by its path; absent: it has none.
+using NameOf = std::function<std::optional<std::string>(const CellPath&)>;
+
+struct CellNames {
+  std::map<CellPath, std::string> given;  // by path; the egg's among them
+  std::vector<std::string> daughters;     // what a daughter A, and B, adds to her mother's name; or none
+
+  bool empty() const { return given.empty() && daughters.empty(); }
+
+  /// The name that is given for the path, or else the mother's with the daughter's ending. Absent where no rule
+  /// leads to one.
+  std::optional<std::string> of(const CellPath& path) const;
+
+  /// The cells that go by this name, by path: at most one in a scenario that was read without problems.
+  std::vector<CellPath> find(std::string_view name) const;
+
+  NameOf function() const;
+};
+
+/// The cell that a text means: the one with this name, or else with this path; "/AB" is always the path AB, and "/" and
+/// "egg" are the egg. Throws InputError that begins with `where` ("--cell"; may be empty) for a text that is neither, with the
+/// name that was probably meant.
+CellPath cellCalled(const CellNames& names, std::string_view text, std::string_view where);
+
+/// "ABa (path AAB)", or without a name what base/cell_path.h calls it: "cell AAB".
+std::string cellWords(const NameOf& nameOf, const CellPath& path);
+
+/// A message with "ABa (path AAB)" for each "cell AAB" in it that has a name.
+std::string withNames(std::string_view message, const NameOf& nameOf);
+
+/// Whether a text may be the name of a cell: 1 to 40 characters, none of them a blank or a control character, the
+/// first no '/'. In words: nameAllowed.
+bool isCellName(std::string_view text);
+extern const char* const nameAllowed;
+
+}  // namespace morula

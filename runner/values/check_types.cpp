@@ -1,0 +1,92 @@
+// Kinds of values that checks have: bounds, and texts that a failure must name.
+#include "values/value_types.h"
+
+namespace morula::scenario {
+
+Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field) {
+  auto p = Parameter{
+      .path = std::move(path),
+      .allowed = "two numbers ≥ 0, the least and the most, as [0.9, 1.1]",
+      .meaning = std::move(meaning),
+      .decides = Decides::presentation,
+      .schema = {{"type", "array"}, {"items", numberSchema(notNegative)}, {"minItems", 2}, {"maxItems", 2}},
+      .absent = "not checked"};
+  p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    const auto bounds = readReals(node, 2, notNegative, path, allowed, reading.problems);
+    if (!bounds) return;
+    const double least = bounds->front(), most = bounds->back();
+    if (least <= most) field(s) = Bounds{least, most};
+    else
+      reading.problems.add(node.place, path, "the least is above the most",
+                           "write [" + exactText(most) + ", " + exactText(least) + "]");
+  };
+  p.write = [field](const Scenario& s) {
+    const auto& bounds = field(const_cast<Scenario&>(s));
+    return bounds ? Json{bounds->least, bounds->most} : Json();
+  };
+  return p;
+}
+
+Parameter texts(std::string path, std::string meaning, Field<std::vector<std::string>> field) {
+  Parameter p;
+  p.path = std::move(path);
+  p.allowed = "a list of texts, as [physics.time_step, springs]";
+  p.meaning = std::move(meaning);
+  p.absent = "the run must end well";
+  p.decides = Decides::presentation;
+  p.schema = {{"type", "array"}, {"items", {{"type", "string"}, {"minLength", 1}}}, {"minItems", 1}};
+  p.read = [field, path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    if (!expectEntries(node, path, allowed, reading.problems)) return;
+    for (const auto& item : node.items) {
+      const auto value = readText(item, path, "a text", reading.problems);
+      if (value && value->empty())
+        reading.problems.add(item.place, path, "an empty text", "it names nothing");
+      else if (value) field(s).push_back(*value);
+    }
+  };
+  p.write = [field](const Scenario& s) {
+    const auto& values = field(const_cast<Scenario&>(s));
+    return values.empty() ? Json() : Json(values);
+  };
+  return p;
+}
+
+Parameter saneEnd() {
+  Parameter p;
+  p.path = "check.sane";
+  p.allowed = "false, beside because; true is what holds without it";
+  p.meaning = "false: this scene is about an end that is not sane, and the run passes all the same";
+  p.absent =
+      "the end must be sane: no cell crushed, inside out, in another, out of its shell or out of sight";
+  p.decides = Decides::presentation;
+  p.schema = {{"type", "boolean"}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    const auto value = readText(node, path, allowed, reading.problems);
+    if (!value) return;
+    if (*value == "true" || *value == "false") s.check.sane = *value == "true";
+    else reading.problems.add(node.place, path, "is " + describe(node), "needs true or false");
+  };
+  p.write = [](const Scenario& s) { return s.check.sane ? Json() : Json(false); };
+  return p;
+}
+
+Parameter becauseText() {
+  Parameter p;
+  p.path = "check.because";
+  p.allowed = "a text";
+  p.meaning = "Why the end is not sane: for who reads the results";
+  p.absent = "the end must be sane";
+  p.decides = Decides::presentation;
+  p.needs = "sane";
+  p.schema = {{"type", "string"}, {"minLength", 1}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    const auto value = readText(node, path, allowed, reading.problems);
+    if (!value) return;
+    if (value->empty()) reading.problems.add(node.place, path, "is empty", "say why the end is not sane");
+    else s.check.because = *value;
+  };
+  p.write = [](const Scenario& s) { return s.check.because.empty() ? Json() : Json(s.check.because); };
+  return p;
+}
+
+}  // namespace morula::scenario

@@ -1,0 +1,305 @@
+// How cells divide: the plane, and the rules for some cells.
+#include <algorithm>
+
+#include "base/did_you_mean.h"
+#include "division/rules.h"
+#include "values/value_types.h"
+
+namespace morula::scenario {
+
+namespace {
+
+/// "a or b"; "a, b, or c".
+std::string inWords(const std::vector<std::string>& choices) {
+  std::string text;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < choices.size() ? ", " : i > 1 ? ", or " : " or ") + choices[i];
+  return text;
+}
+
+std::string spell(const DivisionPlaneKind& kind) {
+  if (kind.takes == Takes::nothing) return kind.name;
+  return std::string("{") + kind.name + (kind.takes == Takes::substance ? ": a0}" : ": [x, y, z]}");
+}
+
+Json axisSchema() {
+  return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
+}
+
+/// An axis alone, or one that turns.
+Json polaritySchema() {
+  const auto turning = [](const char* key) {
+    return Json{{"type", "object"},
+                {"properties", {{"start", axisSchema()}, {key, {{"type", "string"}}}}},
+                {"required", {"start", key}},
+                {"additionalProperties", false}};
+  };
+  return {{"oneOf", Json::array({axisSchema(), turning("turns-towards"), turning("turns-away-from")})}};
+}
+
+Json takenSchema(Takes takes) {
+  return takes == Takes::axis        ? axisSchema()
+         : takes == Takes::substance ? Json{{"type", "string"}}
+                                     : polaritySchema();
+}
+
+Json planeSchema() {
+  Json words = Json::array(), forms = Json::array();
+  for (const DivisionPlaneKind& kind : divisionPlanes()) {
+    if (kind.takes == Takes::nothing) words.push_back(kind.name);
+    else
+      forms.push_back({{"type", "object"},
+                       {"properties", {{kind.name, takenSchema(kind.takes)}}},
+                       {"required", {kind.name}},
+                       {"additionalProperties", false}});
+  }
+  forms.insert(forms.begin(), {{"enum", words}});
+  return {{"oneOf", forms}};
+}
+
+std::optional<Vector> readAxis(const Node& node, const std::string& path, Problems& problems) {
+  const auto axis = readTriple(node, {}, path, "three numbers, not all 0, as [1, 0, 0]", problems);
+  if (!axis || *axis != Vector{}) return axis;
+  problems.add(node.place, path, "has length 0", "needs at least one number other than 0");
+  return {};
+}
+
+/// {start: [x, y, z], turns-towards: a0}, or turns-away-from.
+void readTurning(const Node& node, const std::string& path, Reading& reading, PlaneChoice& choice) {
+  const std::string allowed = "start, and either turns-towards or turns-away-from with a substance";
+  refuseUnknown(node, path, {"start", "turns-towards", "turns-away-from"}, reading.problems);
+  const Member *start = nullptr, *turns = nullptr;
+  for (const Member& member : node.members) {
+    if (member.key == "start") start = &member;
+    else if (turns && member.key.starts_with("turns-"))
+      reading.problems.add(member.place, path + "." + member.key, "is one too many", "needs " + allowed);
+    else if (member.key == "turns-towards" || member.key == "turns-away-from") turns = &member;
+  }
+  if (!start)
+    reading.problems.add(node.place, path + ".start", "is missing",
+                         "needs the egg's polarity, as start: [1, 0, 0]");
+  else if (const auto axis = readAxis(start->value, path + ".start", reading.problems)) choice.axis = *axis;
+  if (!turns)
+    return reading.problems.add(node.place, path, "turns nowhere",
+                                "needs turns-towards or turns-away-from, or write polarity: [x, y, z]");
+  choice.turnsAway = turns->key == "turns-away-from";
+  if (const auto name = readPattern(turns->value, path + "." + turns->key, reading)) choice.substance = *name;
+}
+
+/// What stands behind the name of a plane that takes something.
+std::optional<PlaneChoice> readTaken(const DivisionPlaneKind& kind, const Node& node, const std::string& path,
+                                     Reading& reading) {
+  PlaneChoice choice{.plane = kind.plane};
+  if (kind.takes == Takes::polarity && node.kind == Node::Kind::map) {
+    readTurning(node, path, reading, choice);
+    return choice;
+  }
+  if (kind.takes != Takes::substance) {
+    const auto axis = readAxis(node, path, reading.problems);
+    if (!axis) return {};
+    choice.axis = *axis;
+    return choice;
+  }
+  const auto name = readPattern(node, path, reading);
+  if (!name) return {};
+  choice.substance = *name;
+  return choice;
+}
+
+std::optional<PlaneChoice> readPlane(const Node& node, const std::string& path, Reading& reading) {
+  const std::string allowed = planesAllowed();
+  std::vector<std::string> words, keys;
+  for (const DivisionPlaneKind& kind : divisionPlanes()) {
+    (kind.takes == Takes::nothing ? words : keys).push_back(kind.name);
+    if (kind.takes == Takes::nothing && node.kind == Node::Kind::scalar && node.text == kind.name)
+      return PlaneChoice{.plane = kind.plane};
+  }
+  if (node.kind == Node::Kind::map) {
+    const Member* taken = readOnly(node, path, keys, allowed, reading.problems);
+    if (!taken) return {};
+    const auto& kind = *std::ranges::find(divisionPlanes(), taken->key, &DivisionPlaneKind::name);
+    return readTaken(kind, taken->value, path + "." + taken->key, reading);
+  }
+  if (node.kind == Node::Kind::broken) return {};
+  const auto near = node.kind == Node::Kind::scalar ? closest(node.text, words) : "";
+  reading.problems.add(node.place, path,
+                       node.kind == Node::Kind::null     ? "is empty"
+                       : node.kind == Node::Kind::scalar ? describe(node) + " is not known here"
+                                                         : "is " + describe(node),
+                       near.empty() ? "needs " + allowed : "did you mean " + near + "? Needs " + allowed);
+  return {};
+}
+
+Json writePlane(const PlaneChoice& choice) {
+  const DivisionPlaneKind& kind = kindOf(choice.plane);
+  if (kind.takes == Takes::nothing) return Json(kind.name);
+  if (kind.takes == Takes::substance) return Json{{kind.name, choice.substance}};
+  const Json axis{choice.axis.x, choice.axis.y, choice.axis.z};
+  if (choice.substance.empty()) return Json{{kind.name, axis}};
+  const char* turns = choice.turnsAway ? "turns-away-from" : "turns-towards";
+  return Json{{kind.name, {{"start", axis}, {turns, choice.substance}}}};
+}
+
+const std::vector<std::string> ruleKeys{"of", "axis", "plane", "share", "tilt", "chirality"};
+constexpr Range shareRange{.low = leastShare, .high = largestShare}, tiltRange{.low = 0, .high = 90};
+constexpr const char* ruleForm = "a map, as {of: AB, axis: [1, 0, 0], share: 0.6, tilt: 10}";
+
+/// Reads one rule; `path` is "division.rules[2]".
+class RuleReader {
+ public:
+  RuleReader(const Node& node, std::string path, Reading& reading)
+      : node_(node), path_(std::move(path)), reading_(reading) {}
+
+  DivisionRule read() {
+    DivisionRule rule;
+    refuseUnknown(node_, path_, ruleKeys, reading_.problems);
+    readCells(rule);
+    readDirection(rule);
+    if (const auto* share = node_.find("share"))
+      rule.share = readReal(share->value, shareRange, path_ + ".share", numberAllowed(shareRange, ""),
+                            reading_.problems);
+    if (const auto* tilt = node_.find("tilt"))
+      rule.tilt = readReal(tilt->value, tiltRange, path_ + ".tilt", numberAllowed(tiltRange, "degree"),
+                           reading_.problems);
+    if (const auto* chirality = node_.find("chirality"))
+      rule.chirality = readChirality(chirality->value, path_ + ".chirality", reading_.problems);
+    const auto saysSomething = [](const Member& m) { return m.key != "of"; };
+    if (node_.find("of") && std::ranges::none_of(node_.members, saysSomething))
+      reading_.problems.add(node_.place, path_, "says nothing of how these cells divide",
+                            "needs at least one of axis, plane, share, tilt, chirality");
+    return rule;
+  }
+
+ private:
+  void readCells(DivisionRule& rule) {
+    const std::string path = path_ + ".of";
+    const auto* of = node_.find("of");
+    if (!of) {
+      reading_.problems.add(node_.place, path, "is missing",
+                            "needs a substance of the cells that it is for, or a list of several, as of: AB");
+      return;
+    }
+    if (of->value.kind != Node::Kind::sequence) {
+      if (const auto pattern = readPattern(of->value, path, reading_)) rule.of.push_back(*pattern);
+      return;
+    }
+    if (!expectEntries(of->value, path, "a substance, or a list of several", reading_.problems)) return;
+    for (const Node& item : of->value.items) {
+      const auto pattern = readPattern(item, path, reading_);
+      if (!pattern) continue;
+      if (std::ranges::find(rule.of, *pattern) != rule.of.end())
+        reading_.problems.add(item.place, path, "'" + *pattern + "' is given twice", "keep one");
+      rule.of.push_back(*pattern);
+    }
+  }
+
+  /// `axis: v` is short for `plane: {axis: v}`.
+  void readDirection(DivisionRule& rule) {
+    const auto *axis = node_.find("axis"), *plane = node_.find("plane");
+    if (axis && plane)
+      reading_.problems.add(axis->place, path_ + ".axis", "stands beside plane", "give one of axis or plane");
+    if (plane) rule.plane = readPlane(plane->value, path_ + ".plane", reading_);
+    else if (axis)
+      if (const auto direction = readAxis(axis->value, path_ + ".axis", reading_.problems))
+        rule.plane = PlaneChoice{.plane = DivisionPlane::axis, .axis = *direction};
+  }
+
+  const Node& node_;
+  std::string path_;
+  Reading& reading_;
+};
+
+Json ruleSchema() {
+  const Json pattern{{"type", "string"}, {"pattern", "^[^* ]*[*]?$"}, {"minLength", 1}};
+  Json properties{
+      {"of",
+       {{"oneOf",
+         Json::array(
+             {pattern, {{"type", "array"}, {"items", pattern}, {"minItems", 1}, {"uniqueItems", true}}})}}},
+      {"axis", axisSchema()},
+      {"plane", planeSchema()},
+      {"share", numberSchema(shareRange)},
+      {"tilt", numberSchema(tiltRange)},
+      {"chirality", chiralitySchema()}};
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", Json::array({"of"})},
+          {"minProperties", 2},
+          {"not", {{"required", Json::array({"axis", "plane"})}}},
+          {"additionalProperties", false}};
+}
+
+Json writeRule(const DivisionRule& rule) {
+  Json map{{"of", rule.of}};
+  if (rule.plane) map["plane"] = writePlane(*rule.plane);
+  if (rule.share) map["share"] = *rule.share;
+  if (rule.tilt) map["tilt"] = *rule.tilt;
+  if (rule.chirality) map["chirality"] = writeChirality(*rule.chirality);
+  return map;
+}
+
+}  // namespace
+
+std::string planesAllowed(bool ofSpheres) {
+  std::vector<std::string> allowed;
+  for (const DivisionPlaneKind& kind : divisionPlanes())
+    if (!(ofSpheres && kind.needsShape)) allowed.push_back(spell(kind));
+  return inWords(allowed);
+}
+
+Parameter divisionPlane() {
+  Parameter p;
+  p.path = "division.plane";
+  p.allowed = planesAllowed();
+  std::vector<std::string> meanings;
+  for (const DivisionPlaneKind& kind : divisionPlanes())
+    meanings.push_back(std::string(kind.name) + ": " + kind.meaning);
+  p.meaning = "Cells divide across an axis. ";
+  for (const std::string& one : meanings) p.meaning += one + (&one == &meanings.back() ? "" : "; ");
+  p.schema = planeSchema();
+  p.read = [path = p.path](Scenario& s, const Node& node, Reading& reading) {
+    if (const auto choice = readPlane(node, path, reading)) s.scene.mechanics->division.otherwise = *choice;
+  };
+  p.write = [](const Scenario& s) { return writePlane(s.scene.mechanics->division.otherwise); };
+  return p;
+}
+
+Parameter divisionRules() {
+  Parameter p;
+  p.path = "division.rules";
+  p.allowed =
+      "a list of maps, as [{of: AB, axis: [1, 0, 0], share: 0.6, tilt: 10}, {of: [skin, 'P*'], plane: "
+      "random}]";
+  p.meaning =
+      "How cells divide that hold all substances of `of` (a name, its beginning and '*', or a list), by the "
+      "first "
+      "rule that fits: axis, which points to daughter A, or plane, as division.plane; share of the volume "
+      "for A, 0.1 "
+      "to 0.9, instead of a plane through the centre; tilt, the standard deviation in degrees of the axis "
+      "about its direction, by the seed; chirality, as division.chirality";
+  p.absent = "all cells divide as division.plane says";
+  p.schema = {{"type", "array"}, {"items", ruleSchema()}, {"minItems", 1}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
+    if (!expectEntries(node, path, allowed, reading.problems)) return;
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      const Node& item = node.items[i];
+      const std::string at = path + "[" + std::to_string(i) + "]";
+      if (item.kind == Node::Kind::map) {
+        s.scene.mechanics->division.rules.push_back(RuleReader(item, at, reading).read());
+        reading.rules.push_back(item.place);
+      } else if (item.kind != Node::Kind::broken) {
+        reading.problems.add(item.place, at, "is " + describe(item), std::string("needs ") + ruleForm);
+      }
+    }
+  };
+  p.write = [](const Scenario& s) {
+    const auto& rules = s.scene.mechanics->division.rules;
+    if (rules.empty()) return Json();
+    Json list = Json::array();
+    for (const DivisionRule& rule : rules) list.push_back(writeRule(rule));
+    return list;
+  };
+  return p;
+}
+
+}  // namespace morula::scenario

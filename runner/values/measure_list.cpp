@@ -1,0 +1,86 @@
+#include "values/measure_list.h"
+
+#include "values/scenario_data.h"
+
+namespace morula {
+
+namespace {
+
+template <class Of>
+Json rowsAsJson() {
+  Json rows = Json::array();
+  for (const Measure<Of>& m : measures<Of>())
+    rows.push_back({{"name", m.name},
+                    {"unit", m.unit},
+                    {"meaning", m.meaning},
+                    {"needs", name(m.needs)},
+                    {"sampled", m.taken == Taken::withSamples}});
+  return rows;
+}
+
+std::string tableOf(const char* title, const char* about, const Json& rows) {
+  std::string text = std::string("## ") + title + "\n\n" + about +
+                     "\n\n| name | unit | needs | meaning |\n|---|---|---|---|\n";
+  for (const Json& row : rows) {
+    const bool sampled = row.at("sampled");
+    text += "| `" + row.at("name").get<std::string>() + "`" + (sampled ? "" : " (on demand)") + " | " +
+            row.at("unit").get<std::string>() + " | " + row.at("needs").get<std::string>() + " | " +
+            row.at("meaning").get<std::string>() + " |\n";
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string measuresAsMarkdown() {
+  std::string text =
+      "# Measures\n\n"
+      "Written by `morula schema --measures --markdown` from the tables that they are measured with; do not "
+      "edit.\n"
+      "Units are the scene's own: a length, a mass and a time; a force is mass·length/time².\n\n"
+      "A measure is a column of the database, a value of goldens (`when/who/name`) and a key of `morula run "
+      "--json`\n"
+      "under its name, at every time that `record` names. Those on demand are taken where a check asks for "
+      "them, and\nwhere `record: {measures: [...]}` names them: each value is then a row of the table "
+      "`measure` and of "
+      "`measure` in JSON.\n"
+      "What a scene does not have is not measured: NULL in the database, null in JSON, 0 in a golden.\n\n";
+  text += tableOf("Of the organism", "Table `sample`, in goldens `organism`.", rowsAsJson<Observation>());
+  text += tableOf("Of a cell", "Table `cell_sample`; what needs bodies alone is in `bullet_sample`, too.",
+                  rowsAsJson<CellContext>());
+  text += tableOf("Of two cells that touch", "Table `contact`.", rowsAsJson<Touch>());
+  text.pop_back();
+  return text;
+}
+
+std::string measuresAsJson() {
+  const Json all{{"world", rowsAsJson<Observation>()},
+                 {"cell", rowsAsJson<CellContext>()},
+                 {"pair", rowsAsJson<Touch>()}};
+  return all.dump(2) + "\n";
+}
+
+std::string lackingFor(Needs needs, const Scenario& scenario) {
+  const auto& mechanics = scenario.scene.mechanics;
+  const auto& reference = scenario.check.reference;
+  const auto unless = [](bool has, const char* what) { return has ? std::string() : what; };
+  switch (needs) {
+    case Needs::nothing:
+      return "";
+    case Needs::bodies:
+      return unless(mechanics.has_value(), "bodies: add a physics block");
+    case Needs::contact:
+      return unless(mechanics && mechanics->contact, "cells that touch: add 'contact: {}' to physics");
+    case Needs::shell:
+      return unless(mechanics && mechanics->physics.shell, "a shell: add physics.shell");
+    case Needs::referenceContacts:
+      return unless(mechanics && mechanics->contact && reference && !reference->contacts.empty(),
+                    "bodies that touch and check.reference.contacts to compare with");
+    case Needs::referencePositions:
+      return unless(mechanics && reference && reference->positions.size() >= 3,
+                    "bodies and check.reference.positions to compare with, three at least");
+  }
+  return "";
+}
+
+}  // namespace morula

@@ -1,0 +1,90 @@
+#pragma once
+// The description of one parameter, and what is kept while the values are read.
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "system/json.h"
+#include "values/scenario_data.h"
+#include "yaml/node.h"
+
+namespace morula::scenario {
+
+/// A substance named outside of the DNA: to be looked up once the DNA is read.
+struct SubstanceUse {
+  std::string name;
+  Place place;
+  std::string path;
+  bool isPattern = false;  // the beginning of names and '*'
+};
+
+/// Where the DNA's text comes from. Parsed after everything else is read.
+struct DnaSource {
+  std::optional<Node> text;  // the scalar in the scenario
+  std::optional<std::string> file;
+  Place place;
+};
+
+/// Where a cell got its name.
+struct NameUse {
+  CellPath path;
+  Place place;         // in the scenario, of the name or of the file that it stands in
+  std::string key;     // "names.cells.AB", "names.file"
+  std::string inFile;  // "names.txt:3:1"; "": it stands in the scenario itself
+};
+
+/// What check.reference says, to be read once cells have their names.
+struct ReferenceSource {
+  std::optional<Node> contacts, positions, file;
+};
+
+/// What reading the values needs and leaves behind besides the Scenario.
+struct Reading {
+  Problems& problems;
+  std::vector<SubstanceUse> substances;
+  DnaSource dna;
+  std::vector<Place> startCells;  // where each of `cells` stands
+  std::vector<NameUse> names{};
+  std::optional<std::pair<std::string, Place>> namesFile{};
+  std::vector<Place> rules{};  // where each of `division.rules` stands
+  std::set<std::string>
+      senses{};  // substances that `senses` names, whether or not their conditions could be read
+  std::optional<ReferenceSource> reference{};
+};
+
+enum class Decides {
+  results,       // part of Scenario::meaning
+  presentation,  // names, colours, pictures
+};
+
+struct Parameter {
+  std::string path{};     // "physics.membrane.stiffness"
+  std::string unit{};     // "force/length"; empty: a pure number or no number
+  std::string allowed{};  // for people: "a number > 0", "longest or random"
+  std::string meaning{};  // one line
+  bool required = false;
+  Decides decides = Decides::results;
+  Json schema{};         // JSON Schema of the value
+  std::string absent{};  // for people: what holds if an optional value is not given
+  std::string needs{};   // the key of a neighbour that it refines and makes no sense without
+  bool joins = false;    // where exactly one of its section is wanted, it may stand beside that one, or alone
+  bool later = false;    // joined when there were goldens: at its default it is no part of the meaning
+  std::function<void(Scenario&, const Node&, Reading&)> read{};
+  std::function<Json(const Scenario&)> write{};  // null: not given
+
+  std::string key() const { return path.substr(path.rfind('.') + 1); }
+  std::string parent() const { return path.substr(0, path.rfind('.') == path.npos ? 0 : path.rfind('.')); }
+};
+
+/// Names that a file gives to cells, one "PATH NAME" a line, "egg" for the egg's path (cell_name_types.cpp). What is
+/// wrong is reported with the file's lines.
+void readCellNames(const std::string& text, const std::string& file, const Place& place, Scenario& scenario,
+                   Reading& reading);
+/// Finds cells that share a name, and endings for daughters (names.daughters) where no cell has a name.
+void checkCellNames(const Scenario& scenario, Reading& reading, const Node& root);
+
+/// What check.reference says, in the scenario and in the file that it names, if any (reference_types.cpp).
+void readReference(const NamedFile* file, Scenario& scenario, Reading& reading);
+
+}  // namespace morula::scenario

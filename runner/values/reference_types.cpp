@@ -1,0 +1,183 @@
+// check.reference: what the organism is compared with, by cells' names or paths, in the scenario or in a file.
+#include <algorithm>
+
+#include "base/error.h"
+#include "files/text.h"
+#include "simulation/measures.h"
+#include "values/value_types.h"
+
+namespace morula::scenario {
+
+namespace {
+
+constexpr const char* contactsAllowed =
+    "a list of pairs of cells, by names or paths, as [[ABa, ABp], [ABa, EMS]]";
+constexpr const char* positionsAllowed = "a map of cells, by names or paths, to centres, as {ABa: [1, 0, 0]}";
+constexpr const char* lineAllowed = "needs a line 'contact CELL CELL' or 'position CELL X Y Z'";
+
+/// Reads the parts once all else is read, since cells go by their names.
+class ReferenceReader {
+ public:
+  ReferenceReader(Scenario& scenario, Reading& reading) : scenario_(scenario), reading_(reading) {}
+
+  void readContacts(const Node& node) {
+    const std::string path = "check.reference.contacts";
+    if (!expectEntries(node, path, contactsAllowed, reading_.problems)) return;
+    for (const Node& pair : node.items) {
+      if (pair.kind != Node::Kind::sequence || pair.items.size() != 2) {
+        if (pair.kind != Node::Kind::broken)
+          reading_.problems.add(pair.place, path, "is no pair of cells",
+                                std::string("needs ") + contactsAllowed);
+        continue;
+      }
+      const auto one = readText(pair.items[0], path, "a cell", reading_.problems);
+      const auto other = readText(pair.items[1], path, "a cell", reading_.problems);
+      if (one && other) complain(pair.place, path, [&] { addContact(*one, *other); });
+    }
+  }
+
+  void readPositions(const Node& node) {
+    const std::string path = "check.reference.positions";
+    if (node.kind != Node::Kind::map) return refuse(node, path, positionsAllowed, reading_.problems);
+    for (const Member& member : node.members) {
+      if (member.key.empty()) continue;
+      const auto place = readTriple(member.value, {}, path + "." + member.key, "three numbers, as [1, 0, 0]",
+                                    reading_.problems);
+      if (place) complain(member.place, path + "." + member.key, [&] { addPosition(member.key, *place); });
+    }
+  }
+
+  /// Lines 'contact CELL CELL' and 'position CELL X Y Z'; '#' begins a comment.
+  void readFile(const std::string& text, const std::string& file, const Place& place) {
+    int number = 0;
+    for (const std::string& line : linesOf(text)) {
+      ++number;
+      const auto words = wordsOf(line);
+      if (words.empty()) continue;
+      try {
+        addLine(words);
+      } catch (const InputError& error) {
+        reading_.problems.addForeign(place, file + ":" + std::to_string(number) + ":1: " + error.what());
+      }
+    }
+  }
+
+ private:
+  void addLine(const std::vector<std::string>& words) {
+    if (words[0] == "contact" && words.size() == 3) return addContact(words[1], words[2]);
+    if (words[0] != "position" || words.size() != 5)
+      throw InputError(std::string("is not understood; ") + lineAllowed);
+    double xyz[3];
+    for (int i = 0; i < 3; ++i) {
+      const std::string& word = words[2 + static_cast<std::size_t>(i)];
+      const auto number = parseReal(word);
+      if (!number.wrong.empty()) throw InputError("'" + word + "' " + number.wrong + "; " + lineAllowed);
+      xyz[i] = number.value;
+    }
+    addPosition(words[1], {xyz[0], xyz[1], xyz[2]});
+  }
+
+  /// Puts what the call throws to its place.
+  template <class Call>
+  void complain(const Place& place, const std::string& path, Call call) {
+    try {
+      call();
+    } catch (const InputError& error) { reading_.problems.add(place, path, error.what()); }
+  }
+
+  CellPath cell(const std::string& text) const { return cellCalled(scenario_.names, text, ""); }
+
+  void addContact(const std::string& a, const std::string& b) {
+    const auto [one, other] = std::minmax({cell(a), cell(b)});
+    if (one == other || one.isAncestorOf(other))
+      throw InputError("'" + a + "' and '" + b +
+                       "' never live together; needs two cells of which neither descends from the other");
+    if (!scenario_.check.reference->contacts.insert({one, other}).second)
+      throw InputError("'" + a + "' and '" + b + "' stand there twice; remove one");
+  }
+
+  void addPosition(const std::string& name, const Point& place) {
+    if (!scenario_.check.reference->positions.emplace(cell(name), place).second)
+      throw InputError("'" + name + "' has a place already; remove one");
+  }
+
+  Scenario& scenario_;
+  Reading& reading_;
+};
+
+/// What always means the path, whatever names a scenario gives.
+std::string written(const CellPath& path) { return "/" + path.text(); }
+
+Parameter kept(std::string path, std::string allowed, std::string meaning) {
+  Parameter p;
+  p.path = std::move(path), p.allowed = std::move(allowed), p.meaning = std::move(meaning);
+  p.absent = "none";
+  p.decides = Decides::presentation;
+  return p;
+}
+
+Node& keep(std::optional<Node> ReferenceSource::*part, const Node& node, Reading& reading) {
+  if (!reading.reference) reading.reference.emplace();
+  return ((*reading.reference).*part).emplace(node);
+}
+
+}  // namespace
+
+Parameter referenceContacts() {
+  auto p = kept(
+      "check.reference.contacts", contactsAllowed,
+      "Pairs that touch, with contact_jaccard and contact_f1: all contacts that their cells have among them");
+  const Json pair{{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 2}};
+  p.schema = {{"type", "array"}, {"items", pair}, {"minItems", 1}};
+  p.read = [](Scenario&, const Node& node, Reading& reading) {
+    keep(&ReferenceSource::contacts, node, reading);
+  };
+  p.write = [](const Scenario& s) {
+    Json list = Json::array();
+    for (const auto& [a, b] : s.check.reference->contacts) list.push_back({written(a), written(b)});
+    return list.empty() ? Json() : list;
+  };
+  return p;
+}
+
+Parameter referencePositions() {
+  auto p = kept("check.reference.positions", positionsAllowed,
+                "Centres of cells in any frame, with position_rmsd and position_shape_rmsd: at least three");
+  p.schema = {{"type", "object"},
+              {"additionalProperties",
+               {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}}};
+  p.read = [](Scenario&, const Node& node, Reading& reading) {
+    keep(&ReferenceSource::positions, node, reading);
+  };
+  p.write = [](const Scenario& s) {
+    Json map = Json::object();
+    for (const auto& [path, place] : s.check.reference->positions)
+      map[written(path)] = {place.x, place.y, place.z};
+    return map.empty() ? Json() : map;
+  };
+  return p;
+}
+
+Parameter referenceFile() {
+  auto p =
+      kept("check.reference.file", "a file, relative to the scenario's folder",
+           "More of both, one 'contact CELL CELL' or 'position CELL X Y Z' a line; '#' begins a comment");
+  p.schema = {{"type", "string"}, {"minLength", 1}};
+  p.read = [path = p.path, allowed = p.allowed](Scenario&, const Node& node, Reading& reading) {
+    const auto file = readText(node, path, allowed, reading.problems);
+    if (file && file->empty()) reading.problems.add(node.place, path, "is empty", "needs " + allowed);
+    else if (file) keep(&ReferenceSource::file, node, reading);
+  };
+  p.write = [](const Scenario&) { return Json(); };  // what it holds stands in the two others
+  return p;
+}
+
+void readReference(const NamedFile* file, Scenario& scenario, Reading& reading) {
+  if (!reading.reference || !scenario.check.reference) return;
+  ReferenceReader reader(scenario, reading);
+  if (reading.reference->contacts) reader.readContacts(*reading.reference->contacts);
+  if (reading.reference->positions) reader.readPositions(*reading.reference->positions);
+  if (file) reader.readFile(file->content, file->path, reading.reference->file->place);
+}
+
+}  // namespace morula::scenario

@@ -1,0 +1,135 @@
+#pragma once
+// The kinds of values that parameters have. Each function makes a Parameter that reads, writes and describes
+// one field.
+#include "values/parameter.h"
+#include "yaml/numbers.h"
+
+namespace morula::scenario {
+
+template <class T>
+using Field = T& (*)(Scenario&);
+
+/// The largest whole number that SQLite and most other programs hold.
+inline constexpr std::uint64_t largestNatural = 0x7FFFFFFFFFFFFFFF;
+
+/// A parameter of one field. `take(node, path, allowed, problems)` gives its value, or says what is wrong with
+/// the node and gives none.
+template <class T, class Take>
+Parameter ofField(Parameter p, Field<T> field, Take take) {
+  p.read = [field, take, path = p.path, allowed = p.allowed](Scenario& s, const Node& node,
+                                                             Reading& reading) {
+    if (auto value = take(node, path, allowed, reading.problems)) field(s) = std::move(*value);
+  };
+  p.write = [field](const Scenario& s) {
+    const T& value = field(const_cast<Scenario&>(s));
+    if constexpr (requires { value.has_value(); }) return orNull(value);
+    else return Json(value);
+  };
+  return p;
+}
+
+struct NaturalRange {
+  std::uint64_t low = 0, high = largestNatural;
+};
+
+Parameter real(std::string path, std::string unit, Range range, std::string meaning, Field<double> field);
+/// `absent`: what holds if it is not given. `word`: a text that may be written for that, such as "auto"; may
+/// be empty.
+Parameter optionalReal(std::string path, std::string unit, Range range, std::string word, std::string absent,
+                       std::string meaning, Field<std::optional<double>> field);
+Parameter natural(std::string path, NaturalRange range, std::string meaning, Field<std::uint64_t> field);
+Parameter optionalNatural(std::string path, NaturalRange range, std::string absent, std::string meaning,
+                          Field<std::optional<std::uint64_t>> field);
+/// Free text of one line, or a name made of letters, digits, '-' and '_'.
+Parameter text(std::string path, std::string meaning, Field<std::string> field);
+Parameter name(std::string path, std::string meaning, Field<std::string> field);
+Parameter optionalFile(std::string path, std::string meaning, Field<std::optional<std::string>> field);
+Parameter timePerSubstance(std::string path, std::string meaning, Field<std::map<std::string, double>> field);
+Parameter colourPerSubstance(std::string path, std::string meaning,
+                             Field<std::map<std::string, std::string>> field);
+
+Parameter optionalBounds(std::string path, std::string meaning, Field<std::optional<Bounds>> field);
+/// A list of texts; none: not given.
+Parameter texts(std::string path, std::string meaning, Field<std::vector<std::string>> field);
+
+/// One of several names; `get` and `set` take their places in the list.
+Parameter oneOf(std::string path, std::vector<std::string> names, std::string meaning,
+                std::function<int(Scenario&)> get, std::function<void(Scenario&, int)> set);
+/// An enumeration, by its rows [base/choice.h].
+template <class E>
+Parameter choice(std::string path, Field<E> field) {
+  std::vector<std::string> names;
+  std::string meaning;
+  for (const auto& row : choices<E>) {
+    names.push_back(row.name);
+    meaning += (meaning.empty() ? "" : "; ") + names.back() + ": " + row.meaning;
+  }
+  return oneOf(
+      std::move(path), std::move(names), std::move(meaning),
+      [field](Scenario& s) { return static_cast<int>(field(s)); },
+      [field](Scenario& s, int value) { field(s) = choices<E>[value].value; });
+}
+
+// Parameters that are one of a kind.
+Parameter divisionPlane();
+/// [degree] More than a turn is refused as a slip.
+constexpr Range chiralAngle{-360, 360};
+/// {angle: 20, time: 0.5}, of a rule.
+std::optional<Chirality> readChirality(const Node& node, const std::string& path, Problems& problems);
+Json writeChirality(const Chirality& chirality);
+Json chiralitySchema();
+Parameter divisionRules();
+/// What division.plane may be, in words.
+std::string planesAllowed(bool ofSpheres = false);
+Parameter startCells();
+Parameter adhesion();
+Parameter makeConnections();
+/// What a section `senses` holds, and the tables that explain it.
+Parameter senses();
+std::string sensesAsMarkdown();
+Parameter saneEnd();
+Parameter nameOfEgg();
+Parameter namesOfDaughters();
+Parameter namesOfCells();
+Parameter namesFile();
+Parameter referenceContacts();
+Parameter referencePositions();
+Parameter referenceFile();
+Parameter recordAtCells();
+Parameter recordMeasures();
+Parameter becauseText();
+
+// For the kinds themselves.
+
+/// Says that the node is empty or of another kind than is allowed; nothing where it could not be read at all,
+/// which has been said.
+void refuse(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
+/// Reads a map that has exactly one key, of those that are known; null and a problem otherwise.
+const Member* readOnly(const Node& node, const std::string& path, const std::vector<std::string>& keys,
+                       const std::string& allowed, Problems& problems);
+/// Says which keys of a map are not among those that are known.
+void refuseUnknown(const Node& node, const std::string& path, const std::vector<std::string>& keys,
+                   Problems& problems);
+/// True for a list with an entry at least; says what is wrong with anything else.
+bool expectEntries(const Node& node, const std::string& path, const std::string& allowed, Problems& problems);
+std::string numberAllowed(const Range& range, const std::string& unit);
+Json numberSchema(const Range& range);
+std::optional<double> readReal(const Node& node, const Range& range, const std::string& path,
+                               const std::string& allowed, Problems& problems);
+std::optional<std::uint64_t> readNatural(const Node& node, const NaturalRange& range, const std::string& path,
+                                         const std::string& allowed, Problems& problems);
+/// As many numbers as `count`.
+std::optional<std::vector<double>> readReals(const Node& node, std::size_t count, const Range& range,
+                                             const std::string& path, const std::string& allowed,
+                                             Problems& problems);
+std::optional<Vector> readTriple(const Node& node, const Range& range, const std::string& path,
+                                 const std::string& allowed, Problems& problems);
+
+/// Texts may be quoted, and may look like numbers.
+std::optional<std::string> readText(const Node& node, const std::string& path, const std::string& allowed,
+                                    Problems& problems);
+
+/// A substance, or the beginning of some and '*'; that the DNA knows one is checked later.
+std::optional<std::string> readPattern(const Node& node, const std::string& path, Reading& reading);
+
+}  // namespace morula::scenario

@@ -1,0 +1,115 @@
+// morula compare, as users start it.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "../unit/analysis/study_db.h"
+#include "base/random.h"
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula;
+using namespace morula::test;
+using nlohmann::json;
+
+namespace {
+
+/// Clones are tighter under `longest`, where seeds change nothing, than under `random`.
+void writePolicies(const std::string& file) {
+  MadeStudy study;
+  study.axes = {{"division", {"longest", "random"}}};
+  study.seedless = [](const std::vector<int>& levels) { return levels[0] == 0; };
+  study.values = [](const std::vector<int>& levels, int seed) {
+    const double z = randomNormal({1, {}}, static_cast<std::uint32_t>(seed));
+    return std::map<std::string, double>{{"clone_radius", levels[0] == 0 ? 1 : 1.047 + 0.005 * z}};
+  };
+  writeStudy(study, file);
+}
+
+}  // namespace
+
+TEST_CASE("compare prints sentences, tables, JSON and CSV, and draws") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "study.db";
+  writePolicies(file);
+  const auto text = launch({"compare", file});
+  INFO(text.err);
+  REQUIRE(text.code == 0);
+  CHECK(text.err.empty());
+  CHECK_THAT(text.out, ContainsSubstring(
+                           "clones 4.5 % tighter under longest than under random, every one of 10 pairs"));
+  CHECK(launch({"study", "compare", file}).out == text.out);
+  CHECK(launch({"compare", folder.path()}).out == text.out);  // the folder that it lies in
+  CHECK(launch({"compare", file, "--by", "division"}).out == text.out);
+
+  const auto asJson = launch({"compare", file, "--json", "--equivalent", "10%"});
+  REQUIRE(asJson.code == 0);
+  const json answer = json::parse(asJson.out);
+  CHECK(answer.at("morula") == 1);
+  const json& longest = answer.at("conditions").at(0);
+  CHECK(longest.at("labels") == json{{"division", "longest"}});
+  CHECK(longest.at("n") == 10);
+  CHECK(longest.at("distinct") == 1);
+  CHECK(longest.at("low").is_null());
+  CHECK(answer.at("conditions").at(1).at("low") < answer.at("conditions").at(1).at("mean"));
+  const json& pair = answer.at("pairs").at(0);
+  CHECK(pair.at("a") == "longest");
+  CHECK(pair.at("b") == "random");
+  CHECK(pair.at("lower") == 10);
+  CHECK(pair.at("high") < 0);
+  CHECK(pair.at("effect") < -3);
+  CHECK(pair.at("equivalence").at("verdict") == "equivalent");
+
+  CHECK_THAT(launch({"compare", file, "--csv"}).out,
+             ContainsSubstring("pair,clone_radius,,division,longest,random,"));
+  for (const char* name : {"all.png", "all.svg", "all.pdf"}) {
+    CHECK(launch({"compare", file, "-o", folder / name}).code == 0);
+    CHECK(readWhole(folder / name).size() > 1000);
+  }
+}
+
+TEST_CASE("What compare cannot do it says, and what would be right") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "study.db";
+  writePolicies(file);
+  std::filesystem::create_directory(folder / "empty");
+  const auto fails = [](int code, const std::string& words, const std::vector<std::string>& arguments) {
+    const auto run = launch(arguments);
+    CHECK(run.code == code);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, ContainsSubstring(words));
+  };
+  fails(2, "did you mean division?", {"compare", file, "--by", "divison"});
+  fails(2, "--equivalent: 'much' is no margin; needs a number above 0",
+        {"compare", file, "--equivalent", "much"});
+  fails(2, "leave out one of them", {"compare", file, "--csv", "--json"});
+  fails(2, "needs a name that ends in", {"compare", file, "-o", folder / "all.gif"});
+  fails(6, "no such file", {"compare", folder / "none.db"});
+  fails(6, "morula study merge " + (folder / "empty") + " makes it", {"compare", folder / "empty"});
+  fails(6, "not an SQLite database", {"compare", "README.md"});
+}
+
+TEST_CASE("A study is run, merged and compared, and one organism of each condition is drawn") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "pair.yaml",
+             "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {time: 1.5}\n"
+             "physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, drag: 5, shell: {sphere: 1}, contact: {}}\n"
+             "variation: {share: 0.05}\n");
+  writeWhole(folder / "pair.study.yaml",
+             "morula-study: 1\nname: pair\nbase: pair.yaml\n"
+             "vary: {drag: {little: {physics.drag: 4}, much: {physics.drag: 8}}}\n"
+             "seeds: 1..4\nmeasures: {names: [sphericity, cells], when: {every: 0.5}}\n");
+  const std::string study = folder / "pair.study.yaml", to = folder / "results";
+  const auto run = launch({"study", "run", study, "--to", to, "--quiet"});
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const auto compared = launch({"compare", to, "--json", "--organisms", folder / "all.png", "--quiet"});
+  INFO(compared.err);
+  REQUIRE(compared.code == 0);
+  CHECK(readWhole(folder / "all.png").substr(1, 3) == "PNG");
+  const json answer = json::parse(compared.out);
+  CHECK(answer.at("conditions").size() == 4);
+  CHECK(answer.at("conditions").at(0).at("n") == 4);
+  CHECK(answer.at("conditions").at(0).at("distinct") == 4);
+  CHECK(answer.at("courses").at(0).at("points").size() == 4);  // at 0, 0.5, 1 and 1.5
+  CHECK(answer.at("unfinished").empty());
+}

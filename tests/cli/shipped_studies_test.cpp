@@ -1,0 +1,272 @@
+// Every sentence of scenarios/policies/README.md is what its command says. The command is put to the values of all runs of
+// a study: some of these the test makes again, and they must be to the last bit what golden/policies keeps; the others are
+// taken from there. With MORULA_WHOLE_STUDIES=1 in the environment all are made again, which takes half an hour.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <tuple>
+
+#include "catch.h"
+#include "launch.h"
+#include "store/database.h"
+
+using namespace morula::test;
+using morula::Database;
+using morula::Statement;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string folder = "scenarios/policies/";
+
+/// Runs that the test makes again, by their number in the plan: of each study a few that take little time.
+const std::map<std::string, std::vector<std::size_t>> madeAgain{{"policies", {0, 249, 499}},
+                                                                {"placement", {0, 139}},
+                                                                {"settings", {0}},
+                                                                {"models", {0}},
+                                                                {"elegans-128", {20}}};
+
+std::string sourceFile(const std::string& name) { return std::string(MORULA_SOURCE_DIR) + "/" + name; }
+
+std::vector<std::string> wordsOf(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+/// The lines after `$ morula …` in a block of code, and the text before the block.
+struct Answer {
+  std::string text;
+  std::vector<std::string> command;  // without the program's name
+  std::vector<std::string> claims;   // "conditions measure=clone_radius labels.division=longest mean 0.742"
+};
+
+std::vector<Answer> answersOf(const std::string& markdown) {
+  std::vector<Answer> answers;
+  std::istringstream stream(markdown);
+  std::string paragraph;
+  bool inBlock = false, isAnswer = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("```")) {
+      inBlock = !inBlock;
+      if (!inBlock) paragraph.clear(), isAnswer = false;
+      continue;
+    }
+    if (!inBlock) {
+      if (line.starts_with("#") || line.starts_with("|")) paragraph.clear();
+      else if (!line.empty()) paragraph += line + ' ';
+      continue;
+    }
+    if (line.starts_with("$ morula study compare ")) {
+      auto command = wordsOf(line);
+      answers.push_back({paragraph, {command.begin() + 2, command.end()}, {}});
+      isAnswer = true;
+    } else if (isAnswer) {
+      answers.back().claims.push_back(line);
+    }
+  }
+  return answers;
+}
+
+/// A number as people read it; texts as they are.
+std::string textOf(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// "labels.division", "points.8.mean"; null if there is no such member.
+Json member(const Json& object, const std::string& path) {
+  const Json* at = &object;
+  std::istringstream stream(path);
+  for (std::string key; std::getline(stream, key, '.');) {
+    if (at->is_array() && std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; }))
+      at = &at->at(std::stoul(key));
+    else if (at->is_object() && at->contains(key)) at = &at->at(key);
+    else return {};
+  }
+  return *at;
+}
+
+/// The only entry of a list whose members are as the words say, "measure=clone_radius".
+Json entryOf(const Json& list, const std::vector<std::string>& words) {
+  Json found;
+  int count = 0;
+  for (const Json& entry : list) {
+    const bool fits = std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+      const auto equals = word.find('=');
+      return textOf(member(entry, word.substr(0, equals))) == word.substr(equals + 1);
+    });
+    if (fits) found = entry, ++count;
+  }
+  CHECK(count == 1);
+  return found;
+}
+
+/// As many digits after the point as `like` has.
+std::string rounded(double value, const std::string& like) {
+  const auto point = like.find('.');
+  const int digits = point == like.npos ? 0 : static_cast<int>(like.size() - point - 1);
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.*f", digits, value);
+  const std::string text = buffer;
+  return text.find_first_not_of("-0.") == text.npos && text.front() == '-' ? text.substr(1) : text;
+}
+
+/// A run's values as golden/policies/NAME.csv keeps them (tests/studies/values.py).
+struct KeptRun {
+  std::string task, state, reason;                              // reason: of a run that failed
+  std::vector<std::tuple<double, std::string, double>> values;  // time, measure, value
+};
+
+std::vector<std::string> cellsOf(const std::string& line) {
+  std::vector<std::string> cells{""};
+  for (const char c : line)
+    if (c == ',') cells.emplace_back();
+    else cells.back() += c;
+  return cells;
+}
+
+std::vector<KeptRun> keptRuns(const std::string& study) {
+  std::istringstream lines(readWhole(sourceFile("golden/policies/" + study + ".csv")));
+  std::string line;
+  std::getline(lines, line);
+  const auto head = cellsOf(line);
+  std::vector<KeptRun> runs;
+  while (std::getline(lines, line)) {
+    const auto cells = cellsOf(line);
+    if (runs.empty() || runs.back().task != cells[0]) runs.push_back({cells[0], cells[1], "", {}});
+    if (cells[1] == "failed") runs.back().reason = line.substr(line.find(",failed,") + 8);
+    else
+      for (std::size_t i = 3; i < cells.size(); ++i)
+        if (!cells[i].empty())
+          runs.back().values.emplace_back(std::stod(cells[2]), head[i], std::stod(cells[i]));
+  }
+  return runs;
+}
+
+/// Of the run with this id, in a merged database.
+std::vector<std::tuple<double, std::string, double>> valuesIn(Database& db, const std::string& run) {
+  std::vector<std::tuple<double, std::string, double>> values;
+  Statement rows(db, "SELECT time, measure, value FROM result WHERE run_id = ? ORDER BY time, measure");
+  for (rows.start(run); rows.next();) values.emplace_back(rows.real(0), rows.text(1), rows.real(2));
+  return values;
+}
+
+/// Makes some of a study's runs and merges them; what the golden keeps of these must be what they gave. Then puts what
+/// it keeps of all others beside them. Returns the database.
+std::string databaseOf(const TemporaryFolder& temporary, const std::string& study) {
+  const std::string to = temporary / study, file = to + "/study.db";
+  if (std::filesystem::exists(file)) return file;
+  INFO(study);
+  const auto kept = keptRuns(study);
+  std::vector<std::string> command{"study",        "run",    folder + study + ".study.yaml", "--to", to,
+                                   "--no-predict", "--quiet"};
+  const bool whole = std::getenv("MORULA_WHOLE_STUDIES");
+  std::vector<std::size_t> made = madeAgain.at(study);
+  if (whole)
+    for (made.clear(); made.size() < kept.size();) made.push_back(made.size());
+  for (const std::size_t number : made) {
+    command.push_back("--task");
+    command.push_back(kept.at(number).task);
+  }
+  const auto run = launch(command);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const auto merged = launch({"study", "merge", to, "--quiet"});
+  INFO(merged.err);
+  REQUIRE(merged.code == (whole ? 0 : 5));  // most runs are missing
+  Database db(file, Database::Mode::existing, std::chrono::seconds(1));
+  CHECK(db.integer("SELECT count(*) FROM task") == static_cast<std::int64_t>(kept.size()));
+  CHECK(db.integer("SELECT count(*) FROM task WHERE status <> 'missing'") ==
+        static_cast<std::int64_t>(made.size()));
+  db.execute("BEGIN; CREATE TEMPORARY TABLE copy AS SELECT * FROM run LIMIT 1");
+  Statement find(
+      db, "SELECT status, run_id, state_hash FROM task LEFT JOIN run USING (run_id) WHERE task_id = ?");
+  Statement rename(db, "UPDATE copy SET run_id = ?, state_hash = ?");
+  Statement add(db, "INSERT INTO run SELECT * FROM copy");
+  Statement done(db, "UPDATE task SET status = 'done', run_id = ? WHERE task_id = ?");
+  Statement failed(db, "UPDATE task SET status = 'failed', reason = ? WHERE task_id = ?");
+  Statement value(db, "INSERT INTO result (run_id, time, measure, value) VALUES (?, ?, ?, ?)");
+  for (const KeptRun& one : kept) {
+    INFO(one.task);
+    find.start(one.task);
+    REQUIRE(find.next());
+    const std::string status = find.text(0), id = find.text(1), state = find.text(2);
+    find.next();
+    if (status != "missing") {
+      CHECK(status == (one.reason.empty() ? "done" : "failed"));
+      if (one.reason.empty()) CHECK(state == one.state);
+      CHECK(valuesIn(db, id) == one.values);
+    } else if (!one.reason.empty()) {
+      failed.run(one.reason, one.task);
+    } else {
+      rename.run(one.task, one.state);
+      add.run();
+      done.run(one.task, one.task);
+      for (const auto& [time, measure, v] : one.values) value.run(one.task, time, measure, v);
+    }
+  }
+  db.execute("COMMIT");
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("every answer of the shipped studies is what its command says") {
+  const TemporaryFolder temporary;
+  const auto answers = answersOf(readWhole(sourceFile(folder + "README.md")));
+  CHECK(answers.size() >= 10);
+  std::map<std::vector<std::string>, Json> said;  // by command
+  for (const Answer& answer : answers) {
+    INFO(answer.text);
+    REQUIRE(answer.command.size() >= 3);
+    REQUIRE(answer.claims.size() >= 1);
+    auto command = answer.command;
+    command[2] = databaseOf(temporary, command[2].substr(0, command[2].find('/')));
+    if (!said.contains(command)) {
+      const auto run = launch(command);
+      INFO(run.err);
+      REQUIRE(run.code == 0);
+      said.emplace(command, Json::parse(run.out));
+    }
+    for (const std::string& claim : answer.claims) {
+      INFO(claim);
+      auto words = wordsOf(claim);
+      REQUIRE(words.size() >= 4);
+      const std::string number = words.back(), field = words[words.size() - 2];
+      const Json entry = entryOf(said.at(command).at(words[0]), {words.begin() + 1, words.end() - 2});
+      const Json value = member(entry, field);
+      CHECK((value.is_number() ? rounded(value.get<double>(), number) : textOf(value)) == number);
+      const std::string plain = number.front() == '-' ? number.substr(1) : number;
+      CHECK_THAT(answer.text, ContainsSubstring(plain));
+    }
+  }
+}
+
+TEST_CASE("the statistics in the golden of elegans-128 are those of its study") {
+  const TemporaryFolder temporary;
+  namespace fs = std::filesystem;
+  for (const std::string name : {"scenarios/thesis/elegans-128.yaml", "scenarios/thesis/elegans-1024.dna",
+                                 "golden/thesis/elegans-128.golden"}) {
+    fs::create_directories(fs::path(temporary / name).parent_path());
+    fs::copy_file(sourceFile(name), temporary / name);
+  }
+  const std::string golden = temporary / "golden/thesis/elegans-128.golden", before = readWhole(golden);
+  CHECK_THAT(before, ContainsSubstring("\nstatistic clone_radius against half-step difference "));
+  const auto run = launch({"study", "compare", databaseOf(temporary, "elegans-128"), "--by", "settings",
+                           "--into-golden", temporary / "scenarios/thesis/elegans-128.yaml", "--quiet"},
+                          {{"CI", ""}});
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(readWhole(golden) == before);
+  // Of another scenario it says nothing.
+  writeWhole(temporary / "scenarios/thesis/elegans-128.yaml",
+             readWhole(temporary / "scenarios/thesis/elegans-128.yaml") + "\n");
+  const auto other = launch({"study", "compare", databaseOf(temporary, "elegans-128"), "--by", "settings",
+                             "--into-golden", temporary / "scenarios/thesis/elegans-128.yaml"},
+                            {{"CI", ""}});
+  CHECK(other.code == 3);
+  CHECK_THAT(other.err, ContainsSubstring("of another scenario"));
+}

@@ -1,0 +1,160 @@
+// morula study run, status, merge and emit, as people call them: exit codes, what is said, and what signals leave.
+#include <dirent.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "catch.h"
+#include "launch.h"
+#include "store/database.h"
+
+using namespace morula::test;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Twelve runs of about a tenth of a second.
+struct Study {
+  TemporaryFolder folder;
+  Study() {
+    std::string scenario = readWhole(MORULA_SOURCE_DIR "/tests/studies/small.yaml");
+    scenario.replace(scenario.find("icosphere: 1"), 12, "icosphere: 2");
+    writeWhole(folder / "small.yaml", scenario);
+    writeWhole(folder / "small.study.yaml",
+               "morula-study: 1\nname: small\nbase: small.yaml\n"
+               "vary: {division: {longest: {}, random: {division.plane: random}}}\nseeds: 1..6\nmeasures: "
+               "[sphericity]\n");
+  }
+  Launched run(std::vector<std::string> more, const std::function<void(int)>& meanwhile = {}) const {
+    std::vector<std::string> words{"study", more.at(0), folder / "small.study.yaml", "--to", folder / "out"};
+    words.insert(words.end(), more.begin() + 1, more.end());
+    return launch(words, {}, meanwhile);
+  }
+  std::vector<std::string> files(const std::string& ending) const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "out"))
+      if (entry.path().string().ends_with(ending)) names.push_back(entry.path().string());
+    return names;
+  }
+  std::size_t results() const { return fs::exists(folder / "out/tasks") ? files(".db").size() : 0; }
+};
+
+Json parsed(const Launched& l) {
+  INFO(l.err);
+  return Json::parse(l.out);
+}
+
+/// The processes that this one has begun.
+std::vector<int> childrenOf(int process) {
+  std::ifstream list("/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children");
+  std::vector<int> children;
+  for (int child; list >> child;) children.push_back(child);
+  return children;
+}
+
+}  // namespace
+
+TEST_CASE("a share, a task, the rest: each is computed once, and the whole is merged") {
+  const Study s;
+  CHECK(s.run({"status"}).code == 6);  // nothing has been planned
+  const Launched third = s.run({"run", "--shard", "1/3", "--json", "--quiet"});
+  REQUIRE(third.code == 0);
+  const Json share = parsed(third);
+  CHECK((share["asked"] == 4 && share["computed"] == 4 && !share.contains("merged")));
+  const Launched before = s.run({"status", "--json"});
+  CHECK(before.code == 5);
+  const Json status = parsed(before);
+  CHECK((status["done"] == 4 && status["missing"].size() == 8 && status["seconds_left"] > 0));
+  const std::string id = status["missing"][0]["task_id"];
+  CHECK(parsed(s.run({"run", "--task", id, "--json"}))["computed"] == 1);
+  CHECK(s.run({"merge"}).code == 5);
+  const Json rest = parsed(s.run({"run", "--jobs", "2", "--json"}));
+  CHECK((rest["already"] == 5 && rest["computed"] == 7 && rest["merged"]["done"] == 12));
+  const Launched after = s.run({"status"});
+  CHECK(after.code == 0);
+  CHECK_THAT(after.out, ContainsSubstring("12 runs: 12 done, 0 failed, 0 missing"));
+  CHECK(s.run({"merge"}).code == 0);
+  // What else reads a database of runs reads it, too.
+  const std::string run = launch({"export", s.folder / "out/study.db", "--list"}).out;
+  CHECK_THAT(run, ContainsSubstring("result"));
+  CHECK(launch({"replay", s.files("/study.db")[0]}).code == 0);
+}
+
+TEST_CASE("mistakes on the command line are named") {
+  const Study s;
+  const auto refuses = [&](std::vector<std::string> words, int code, const std::string& because) {
+    const Launched l = s.run(std::move(words));
+    CHECK(l.code == code);
+    CHECK_THAT(l.err, ContainsSubstring(because));
+  };
+  refuses({"run", "--shard", "5/3"}, 2, "--shard: '5/3' is no share; needs NUMBER/OF");
+  refuses({"run", "--jobs", "0"}, 2, "--jobs: 0 is out of range");
+  refuses({"run", "--task", "0000000000000000", "--dry-run"}, 2, "is no task of this plan");
+  refuses({"run", "--task", "a", "--shard", "1/2"}, 2, "--shard and --task: give one of them");
+  const Launched site = launch({"study", "emit", "slrum", s.folder / "small.study.yaml"});
+  CHECK(site.code == 2);
+  CHECK_THAT(site.err, ContainsSubstring("did you mean slurm?"));
+  CHECK_FALSE(fs::exists(s.folder / "out"));
+}
+
+TEST_CASE("a run that is ended from outside is no result, and is computed again") {
+  const Study s;
+  const Launched l = s.run({"run"}, [&](int process) {
+    for (int i = 0; i < 6000 && (s.results() < 2 || childrenOf(process).empty()); ++i) usleep(2'000);
+    for (const int child : childrenOf(process)) kill(child, SIGKILL);
+  });
+  INFO(l.out + l.err);
+  CHECK(l.code == 5);
+  CHECK_THAT(l.out, ContainsSubstring("stopped from outside by SIGKILL; the next run does it again"));
+  CHECK(s.results() == 11);
+  CHECK(s.run({"run"}).code == 0);
+  CHECK(s.results() == 13);  // and study.db
+}
+
+TEST_CASE("Ctrl-C ends a study in good order, and the same command goes on") {
+  const Study s;
+  std::set<int> children;
+  const Launched l = s.run({"run", "--jobs", "2"}, [&](int process) {
+    for (int i = 0; i < 6000 && s.results() < 3; ++i) usleep(2'000);
+    for (const int child : childrenOf(process)) children.insert(child);
+    kill(process, SIGINT);
+  });
+  CHECK(l.code == 128 + SIGINT);
+  CHECK_THAT(l.out, ContainsSubstring("were not begun; the same command goes on"));
+  for (const int child : children) CHECK(kill(child, 0) != 0);
+  CHECK(s.files(".part").empty());
+  const std::size_t there = s.results();
+  CHECK((there >= 3 && there < 12));
+  const Json rest = parsed(s.run({"run", "--json"}));
+  CHECK((rest["already"] == there && rest["computed"] == 12 - there));
+}
+
+TEST_CASE("kill -9 leaves no process, and the next run removes what is left") {
+  const Study s;
+  std::vector<int> children;
+  const Launched l = s.run({"run", "--jobs", "2"}, [&](int process) {
+    for (int i = 0; i < 6000 && s.results() < 2; ++i) usleep(2'000);
+    children = childrenOf(process);
+    kill(process, SIGKILL);
+  });
+  CHECK(l.code == 128 + SIGKILL);
+  writeWhole(s.folder / "out/tasks/.morula-here-1-1.part", "half");  // as one that was killed while it wrote
+  usleep(100'000);
+  for (const int child : children) CHECK(kill(child, 0) != 0);
+  CHECK(s.run({"run", "--jobs", "2"}).code == 0);
+  CHECK(s.files(".part").empty());
+}
+
+TEST_CASE("a dry run writes nothing") {
+  const Study s;
+  const Launched l = s.run({"run", "--dry-run", "--no-predict"});
+  CHECK(l.code == 0);
+  CHECK_THAT(l.out, ContainsSubstring("would compute 12 runs into"));
+  CHECK_FALSE(fs::exists(s.folder / "out"));
+}

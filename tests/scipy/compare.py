@@ -1,0 +1,162 @@
+"""Computes with SciPy and NumPy what statistics_numbers says, from the same numbers, and compares to 1e-9."""
+import json
+import math
+import sys
+import warnings
+
+import numpy as np
+from scipy import special, stats
+from scipy.stats import _resampling
+
+ours = json.load(sys.stdin)
+compared = 0
+worst = 0.0
+wrong = 0
+
+
+def same(what, mine, theirs):
+    """Relative to the value where it is large, and to 1 where it is small; p-values also relative to themselves."""
+    global compared, worst, wrong
+    compared += 1
+    error = abs(mine - theirs) / max(abs(theirs), 1e-3)
+    worst = max(worst, error)
+    if not error <= 1e-9:
+        wrong += 1
+        print(f"{what}: {mine!r}, by SciPy {theirs!r}")
+
+
+def mean(sample, axis=-1):
+    """Correctly rounded, so that resamples of equal sums are equal."""
+    sample = np.moveaxis(np.asarray(sample), axis, -1)
+    rows = sample.reshape(-1, sample.shape[-1])
+    return np.array([math.fsum(row) / len(row) for row in rows]).reshape(sample.shape[:-1])
+
+
+def bootstrap(values, level):
+    """SciPy's own BCa, with our resamples in place of its own."""
+    n = len(values)
+    chosen = np.array(ours["choices"][str(n)]).reshape(-1, n)
+    _resampling._bootstrap_resample = lambda sample, n_resamples=None, random_state=None: sample[..., chosen]
+    result = stats.bootstrap((values,), mean, n_resamples=len(chosen), vectorized=True, confidence_level=level,
+                             method="BCa")
+    return result.confidence_interval
+
+
+def student_interval(level, df, centre, error):
+    """scipy.stats.t.interval is good to 1e-9 only; the inverse of the incomplete beta function to 1e-15."""
+    x = special.betaincinv(df / 2, 0.5, 1 - level)
+    half = math.sqrt(df * (1 / x - 1)) * error
+    return centre - half, centre + half
+
+
+def tost(difference, error, df, margin):
+    return stats.t.sf((difference + margin) / error, df), stats.t.cdf((difference - margin) / error, df)
+
+
+def check_samples(number, case):
+    a, b = np.array(case["a"]), np.array(case["b"])
+    n = len(a)
+    at = f"sample {number} of {n}"
+    d = a - b
+    paired, welch = stats.ttest_rel(a, b), stats.ttest_ind(a, b, equal_var=False)
+    ea, eb = a.var(ddof=1) / n, b.var(ddof=1) / n
+    dfs = {"paired": n - 1, "unpaired": (ea + eb) ** 2 / (ea**2 / (n - 1) + eb**2 / (n - 1))}
+    errors = {"paired": d.std(ddof=1) / math.sqrt(n), "unpaired": math.sqrt(ea + eb)}
+    for kind, test in (("paired", paired), ("unpaired", welch)):
+        same(f"{at}: {kind} t", case[kind]["t"], test.statistic)
+        same(f"{at}: {kind} p", case[kind]["p"], test.pvalue)
+        same(f"{at}: {kind} df", case[kind]["df"], dfs[kind])
+        for mine, theirs in zip(case[kind]["interval"], student_interval(0.95, dfs[kind], d.mean(), errors[kind])):
+            same(f"{at}: {kind} interval", mine, theirs)
+        equivalent = case["tost_" + kind]
+        above, below = tost(d.mean(), errors[kind], dfs[kind], equivalent["margin"])
+        same(f"{at}: {kind} TOST, above", equivalent["above"], above)
+        same(f"{at}: {kind} TOST, below", equivalent["below"], below)
+        for mine, theirs in zip(equivalent["interval"], student_interval(0.9, dfs[kind], d.mean(), errors[kind])):
+            same(f"{at}: {kind} TOST, interval", mine, theirs)
+    # The same tests by SciPy's own t tests
+    same(f"{at}: paired TOST by ttest_rel", case["tost_paired"]["above"],
+         stats.ttest_rel(a + case["tost_paired"]["margin"], b, alternative="greater").pvalue)
+    same(f"{at}: unpaired TOST by ttest_ind", case["tost_unpaired"]["below"],
+         stats.ttest_ind(a - case["tost_unpaired"]["margin"], b, equal_var=False, alternative="less").pvalue)
+    pooled = d.mean() / math.sqrt((a.var(ddof=1) + b.var(ddof=1)) / 2)
+    df = 2 * (n - 1)
+    same(f"{at}: d_z", case["dz"], d.mean() / d.std(ddof=1))
+    same(f"{at}: d", case["d"], pooled)
+    same(f"{at}: g", case["g"], pooled * math.exp(special.gammaln(df / 2) - special.gammaln((df - 1) / 2)) / math.sqrt(df / 2))
+    for mine, theirs in zip(case["bootstrap"], bootstrap(a, 0.95)):
+        same(f"{at}: bootstrap", mine, theirs)
+    for mine, theirs in zip(case["bootstrap90"], bootstrap(b, 0.9)):
+        same(f"{at}: bootstrap at 90 %", mine, theirs)
+
+
+def residual(y, columns):
+    """Sum of squares that a least-squares fit of these columns leaves."""
+    x = np.column_stack(columns)
+    fit, *_ = np.linalg.lstsq(x, y, rcond=None)
+    return float(((y - x @ fit) ** 2).sum())
+
+
+def indicator(codes):
+    return [(codes == level).astype(float) for level in np.unique(codes)]
+
+
+def check_factorial(number, case):
+    """By fits with and without an effect, which in a balanced design is its sum of squares."""
+    levels, y = case["levels"], np.array(case["values"])
+    cells = int(np.prod(levels))
+    n = len(y) // cells
+    cell = np.repeat(np.arange(cells), n)
+    factor = [np.unravel_index(cell, levels)[f] for f in range(len(levels))]
+    seed = np.tile(np.arange(n), cells)
+    one = [np.ones(len(y))]
+    block = indicator(seed) if case["blocks"] else []
+    error = residual(y, one + indicator(cell) + block)
+    error_df = (cells - 1) * (n - 1) if case["blocks"] else cells * (n - 1)
+    total = residual(y, one)
+    for effect in case["effects"]:
+        f = effect["factors"]
+        lower = sum((indicator(factor[i]) for i in f), []) if len(f) > 1 else []
+        joint = np.ravel_multi_index([factor[i] for i in f], [levels[i] for i in f])
+        squares = residual(y, one + lower) - residual(y, one + lower + indicator(joint))
+        df = np.prod([levels[i] - 1 for i in f])
+        ratio = squares / df / (error / error_df)
+        at = f"factorial {number}, effect {f}"
+        same(f"{at}: squares", effect["squares"], squares)
+        same(f"{at}: df", effect["df"], df)
+        same(f"{at}: eta squared", effect["share"], squares / total)
+        same(f"{at}: partial eta squared", effect["partial"], squares / (squares + error))
+        same(f"{at}: F", effect["f"], ratio)
+        same(f"{at}: p", effect["p"], stats.f.sf(ratio, df, error_df))
+    if len(levels) == 1 and not case["blocks"]:
+        test = stats.f_oneway(*y.reshape(levels[0], n))
+        same("one factor by f_oneway: F", case["effects"][0]["f"], test.statistic)
+        same("one factor by f_oneway: p", case["effects"][0]["p"], test.pvalue)
+
+
+def check_holm(case):
+    p = np.array(case["p"])
+    order = np.argsort(p, kind="stable")
+    corrected = np.minimum(1, np.maximum.accumulate(p[order] * (len(p) - np.arange(len(p)))))
+    for place, value in zip(order, corrected):
+        same("Holm", case["corrected"][place], value)
+
+
+warnings.simplefilter("ignore")
+for number, case in enumerate(ours["samples"]):
+    check_samples(number, case)
+for value in ours["distributions"]:
+    at = f"t = {value['t']}, df = {value['df']}"
+    for what, mine, theirs in (("Student", value["above"], stats.t.sf(value["t"], value["df"])),
+                               ("Fisher", value["f"], stats.f.sf(value["t"] ** 2, 3, value["df"]))):
+        same(f"{what} {at}", mine, theirs)
+        if theirs > 1e-200:  # tails count by their ratio, too
+            same(f"{what} {at}, relative", mine / theirs, 1.0)
+for share, normal, student in ours["quantiles"]:
+    same("normal quantile", normal, stats.norm.ppf(share))
+    same("Student quantile", student, stats.t.ppf(share, 9))
+check_holm(ours["holm"])
+for number, case in enumerate(ours["factorial"]):
+    check_factorial(number, case)
+print(f"{compared} numbers, {wrong} of them wrong; the largest difference is {worst:.1e}")
+sys.exit(1 if wrong or compared < 400 else 0)

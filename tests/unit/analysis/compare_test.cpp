@@ -1,0 +1,284 @@
+// Comparisons of studies whose values are known.
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/comparison.h"
+#include "base/random.h"
+#include "catch.h"
+#include "statistics/holm.h"
+#include "store/database.h"
+#include "store/schema.h"
+#include "store/store_error.h"
+#include "study_db.h"
+#include "system/usage_error.h"
+#include "temporary_folder.h"
+
+using namespace morula;
+
+namespace {
+
+/// Of seeds 1 to 10, with mean 0 over them.
+double noise(int seed, std::uint64_t key) {
+  double sum = 0;
+  for (std::uint32_t s = 1; s <= 10; ++s) sum += randomNormal({key, {}}, s);
+  return randomNormal({key, {}}, static_cast<std::uint32_t>(seed)) - sum / 10;
+}
+
+StudyComparison compared(const MadeStudy& study, const CompareOptions& options = {}) {
+  const TemporaryFolder folder;
+  writeStudy(study, folder / "study.db");
+  return compareStudy(readStudyResults(folder / "study.db"), options);
+}
+
+/// As the question that the project is for: seeds change nothing under `longest`, sisters always touch, clones are
+/// tighter under `longest` by 4.5 %, and what connections do is nothing.
+MadeStudy policies() {
+  MadeStudy study;
+  study.axes = {{"division", {"longest", "random"}}, {"connections", {"none", "both"}}};
+  study.seedless = [](const std::vector<int>& levels) { return levels[0] == 0; };
+  study.values = [](const std::vector<int>& levels, int seed) {
+    const double z = noise(seed, 11), own = noise(seed, std::uint64_t(20 + levels[1]));
+    const bool random = levels[0] == 1;
+    return std::map<std::string, double>{
+        {"clone_radius", random ? 1 / 0.955 * (1 + 0.005 * z + 0.001 * own) : 1},
+        {"sister_contact", random && seed == 3 ? 0.994 : 1}};
+  };
+  return study;
+}
+
+const PairComparison& pairOf(const StudyComparison& c, const std::string& measure, const std::string& axis) {
+  for (const PairComparison& p : c.pairs)
+    if (c.measureName(p.measure) == measure && c.results.axes[p.axis].name == axis) return p;
+  throw std::runtime_error("no such pair");
+}
+
+bool says(const std::vector<std::string>& lines, const std::string& sentence) {
+  return std::ranges::find(lines, sentence) != lines.end();
+}
+
+}  // namespace
+
+TEST_CASE("Sentences say what differs, what does not and what tells nothing") {
+  const auto c = compared(policies());
+  const auto verdicts = verdictsOf(c);
+  for (const auto& line : verdicts) UNSCOPED_INFO(line);
+  CHECK(says(verdicts, "clones 4.5 % tighter under longest than under random, every one of 10 pairs"));
+  CHECK(says(verdicts, "sister adjacency is 0.994 to 1 everywhere: it tells nothing"));
+  CHECK(std::ranges::any_of(verdicts, [](const std::string& line) {
+    return line.starts_with("clones: no difference is shown between none and both");
+  }));
+  CHECK(verdicts.size() == 4);
+  CHECK_THAT(verdicts.back(),
+             ContainsSubstring("common random numbers: the interval of a paired difference is 0."));
+}
+
+TEST_CASE("A condition whose seeds change nothing has one run, is named, and has no interval") {
+  const auto c = compared(policies());
+  REQUIRE(c.seedless.size() == 2);
+  CHECK(c.results.nameOf(c.results.conditions[c.seedless[0]]) == "longest, none");
+  int with = 0, without = 0;
+  for (const ConditionSummary& s : c.conditions) {
+    CHECK(s.values.size() == 10);
+    const bool seedless = c.results.conditions[s.condition].levels[0] == 0;
+    CHECK(s.distinct == (seedless ? 1 : 10));
+    ++(s.interval ? with : without);
+    CHECK(s.interval.has_value() == !seedless);
+  }
+  CHECK(with == 4);
+  CHECK(without == 4);
+  CHECK_THAT(describe(c), ContainsSubstring("longest, none") && ContainsSubstring("seeds change nothing"));
+  CHECK(c.effects.at(0).untested == "seeds change nothing in 2 of 4 cells of the design");
+}
+
+TEST_CASE("Pairs are of one seed, in the mean over the other axes, and the same numbers as by hand") {
+  MadeStudy study = policies();
+  study.seedless = {};
+  const auto c = compared(study);
+  const auto& pair = pairOf(c, "clone_radius", "connections");
+  std::vector<double> none, both;
+  for (int seed = 1; seed <= 10; ++seed) {
+    const auto mean = [&](int connections) {
+      return 0.5 * (study.values({0, connections}, seed)["clone_radius"] +
+                    study.values({1, connections}, seed)["clone_radius"]);
+    };
+    none.push_back(mean(0)), both.push_back(mean(1));
+  }
+  CHECK(pair.paired.difference == Approx(mean(none) - mean(both)).margin(1e-15));
+  CHECK(pair.paired.p == Approx(comparePaired(none, both).p));
+  CHECK(pair.unpaired->interval.low == Approx(compareUnpaired(none, both).interval.low));
+  CHECK(*pair.intervalRatio() < 0.5);  // seeds share most of what varies
+  std::vector<double> p;
+  for (const PairComparison& any : c.pairs) p.push_back(any.paired.p);
+  const auto corrected = correctHolm(p);
+  for (std::size_t i = 0; i < p.size(); ++i) CHECK(c.pairs[i].corrected == corrected[i]);
+  CHECK(p.size() == 4);
+}
+
+TEST_CASE("Within: the levels are compared at each level of the other axis, too") {
+  const auto c =
+      compared(policies(), {.by = {}, .measures = {"clone-radius"}, .margins = {}, .within = true});
+  CHECK(c.pairs.size() == 6);
+  CHECK(c.pairs[1].at[1] == 0);
+  CHECK(says(
+      verdictsOf(c),
+      "clones 4.5 % tighter under longest than under random with connections: none, every one of 10 pairs"));
+  const auto one = compared(policies(), {.by = {"division"}, .measures = {}, .margins = {}, .within = true});
+  CHECK(one.pairs.size() == 2);  // the mean over connections alone: they are not among the axes compared
+}
+
+TEST_CASE("Failed and missing runs are named, and their partners are left out") {
+  MadeStudy study = policies();
+  study.trouble = [](const std::vector<int>& levels, int seed) -> std::string {
+    if (levels == std::vector{1, 0} && seed == 4) return "failed";
+    if (levels == std::vector{1, 1} && (seed == 4 || seed == 7)) return "missing";
+    return "";
+  };
+  const auto c = compared(study);
+  const auto troubles = troublesOf(c.results);
+  CHECK(says(troubles, "failed  random, none, seed 4: numerical failure: too fast"));
+  CHECK(says(troubles, "missing  random, both, seed 7"));
+  CHECK(troubles.size() == 3);
+  const std::string text = describe(c);
+  CHECK(text.find("failed  random") < text.find("clones"));
+  CHECK(pairOf(c, "clone_radius", "division").of.size() == 9);  // of seed 7 one connection is left
+  CHECK(pairOf(c, "clone_radius", "connections").of.size() ==
+        9);  // of seed 4 and 7 longest alone: one and the same pair
+}
+
+TEST_CASE("What seeds change on neither side is exact, and is no test") {
+  MadeStudy study = policies();
+  study.seedless = [](const std::vector<int>&) { return true; };
+  const auto c = compared(study);
+  const auto& pair = pairOf(c, "clone_radius", "division");
+  CHECK(pair.known == Known::exact);
+  CHECK(pair.of.size() == 1);
+  CHECK(std::ranges::any_of(verdictsOf(c), [](const std::string& line) {
+    return line.starts_with("clones ") &&
+           line.ends_with("tighter under longest than under random, exactly: seeds change neither");
+  }));
+  const Json json = toJson(c);
+  CHECK(json["pairs"][0]["p"].is_null());
+  CHECK(json["pairs"][0]["low"].is_null());
+}
+
+TEST_CASE("One seed is one run, and nothing is claimed of it") {
+  MadeStudy study = policies();
+  study.seeds = 1;
+  const auto c = compared(study);
+  CHECK(pairOf(c, "clone_radius", "division").known == Known::oneSeed);
+  CHECK(c.seedless.empty());
+  for (const ConditionSummary& s : c.conditions) CHECK(!s.interval);
+}
+
+TEST_CASE("Conditions that mean the same are the same runs, and no comparison") {
+  MadeStudy study = policies();
+  study.seedless = {};
+  study.sameAs = [](const std::vector<int>& levels) { return std::vector{levels[0], 0}; };
+  const auto c = compared(study);
+  CHECK(says(troublesOf(c.results), "the same runs  longest, none = longest, both"));
+  CHECK(pairOf(c, "clone_radius", "connections").sameRuns);
+  CHECK(says(verdictsOf(c), "clones: none and both are the same runs"));
+}
+
+TEST_CASE("Main effects and interaction are those of the design") {
+  MadeStudy study;
+  study.axes = {{"a", {"1", "2", "3"}}, {"b", {"x", "y"}}};
+  study.values = [](const std::vector<int>& l, int seed) {
+    return std::map<std::string, double>{
+        {"volume", 10 + l[0] + 2 * l[1] + (l[0] == 2 && l[1] == 1 ? 1.5 : 0) + noise(seed, 5) +
+                       0.1 * noise(seed, std::uint64_t(30 + 2 * l[0] + l[1]))}};
+  };
+  const auto c = compared(study);
+  REQUIRE(c.effects.size() == 1);
+  const auto& effects = c.effects[0];
+  CHECK(effects.untested.empty());
+  CHECK(effects.means[0][2] - effects.means[0][0] == Approx(2.75).margin(0.2));
+  REQUIRE(effects.analysis.effects.size() == 3);
+  for (const FactorEffect& e : effects.analysis.effects) CHECK(*e.p < 1e-6);
+  CHECK(std::ranges::any_of(verdictsOf(c), [](const std::string& line) {
+    return line.starts_with("volume: what a does depends on b (interaction");
+  }));
+}
+
+TEST_CASE("Equivalent, different or not decided, by margins of a number, a share of the mean or a measure") {
+  const auto verdictWith = [](const std::string& margin) {
+    const auto c = compared(policies(), {.by = {}, .measures = {}, .margins = {margin}});
+    const auto& pair = pairOf(c, "clone_radius", "division");
+    return pair.equivalence ? std::string(name(pair.equivalence->verdict)) : "none";
+  };
+  CHECK(verdictWith("0.1") == "equivalent");
+  CHECK(verdictWith("10%") == "equivalent");
+  CHECK(verdictWith("clone-radius=10%") == "equivalent");
+  CHECK(verdictWith("0.01") == "different");
+  CHECK(verdictWith("1%") == "different");
+  CHECK(verdictWith("0.047") == "not decided");
+  CHECK(verdictWith("sister_contact=0.1") == "none");
+}
+
+TEST_CASE("Time courses are of the times that all runs share") {
+  MadeStudy study = policies();
+  study.times = {1, 2, 4};
+  const auto c = compared(study);
+  REQUIRE(c.courses.size() == 8);
+  for (const TimeCourse& course : c.courses) {
+    REQUIRE(course.points.size() == 3);
+    CHECK(course.points[1].time == 2);
+    CHECK(course.points[1].mean == Approx(0.5 * course.points[2].mean));
+  }
+  CHECK(compared(policies()).courses.empty());
+}
+
+TEST_CASE("Other output says the same numbers") {
+  const auto c = compared(policies());
+  const Json json = toJson(c);
+  CHECK(json["conditions"].size() == 8);
+  CHECK(json["conditions"][0]["labels"] == Json({{"division", "longest"}, {"connections", "none"}}));
+  CHECK(json["conditions"][0]["n"] == 10);
+  CHECK(json["conditions"][0]["distinct"] == 1);
+  CHECK(json["conditions"][0]["low"].is_null());
+  CHECK(json["pairs"][0]["difference"].get<double>() == c.pairs[0].paired.difference);
+  CHECK(json["verdicts"].size() == 4);
+  const std::string csv = toCsv(c);
+  CHECK(std::ranges::count(csv, '\n') ==
+        1 + 80 + 8 + 4 + 2 * 3);  // title, values, conditions, pairs, effects
+  CHECK_THAT(csv, ContainsSubstring("kind,measure,axis:division,axis:connections,by,a,b,seed,"));
+}
+
+TEST_CASE("What the study has not is refused, with what was probably meant") {
+  const auto message = [](const CompareOptions& options) -> std::string {
+    try {
+      compared(policies(), options);
+      return "";
+    } catch (const UsageError& error) { return error.what(); }
+  };
+  CHECK(message({.by = {"divison"}, .measures = {}, .margins = {}}) ==
+        "--by: the study has no axis 'divison'; did you mean division?");
+  CHECK_THAT(message({.by = {}, .measures = {"mass"}, .margins = {}}),
+             ContainsSubstring("it has sister_contact, clone_radius"));
+  for (const char* wrong : {"", "0", "-1", "abc", "5%%", "inf", "clone_radius=", "radius=0.1"})
+    CHECK_THAT(message({.by = {}, .measures = {}, .margins = {wrong}}), ContainsSubstring("--equivalent: "));
+  CHECK_THAT(message({.by = {}, .measures = {}, .margins = {"0.1", "0.2"}}),
+             ContainsSubstring("two margins"));
+}
+
+TEST_CASE("A database that is no study's is refused") {
+  const TemporaryFolder folder;
+  {
+    Database db(folder / "run.db", Database::Mode::create, std::chrono::seconds(1));
+    migrate(db);
+  }
+  CHECK_THROWS_WITH(readStudyResults(folder / "run.db"), ContainsSubstring("but of no study"));
+  CHECK_THROWS_AS(readStudyResults(folder / "none.db"), StoreError);
+}
+
+TEST_CASE("A study without axes has conditions and no pairs") {
+  MadeStudy study;
+  study.values = [](const std::vector<int>&, int seed) {
+    return std::map<std::string, double>{{"cells", 30. + seed}};
+  };
+  const auto c = compared(study);
+  CHECK(c.conditions.size() == 1);
+  CHECK(c.conditions[0].mean == 35.5);
+  CHECK(c.pairs.empty());
+  CHECK_THAT(describe(c), ContainsSubstring("cells"));
+}

@@ -1,0 +1,80 @@
+// That all values are seen, that means and intervals stand beside them, and that no label covers another.
+#include "charts/small_multiples.h"
+
+#include <algorithm>
+
+#include "catch.h"
+#include "drawing/palette.h"
+
+using namespace morula;
+
+namespace {
+
+const Colour red{200, 0, 0}, blue{0, 0, 200};
+
+int countPixels(const Drawing& drawing, Colour colour) {
+  const Image image = drawing.pixels();
+  return static_cast<int>(std::count(image.pixels.begin(), image.pixels.end(), colour));
+}
+
+/// Connected runs of columns that have a pixel of the colour.
+int groupsAcross(const Drawing& drawing, Colour colour) {
+  const Image image = drawing.pixels();
+  int groups = 0;
+  bool before = false;
+  for (int x = 0; x < image.width; ++x) {
+    bool any = false;
+    for (int y = 0; y < image.height; ++y) any = any || image.at(x, y) == colour;
+    groups += any && !before;
+    before = any;
+  }
+  return groups;
+}
+
+SmallMultiples chartOf(std::vector<Strip> strips) {
+  SmallMultiples chart;
+  chart.panels = {{.title = "clone_radius [length]", .strips = std::move(strips), .lines = {}}};
+  return chart;
+}
+
+}  // namespace
+
+TEST_CASE("Each value of a strip is a point of its own, and equal ones stand beside each other") {
+  const Strip strip{"one", red, {1, 1, 1, 2, 2}, 1.4, std::pair{1.1, 1.8}};
+  CHECK(groupsAcross(drawSmallMultiples(chartOf({strip})), red) == 5);
+  CHECK(groupsAcross(drawSmallMultiples(chartOf({strip, {"two", blue, {3}, 3}})), blue) == 1);
+  auto without = strip;
+  without.interval.reset();
+  CHECK(countPixels(drawSmallMultiples(chartOf({strip})), ink) >
+        countPixels(drawSmallMultiples(chartOf({without})), ink) + 50);
+}
+
+TEST_CASE("Long labels stand upright, and nothing is drawn beyond the paper or of nothing") {
+  std::vector<Strip> strips;
+  for (int i = 0; i < 15; ++i)
+    strips.push_back({"a label that is rather long " + std::to_string(i), red, {double(i)}, double(i)});
+  const auto drawing = drawSmallMultiples(chartOf(strips));
+  CHECK(groupsAcross(drawing, red) == 15);
+  const Image image = drawing.pixels();
+  for (int y = 0; y < image.height; ++y) {
+    CHECK(image.at(0, y) == paper);
+    CHECK(image.at(image.width - 1, y) == paper);
+  }
+  CHECK(countPixels(drawSmallMultiples(chartOf({})), red) == 0);
+  CHECK(drawSmallMultiples({}).width() > 0);
+  CHECK(countPixels(drawSmallMultiples(chartOf({{"equal", red, {0, 0}, 0, std::pair{0., 0.}}})), red) > 10);
+}
+
+TEST_CASE("Panels have scales of their own, and lines over time have theirs") {
+  SmallMultiples chart = chartOf({{"small", red, {1e-6, 2e-6}, 1.5e-6}});
+  chart.panels.push_back({.title = "large", .strips = {{"large", blue, {1e6, 2e6}, 1.5e6}}, .lines = {}});
+  chart.panels.push_back({.title = "over time",
+                          .strips = {},
+                          .lines = {{Colour{0, 150, 0}, {{0, 1}, {5, 3}}, {{0.5, 1.5}, {2, 4}}}},
+                          .xLabel = "time"});
+  const auto drawing = drawSmallMultiples(chart);
+  CHECK(drawing.width() == 2 * chart.panelWidth);
+  CHECK(groupsAcross(drawing, red) == 2);
+  CHECK(groupsAcross(drawing, blue) == 2);
+  CHECK(countPixels(drawing, {0, 150, 0}) > 200);
+}

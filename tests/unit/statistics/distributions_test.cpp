@@ -1,0 +1,65 @@
+// The distributions against closed forms; tests/scipy holds them against SciPy.
+#include "statistics/distributions.h"
+
+#include <cmath>
+
+#include "catch.h"
+#include "worst.h"
+
+using namespace morula;
+
+TEST_CASE("ln Γ of whole and half numbers is what products give") {
+  Worst error;
+  double factorial = 0, half = 0.5 * std::log(M_PI);  // ln Γ(1), ln Γ(½)
+  for (int n = 1; n < 400; ++n) {
+    error.see(std::abs(logGamma(n) - factorial) / (1 + factorial));
+    error.see(std::abs(logGamma(n - 0.5) - half) / (1 + std::abs(half)));
+    factorial += std::log(n), half += std::log(n - 0.5);
+  }
+  CHECK(error < 1e-14);
+}
+
+TEST_CASE("Student's t has the closed forms of 1, 2 and 4 degrees of freedom") {
+  Worst error;
+  for (double t = -30; t <= 30; t += 0.37) {
+    error.see(std::abs(studentAbove(t, 1) - (0.5 - std::atan(t) / M_PI)));
+    error.see(std::abs(studentAbove(t, 2) - (0.5 - 0.5 * t / std::sqrt(2 + t * t))));
+    const double s = t / std::sqrt(4 + t * t);
+    error.see(std::abs(studentAbove(t, 4) - (0.5 - 0.25 * s * (3 - s * s))));
+  }
+  CHECK(error < 1e-14);
+  // Far out the value, not only the difference from 0, is right: P(T > t) ≈ 1/(π t) of one degree of freedom.
+  CHECK(studentAbove(1e8, 1) == Approx(1 / (M_PI * 1e8)).epsilon(1e-12));
+  CHECK(studentBeyond(INFINITY, 3) == 0);
+  CHECK(studentAbove(0, 7) == 0.5);
+}
+
+TEST_CASE(
+    "Fisher's F of 1 and n degrees of freedom is the square of Student's t, and of 2 has a closed form") {
+  Worst error;
+  for (const double n : {1., 2., 5., 9.5, 40., 1000.})
+    for (double t = 0.1; t < 20; t *= 1.7) {
+      error.see(std::abs(fisherAbove(t * t, 1, n) / studentBeyond(t, n) - 1));
+      error.see(std::abs(fisherAbove(t, 2, n) / std::pow(1 + 2 * t / n, -0.5 * n) - 1));
+    }
+  CHECK(error < 1e-11);
+  CHECK(fisherAbove(0, 3, 4) == 1);
+}
+
+TEST_CASE("The normal distribution is that of erfc, and many degrees of freedom come to it") {
+  Worst error;
+  for (double z = -9; z <= 9; z += 0.13)
+    error.see(std::abs(normalBelow(z) - 0.5 * std::erfc(-z / std::sqrt(2))));
+  CHECK(error < 1e-15);
+  CHECK(studentQuantile(0.975, 1e6) == Approx(normalQuantile(0.975)).epsilon(3e-6));  // differs by z³/4 df
+}
+
+TEST_CASE("A quantile is where the distribution has that share") {
+  Worst error;
+  for (const double share : {1e-6, 0.025, 0.05, 0.3, 0.5, 0.9, 0.975, 0.999}) {
+    error.see(std::abs(normalBelow(normalQuantile(share)) - share));
+    for (const double df : {1., 2., 9., 19., 37.4, 500.})
+      error.see(std::abs(1 - studentAbove(studentQuantile(share, df), df) - share));
+  }
+  CHECK(error < 1e-14);
+}

@@ -1,0 +1,189 @@
+// Study files: every form that a value may have, and the mistakes beside tests/bad_studies.
+#include <algorithm>
+#include <filesystem>
+
+#include "base/error.h"
+#include "scenario/schema.h"
+#include "studies.h"
+#include "study/override_text.h"
+#include "study/study_measures.h"
+#include "study/study_schema.h"
+#include "yaml/source_text.h"
+// Last, because of CHECK:
+#include "catch.h"
+
+using namespace morula;
+
+namespace {
+
+Study studyOf(const std::string& text) {
+  const TemporaryFolder folder;
+  writeText(folder / "balls.yaml", ballScenario);
+  writeText(folder / "tree.yaml", lineageScenario);
+  writeText(folder / "s.study.yaml", text);
+  return loadStudy(folder / "s.study.yaml");
+}
+
+scenario::Node nodeOf(const std::string& text) {
+  scenario::Problems problems("test");
+  const scenario::SourceText source(text, problems);
+  auto node = readYaml(source, problems);
+  problems.throwIfAny();
+  return node;
+}
+
+/// Kind, style and text, without places.
+std::string shapeOf(const scenario::Node& node) {
+  std::string text = std::to_string(int(node.kind)) + (node.isPlain() ? "p" : "q") + node.text;
+  for (const auto& item : node.items) text += "[" + shapeOf(item) + "]";
+  for (const auto& member : node.members) text += "{" + member.key + ":" + shapeOf(member.value) + "}";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("A study says what it is about, and defaults fill in the rest") {
+  const Study s = studyOf(ballStudy);
+  CHECK(s.name == "balls");
+  CHECK(s.bases.size() == 1);
+  CHECK(s.bases[0].label == "balls");
+  REQUIRE(s.axes.size() == 2);
+  CHECK(s.axes[0].name == "division");
+  CHECK(s.axes[1].levels[0].label == "none");
+  CHECK(s.axes[1].levels[0].overrides.empty());
+  REQUIRE(s.axes[1].levels[1].overrides.size() == 2);
+  const Override& change = s.axes[1].levels[1].overrides[1];
+  CHECK(change.path == "connections.on-division");
+  CHECK(change.value == "both");
+  CHECK(change.place ==
+        s.file + ":6:" + std::to_string(ballStudy.find("both}}") - ballStudy.find("  connections") + 1));
+  CHECK(s.seeds == std::vector<std::uint64_t>{1, 2, 3});
+  CHECK(s.measures == std::vector<std::string>{"sister_contact", "clone_radius"});
+  CHECK(s.when == When{});
+  CHECK(s.keep == Kept{HashesKept::end, SamplesKept::end, PicturesKept::none});
+  CHECK(s.limits == RunLimits{});
+}
+
+TEST_CASE("Seeds are a number, a range, or a list of both, in their order") {
+  using Seeds = std::vector<std::uint64_t>;
+  CHECK(studyOf(ballStudyWith("1..3", "20080617")).seeds == Seeds{20080617});
+  CHECK(studyOf(ballStudyWith("1..3", "[9, 2..4, 1]")).seeds == Seeds{9, 2, 3, 4, 1});
+  CHECK(studyOf(ballStudyWith("1..3", "9223372036854775807")).seeds == Seeds{9223372036854775807u});
+}
+
+TEST_CASE("Measures may say when they are taken, and limits have units") {
+  const std::string names = "[sister-contact, clone_radius]";
+  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: each-division}")).when ==
+        When{Moments::eachDivision, 0});
+  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: {every: 0.25}}")).when ==
+        When{Moments::every, 0.25});
+  CHECK(studyOf(ballStudyWith(names, "{names: [cells], when: end}")).when == When{});
+  CHECK(studyOf(ballStudyWith(names, "[cell.volume, world.volume]")).measures ==
+        std::vector<std::string>{"cell.volume", "world.volume"});
+  for (const auto& [text, bytes] :
+       {std::pair{"500M", 500e6}, {"2G", 2e9}, {"1.5G", 1.5e9}, {"3000000", 3e6}, {"4000k", 4e6}})
+    CHECK(double(*studyOf(ballStudy + "limits: {memory-per-run: " + text + "}\n").limits.memory) == bytes);
+  CHECK(studyOf(ballStudy + "limits: {cpu-per-run: 120}\n").limits.cpu == 120);
+}
+
+TEST_CASE("Every measure of every table has one name in studies, and finds its row by it") {
+  std::vector<std::string> names;
+  for (const StudyMeasure& m : studyMeasures()) {
+    names.push_back(m.name);
+    REQUIRE(findStudyMeasure(m.name) == &m);
+    std::string dashed = m.name;
+    std::ranges::replace(dashed, '_', '-');
+    CHECK(findStudyMeasure(dashed) == &m);
+    CHECK(findStudyMeasure(std::string(name(m.scope)) + "." + m.row) == &m);
+  }
+  CHECK(names.size() ==
+        measures<Observation>().size() + measures<CellContext>().size() + measures<Touch>().size());
+  std::ranges::sort(names);
+  CHECK(std::ranges::adjacent_find(names) == names.end());
+  CHECK(!findStudyMeasure("volume"));  // of the organism, or of a cell?
+}
+
+TEST_CASE("A value in a study is the same value in an override") {
+  for (const char* text :
+       {"longest", "0.5", "-1e-3", "'0.5'", "\"a: b\"", "[1, 0, 0]", "{axis: [1, 0, 0]}", "{}", "[]", "null",
+        "'null'", "{of: [skin, 'P*'], plane: random, why: null}", "{a: 'it''s \"so\"', 'b c': [[1], []]}",
+        "|\n  START: a0\n  g1(a0|a0)\n", "a text, with [brackets] and {braces}",
+        "why:\n  - one, two\n  - '# no remark'\n", "'-'"}) {
+    CAPTURE(text);
+    const auto node = nodeOf(text);
+    const std::string line = overrideText(node);
+    CAPTURE(line);
+    scenario::Problems problems("test");
+    const auto again = readYamlValue(line, "option", problems);
+    CHECK(problems.empty());
+    CHECK(shapeOf(again) == shapeOf(node));
+    CHECK(line.find('\n') == line.npos);
+  }
+}
+
+TEST_CASE("A study is told from a scenario by its name or its first key") {
+  const TemporaryFolder folder;
+  writeText(folder / "a.yaml", "# about\n\nmorula-study: 1\n");
+  writeText(folder / "b.yaml", lineageScenario);
+  writeText(folder / "c.study.yaml", "");
+  CHECK(isStudy(folder / "a.yaml"));
+  CHECK_FALSE(isStudy(folder / "b.yaml"));
+  CHECK(isStudy(folder / "c.study.yaml"));
+  CHECK_FALSE(isStudy(folder / "nothing.yaml"));
+  CHECK_THROWS_WITH(loadScenario(folder / "a.yaml"), ContainsSubstring("the file is a study"));
+  CHECK_THROWS_WITH(loadStudy(folder / "b.yaml"), ContainsSubstring("the file is a scenario"));
+  CHECK_THROWS_AS(loadStudy(folder / "nothing.yaml"), FileError);
+}
+
+TEST_CASE("Scenarios of a study lie in its folder unless that is allowed otherwise") {
+  const TemporaryFolder folder, other;
+  writeText(other / "balls.yaml", ballScenario);
+  writeText(folder / "s.study.yaml",
+            ballStudyWith("balls.yaml", "'" + (other / "balls.yaml").string() + "'"));
+  CHECK_THROWS_WITH(makePlan(loadStudy(folder / "s.study.yaml"), {.predict = false}),
+                    ContainsSubstring("lies outside"));
+  CHECK(makePlan(loadStudy(folder / "s.study.yaml", true), {.predict = false}).conditions.size() == 4);
+}
+
+TEST_CASE("bad study files are refused with the expected messages, all at once") {
+  namespace fs = std::filesystem;
+  const fs::path folder = "tests/bad_studies";
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().string().ends_with(".study.yaml")) files.push_back(entry.path());
+  std::ranges::sort(files);
+  REQUIRE(files.size() >= 25);
+  for (const auto& file : files) {
+    INFO(file.string());
+    std::string message = "accepted";
+    try {
+      makePlan(loadStudy(file), {.predict = false});
+    } catch (const InputError& error) { message = error.what(); }
+    CHECK(message + "\n" == readText(fs::path(file).replace_extension(".expected")));
+  }
+}
+
+TEST_CASE("The study to begin with loads, and the table for people is up to date") {
+  const TemporaryFolder folder;
+  writeText(folder / "organism.yaml", starterScenario("organism"));
+  writeText(folder / "s.study.yaml", starterStudy("first", "organism.yaml"));
+  const Plan plan = makePlan(loadStudy(folder / "s.study.yaml"), {.predict = false});
+  CHECK(plan.study.name == "first");
+  CHECK(plan.replicates.size() == 40);
+  CHECK(readText("scenarios/STUDIES.md") == studyKeysAsMarkdown());
+}
+
+TEST_CASE("The schema knows the keys that the reader knows, and requires the same") {
+  const auto schema = Json::parse(studySchema());
+  for (const char* key : {"morula-study", "name", "base", "seeds", "measures"}) {
+    CAPTURE(key);
+    CHECK(schema["properties"].contains(key));
+    CHECK(std::ranges::count(schema["required"], Json(key)) == 1);
+    std::string without = "morula-study: 1\nname: balls\nbase: balls.yaml\nseeds: 1\nmeasures: [cells]\n";
+    const auto at = without.find(std::string(key) + ":");
+    without.erase(at, without.find('\n', at) - at + 1);
+    CHECK_THROWS_WITH(studyOf(without), ContainsSubstring(std::string(key) + ": is missing"));
+  }
+  CHECK(schema["required"].size() == 5);
+  CHECK(schema["properties"]["keep"]["properties"]["pictures"]["enum"].size() == 3);
+}

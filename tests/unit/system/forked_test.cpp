@@ -1,0 +1,69 @@
+// Work in processes of its own: what it answers, how it ends, what limits it.
+#include "system/forked.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <new>
+#include <vector>
+
+#include "catch.h"
+
+using namespace morula;
+
+namespace {
+
+[[noreturn]] void loopForEver() {
+  for (volatile unsigned i = 0;; i = i + 1) {}
+}
+
+}  // namespace
+
+TEST_CASE("what a process answers arrives, at most 16 KiB of it") {
+  Forked process({}, [] { return ForkedAnswer{3, "some words"}; });
+  const ForkedEnd end = process.wait();
+  CHECK((end.signal == 0 && end.answer.code == 3 && end.answer.text == "some words"));
+  Forked talker({}, [] { return ForkedAnswer{0, std::string(1'000'000, 'x')}; });
+  CHECK(talker.wait().answer.text == std::string(16384, 'x'));
+}
+
+TEST_CASE("memory is its own") {
+  int number = 1;
+  Forked process({}, [&] { return ForkedAnswer{++number, ""}; });
+  CHECK(process.wait().answer.code == 2);
+  CHECK(number == 1);
+}
+
+TEST_CASE("those that have ended are told apart from those that run") {
+  std::vector<Forked> processes;
+  for (int i = 0; i < 3; ++i)
+    processes.emplace_back(ForkedLimits{}, [i]() -> ForkedAnswer {
+      if (i != 1) loopForEver();
+      return {};
+    });
+  const std::vector<Forked*> all{&processes[0], &processes[1], &processes[2]};
+  std::vector<std::size_t> ended;
+  while (ended.empty()) ended = endedAmong(all, 10);
+  CHECK(ended == std::vector<std::size_t>{1});
+  processes[0].stop(SIGTERM);
+  CHECK(processes[0].wait().signal == SIGTERM);
+  // The other one is ended with its owner.
+}
+
+TEST_CASE("limits end a process and no other") {
+  Forked slow({.cpuSeconds = 0.5}, []() -> ForkedAnswer { loopForEver(); });
+  const ForkedEnd end = slow.wait();
+  CHECK(end.signal == SIGXCPU);
+  CHECK(end.cpuSeconds > 0.9);  // whole seconds upwards
+  CHECK(signalName(SIGXCPU) == "SIGXCPU");
+#if !defined(__SANITIZE_ADDRESS__)  // which takes all of the address space
+  const auto allocate = [] {
+    try {
+      const std::vector<char> large(200'000'000, 'x');
+      return ForkedAnswer{large.back() == 'x' ? 0 : 1, ""};
+    } catch (const std::bad_alloc&) { return ForkedAnswer{71, ""}; }
+  };
+  CHECK(Forked({.memory = 100'000'000}, allocate).wait().answer.code == 71);
+  CHECK(Forked({.memory = 400'000'000}, allocate).wait().answer.code == 0);
+#endif
+}

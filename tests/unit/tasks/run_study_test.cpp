@@ -1,0 +1,101 @@
+// Tasks are computed once, failures are results, and what was stopped is computed again.
+#include <csignal>
+
+#include "catch.h"
+#include "files/folders.h"
+#include "small_study.h"
+#include "tasks/status.h"
+
+using namespace morula;
+using namespace std::chrono_literals;
+
+TEST_CASE("a study is computed, and computed once") {
+  const SmallStudy s;
+  const PlannedStudy study = s.open();
+  // 2 lengths with 3 seeds, and 2 without variation, whose seeds change nothing
+  REQUIRE(study.plan.replicates.size() == 12);
+  REQUIRE(study.plan.tasks.size() == 8);
+  CHECK(s.run(study, {1, 4}).computed == 2);
+  StudyStatus status = statusOf(study);
+  CHECK((status.done == 2 && status.missing.size() == 6 && !status.isComplete()));
+  const RunStudyReport rest = s.run(study, {}, 2);
+  CHECK((rest.asked == 8 && rest.already == 2 && rest.computed == 6 && rest.isComplete() &&
+         rest.failed.empty()));
+  CHECK(s.run(study).computed == 0);
+  status = statusOf(study);
+  CHECK((status.isComplete() && status.done == 8 && !status.isMerged));
+  for (const Task& task : study.plan.tasks) CHECK(TaskFile(study.folder.task(task.id)).whatIsWrong().empty());
+}
+
+TEST_CASE("what its plan keeps is there, and nothing else") {
+  const auto rows = [](const std::string& more, const std::string& sql) {
+    const SmallStudy s(smallStudy + more);
+    const PlannedStudy study = s.open();
+    s.run(study, {0});
+    return Database(study.folder.task(study.plan.tasks[0].id), Database::Mode::existing, 1s).integer(sql);
+  };
+  const std::string hashes = "SELECT count(*) FROM step_hash", samples = "SELECT count(*) FROM sample",
+                    results = "SELECT count(*) FROM result";
+  CHECK(rows("keep: {hashes: none}\n", hashes) == 0);
+  CHECK(rows("keep: {hashes: end}\n", hashes) == 1);
+  CHECK(rows("keep: {hashes: all}\n", hashes) > 2);
+  CHECK(rows("", samples) == 2);
+  CHECK(rows("", results) == 2);
+  CHECK(rows("when: {every: 1}\n", samples) == 2);
+  CHECK(rows("when: {every: 1}\nkeep: {samples: all}\n", samples) > 2);
+  CHECK(rows("when: {every: 1}\n", results) == 2 * rows("when: {every: 1}\nkeep: {samples: all}\n", samples));
+  CHECK(rows("when: each-division\n", results) > 4);
+}
+
+TEST_CASE("a picture is kept of the first seed of each condition, if asked for") {
+  const SmallStudy s(smallStudy + "keep: {pictures: first-seed}\n");
+  const PlannedStudy study = s.open();
+  s.run(study);
+  CHECK(filesBelow(study.folder.tasks(), ".png").size() == 4);
+}
+
+TEST_CASE("a failure is a result with its reason") {
+  // It divides until there is no more memory for it.
+  const SmallStudy s(
+      "morula-study: 1\nname: trees\nbase: tree.yaml\nseeds: [1]\nmeasures: [cells]\n"
+      "limits: {memory-per-run: 20M}\n",
+      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 40}\n");
+  const PlannedStudy study = s.open();
+  const RunStudyReport report = s.run(study);
+  REQUIRE(report.failed.size() == 1);
+  CHECK_THAT(report.failed[0].reason, Catch::Matchers::StartsWith("memory limit: "));
+  CHECK(report.isComplete());
+  TaskFile file(study.folder.task(study.plan.tasks[0].id));
+  CHECK((file.task().status == "failed" && file.run().status == RunStatus::failed &&
+         file.whatIsWrong().empty()));
+  CHECK_FALSE(file.task().isComputed());
+  CHECK(s.run(study).computed == 0);
+  CHECK(s.run(study, {}, 1, true).computed == 1);
+  const MergeReport merged = mergeStudy(study, {{}, study.folder.merged()});
+  CHECK((merged.failed.size() == 1 && merged.missing.empty()));
+}
+
+TEST_CASE("CPU time is limited, and a crash is told") {
+  const SmallStudy s(
+      "morula-study: 1\nname: trees\nbase: tree.yaml\nseeds: [1]\nmeasures: [cells]\n"
+      "limits: {cpu-per-run: 1}\n",
+      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 1000000000}\n");
+  const PlannedStudy study = s.open();
+  const RunStudyReport report = s.run(study);
+  REQUIRE(report.failed.size() == 1);
+  CHECK(report.failed[0].reason == "cpu limit: more than 1 s of CPU time (limits.cpu-per-run)");
+  CHECK(TaskFile(study.folder.task(study.plan.tasks[0].id)).timing().cpuSeconds > 0.9);
+}
+
+TEST_CASE("a changed study is not mixed with what was planned before") {
+  const SmallStudy s;
+  const PlannedStudy study = s.open();
+  s.run(study);
+  writeText(s.folder / "trees.study.yaml", smallStudy + "keep: {hashes: none}\n");
+  CHECK_THROWS_WITH(s.open(), ContainsSubstring("--resume goes on with the plan that is there"));
+  const PlannedStudy resumed =
+      openStudy({(s.folder / "trees.study.yaml").string(), (s.folder / "out").string(), false, true}, {});
+  CHECK(resumed.plan.id == study.plan.id);
+  CHECK(openStudy({(s.folder / "out").string(), ""}, {}).plan.id == study.plan.id);
+  CHECK_THROWS_AS(openStudy({s.folder.path().string(), ""}, {}), FileError);
+}

@@ -1,0 +1,56 @@
+// One number for each measure and time, beside sums by hand.
+#include "tasks/values.h"
+
+#include "catch.h"
+#include "study/study_measures.h"
+#include "system/usage_error.h"
+#include "tasks/shard.h"
+
+using namespace morula;
+
+TEST_CASE("a measure of cells is their mean, of the world itself, and what is not there has no row") {
+  Sample start, end;
+  start.world["cells"] = 1;
+  end.world.time = 2;
+  end.world["cells"] = 2;
+  end.cells.resize(3);
+  end.cells[0]["sphericity"] = 0.5;
+  end.cells[1]["sphericity"] = 0.75;  // the third was not measured
+  end.more = {{Scope::world, "lineage_space", {}, {}, 0.25},
+              {Scope::cell, "generation", CellPath::parse("A"), {}, 1},
+              {Scope::cell, "generation", CellPath::parse("BA"), {}, 2},
+              {Scope::pair, "kinship", CellPath::parse("A"), CellPath::parse("B"), 3}};
+  const auto rows = valuesOf({start, end}, {"cells", "sphericity", "lineage_space", "generation", "kinship"});
+  const std::vector<ResultRow> expected{{"cells", 0, 1},          {"cells", 2, 2},
+                                        {"sphericity", 2, 0.625}, {"lineage_space", 2, 0.25},
+                                        {"generation", 2, 1.5},   {"kinship", 2, 3}};
+  CHECK(rows == expected);
+}
+
+TEST_CASE("names that two tables have are told apart") {
+  Sample sample;
+  sample.world["volume"] = 8;
+  sample.cells.resize(2);
+  sample.cells[0]["volume"] = 3, sample.cells[1]["volume"] = 5;
+  for (const StudyMeasure& m : studyMeasures())
+    if (m.row == "volume" && m.scope == Scope::cell) CHECK(valuesOf({sample}, {m.name}).at(0).value == 4);
+    else if (m.row == "volume" && m.scope == Scope::world)
+      CHECK(valuesOf({sample}, {m.name}).at(0).value == 8);
+}
+
+TEST_CASE("shares are all of the tasks, each once, and even") {
+  for (const std::size_t of : {1, 2, 3, 7, 40}) {
+    std::vector<int> seen(23, 0);
+    std::size_t least = 23, most = 0;
+    for (std::size_t number = 1; number <= of; ++number) {
+      const auto tasks = tasksOf({number, of}, 23);
+      least = std::min(least, tasks.size()), most = std::max(most, tasks.size());
+      for (const std::size_t task : tasks) ++seen.at(task);
+    }
+    CHECK(seen == std::vector<int>(23, 1));
+    CHECK(most - least <= 1);
+  }
+  CHECK(parseShard("--shard", "3/40").number == 3);
+  for (const char* wrong : {"0/4", "5/4", "3", "3/", "/4", "-1/4", "1/2/3", "a/b", "1/1000001", " 1/2"})
+    CHECK_THROWS_AS(parseShard("--shard", wrong), UsageError);
+}
