@@ -10,8 +10,8 @@ namespace morula {
 
 namespace {
 
-// A task's file has some thirty tables, most of them empty or short: small pages make it a third as large.
-constexpr int pageSize = 512;
+// A task's file has some thirty tables, most of them empty or short, so small pages; rows of cells do not fit into smaller ones.
+constexpr int pageSize = 1024;
 constexpr std::uint64_t maxTaskBytes = std::uint64_t{16} << 30;
 
 TaskRow taskOf(Database& db) {

@@ -1,5 +1,5 @@
 #pragma once
-// The results of all tasks in one database, whoever computed them and wherever their files lie.
+// The results of all tasks in one database, on whatever machine they were computed and wherever their files lie.
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -70,7 +70,7 @@ TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenar
   return outcome;
 }
 
-constexpr int pictureSize = 480;  // [pixel] many of them, to be looked at side by side
+constexpr int pictureSize = 400;  // [pixel] many of them, to be looked at side by side
 
 void draw(const World& world, const Scenario& scenario, const std::filesystem::path& file) {
   if (!world.bodies) return writePicture(drawLineage(lineagePictureOf(world, scenario)), file);
