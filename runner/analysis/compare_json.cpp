@@ -147,6 +147,7 @@ Json toJson(const StudyComparison& c) {
   };
   return {{"study", r.name},
           {"by", by},
+          {"troubles", troublesOf(r)},
           {"unfinished", unfinished(r)},
           {"seeds_change_nothing", seedless},
           {"verdicts", verdictsOf(c)},

@@ -109,7 +109,7 @@ StudyComparison compareStudy(StudyResults results, const CompareOptions& options
 
 /// Sentences: what differs, what does not, what tells nothing. Failed runs and seeds that change nothing come first.
 std::vector<std::string> verdictsOf(const StudyComparison& comparison);
-/// Runs that failed or are missing, a line each; and groups of conditions that are the same runs.
+/// Runs that failed, are missing or are not sane, a line each; and groups of conditions that are the same runs.
 std::vector<std::string> troublesOf(const StudyResults& results);
 
 /// For people.

@@ -173,10 +173,15 @@ std::vector<std::string> troublesOf(const StudyResults& r) {
   for (const ResultCondition& condition : r.conditions)
     for (std::size_t s = 0; s < r.seeds.size(); ++s) {
       const std::size_t t = condition.tasks[s];
-      if (t == noTask || r.tasks[t].status == "done" || told[t]) continue;
+      if (t == noTask || told[t] || (r.tasks[t].status == "done" && r.tasks[t].isSane)) continue;
       told[t] = true;
-      lines.push_back(fmt::format("{}  {}, seed {}{}", r.tasks[t].status, r.nameOf(condition), r.seeds[s],
-                                  r.tasks[t].reason.empty() ? "" : ": " + r.tasks[t].reason));
+      const std::string which = fmt::format("{}, seed {}", r.nameOf(condition), r.seeds[s]);
+      if (r.tasks[t].status == "done")
+        lines.push_back("not sane  " + which +
+                        ": its bodies ended in a state that cannot be; its values count");
+      else
+        lines.push_back(r.tasks[t].status + "  " + which +
+                        (r.tasks[t].reason.empty() ? "" : ": " + r.tasks[t].reason));
     }
   std::map<std::vector<std::size_t>, std::vector<std::string>> byTasks;
   for (const ResultCondition& condition : r.conditions)
