@@ -30,14 +30,15 @@ std::vector<std::size_t> orderOf(const std::vector<Condition>& conditions) {
 
 /// [byte] Of a result, by the sizes of its rows in SQLite.
 double diskOf(const Study& study, const Scenario& scenario, const Prediction& f) {
-  constexpr double empty = 60e3;  // tables, the scenario, the record of how it was run
-  constexpr double perValue = 40, perCell = 120, perSampledCell = 400, perHash = 40, perPicture = 150e3;
+  constexpr double empty = 27e3;  // tables, and the record of how it was run
+  constexpr double perValue = 40, perCell = 100, perSampledCell = 600, perHash = 40, perPicture = 190e3;
   const double divisions = double(f.life.divisions), cells = double(f.cells), end = f.life.eras.back().to;
   const double moments = study.when.moments == Moments::every          ? 2 + end / study.when.every
                          : study.when.moments == Moments::eachDivision ? 2 + divisions
                                                                        : 1;
   const double sampled = study.keep.samples == SamplesKept::all ? moments : 1;
-  double bytes = empty + perValue * moments * double(study.measures.size()) + perCell * (2 * divisions + 1);
+  double bytes = empty + double(scenario.bytes.size() + scenario.resolved.size()) +
+                 perValue * moments * double(study.measures.size()) + perCell * (2 * divisions + 1);
   if (scenario.scene.mechanics) bytes += perSampledCell * cells * sampled;
   if (study.keep.hashes == HashesKept::all) bytes += perHash * f.steps / (scenario.scene.mechanics ? 64 : 1);
   if (study.keep.pictures == PicturesKept::all) bytes += perPicture;
@@ -81,12 +82,16 @@ std::vector<RunCost> predictCosts(const Plan& plan, const PlanOptions& options) 
       ofLevel;  // of conditions that differ from the first in it alone
   std::optional<RunCost> first;
   const double begin = seconds(ClockKind::process);
+  double longest = 0;  // [s] that a rehearsal took
   for (const std::size_t i : orderOf(conditions)) {
     const Condition& condition = conditions[i];
     const auto [same, isNew] = known.try_emplace(condition.meaning, i);
     if (!isNew) tried[i] = tried[same->second];
-    else if (!first || seconds(ClockKind::process) - begin < options.rehearsal)
+    else if (const double before = seconds(ClockKind::process);
+             !first || before - begin + longest < options.rehearsal) {
       tried[i] = rehearse(plan.study, condition.scenario, options);
+      longest = std::max(longest, seconds(ClockKind::process) - before);
+    }
     if (!tried[i]) continue;
     if (!first) first = tried[i];
     if (changedLevels(condition) != 1) continue;

@@ -1,4 +1,5 @@
 // Files and places as they are called from the study's folder.
+#include "base/utf8.h"
 #include "study/plan_parts.h"
 
 namespace morula::study {
@@ -17,7 +18,14 @@ void rename(std::string& place, const std::string& file, const std::string& name
 }
 
 /// What a plan's file can hold of a text: what is not UTF-8 becomes U+FFFD.
-std::string asStored(const std::string& text) { return Json::parse(jsonText(Json(text))).get<std::string>(); }
+std::string asStored(const std::string& text) {
+  for (std::string_view rest = text; !rest.empty();) {
+    const int length = utf8Length(rest);
+    if (length == 0) return Json::parse(jsonText(Json(text))).get<std::string>();
+    rest.remove_prefix(std::size_t(length));
+  }
+  return text;
+}
 
 }  // namespace
 

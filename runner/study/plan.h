@@ -63,7 +63,7 @@ struct Plan {
 
 struct PlanOptions {
   bool predict = true;
-  double rehearsal = 1;  // [s] of CPU time for all predictions together, about
+  double rehearsal = 0.5;  // [s] of CPU time for all predictions together, unless the first one takes longer
   Execution execution = {};
 };
 

@@ -48,11 +48,12 @@ std::string costText(const Plan& plan) {
   if (!total) return "  costs were not predicted\n";
   const auto& [least, most] = std::ranges::minmax(plan.costs, {}, &RunCost::seconds);
   const auto tried = std::size_t(std::ranges::count(plan.costs, true, &RunCost::tried));
+  const std::string shortest = timeText(least.seconds), longest = timeText(most.seconds);
   std::string text = fmt::format(
-      "  foreseen on one thread of this machine: {} of CPU time, {} to {} a run; {} of arrays at most; {} on "
+      "  foreseen on one thread of this machine: {} of CPU time, {} a run; {} of arrays at most; {} on "
       "disk\n",
-      timeText(total->seconds), timeText(least.seconds), timeText(most.seconds), bytesText(total->memory),
-      bytesText(total->disk));
+      timeText(total->seconds), shortest == longest ? longest : shortest + " to " + longest,
+      bytesText(total->memory), bytesText(total->disk));
   if (tried < plan.conditions.size())
     text += fmt::format("    by the beginnings of {}, the others by how they differ from these\n",
                         plural(tried, "condition"));
@@ -94,9 +95,9 @@ std::string describe(const Plan& plan) {
   }
   text += fmt::format("  seeds: {}\n  measures: {}, {}\n\n", seedsText(s.seeds), join(s.measures),
                       whenText(s.when));
-  text += fmt::format("  {} × {} = {}, {} to compute\n", plural(plan.conditions.size(), "condition"),
+  text += fmt::format("  {} × {} = {}: {}, each run once\n", plural(plan.conditions.size(), "condition"),
                       plural(s.seeds.size(), "seed"), plural(plan.replicates.size(), "replicate"),
-                      plural(plan.tasks.size(), "distinct run"));
+                      plural(plan.tasks.size(), "distinct scene"));
   if (const auto without = conditionsWithoutSeeds(plan); !without.empty())
     text += fmt::format(
         "  {} without anything that a seed changes: run once, and compared without an interval "

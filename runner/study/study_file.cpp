@@ -44,10 +44,11 @@ void checkSize(const Study& study, const Node& root, Problems& problems) {
 }
 
 /// What can be seen of the scenarios although the study file has mistakes.
-void lookAtScenarios(Study study, Problems& problems) {
+void lookAtScenarios(Study study, const std::set<std::string>& clashing, Problems& problems) {
   constexpr std::size_t enough = 200;  // conditions
   if (study.bases.empty()) return;
-  std::erase_if(study.axes, [](const Axis& axis) { return axis.levels.empty(); });
+  std::erase_if(study.axes,
+                [&](const Axis& axis) { return axis.levels.empty() || clashing.contains(axis.name); });
   if (study.seeds.empty()) study.seeds = {1};
   std::vector<std::string> warnings;
   study::loadConditions(study, problems, warnings, {}, enough);
@@ -68,9 +69,9 @@ Study loadStudy(const std::filesystem::path& file, bool allowOutside) {
   refuseScenario(root, problems);
   study::readKeys(root, study, problems);
   addBaseAxis(study);
-  study::checkAxes(study, problems);
+  const auto clashing = study::checkAxes(study, problems);
   checkSize(study, root, problems);
-  if (!problems.empty()) lookAtScenarios(study, problems);
+  if (!problems.empty()) lookAtScenarios(study, clashing, problems);
   problems.throwIfAny();
   return study;
 }

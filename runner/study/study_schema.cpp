@@ -54,7 +54,8 @@ base: )" +
          base + R"(           # a scenario, from this file's folder; or several: [a.yaml, b.yaml]
 
 # Axes: each condition has one label of each, and all combinations are run. A label sets any keys of the scenario, as --set
-# does; null takes a part away, and {} leaves the scenario as it is. Beside variation, seeds change little or nothing.
+# does; null takes a part away, and {} leaves the scenario as it is. Seeds change random planes, and what the scenario says
+# under variation; a condition with neither is run once.
 vary:
   division:
     longest: {division.plane: longest}

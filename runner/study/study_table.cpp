@@ -86,7 +86,7 @@ Key choiceKey(const char* path, const char* what, E Kept::*field) {
             }
             const std::string near = closest(*text, names);
             problems.add(node.place, path, describe(node) + " is not known here",
-                         (near.empty() ? "" : "did you mean " + near + "? ") + "needs " + namesOf<E>());
+                         (near.empty() ? "needs " : "did you mean " + near + "? Needs ") + namesOf<E>());
           }};
 }
 

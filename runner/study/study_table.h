@@ -1,6 +1,7 @@
 #pragma once
 // One description per key of a study file feeds the reader, the schema for editors and the list for people.
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,8 @@ inline constexpr const char* labelNeeds =
     "needs letters, digits and . _ + -, a letter or digit first, at most 50 of them";
 
 /// Axes that set the same key, or one a part of what the other sets: which of them holds would depend on their order.
-void checkAxes(const Study& study, scenario::Problems& problems);
+/// The names of those that had better not.
+std::set<std::string> checkAxes(const Study& study, scenario::Problems& problems);
 
 inline constexpr std::size_t mostConditions = 10'000, mostReplicates = 1'000'000;
 

@@ -50,12 +50,13 @@ const std::string seedsAllowed = "whole numbers: one, FIRST..LAST as 1..10, or a
 
 /// "7" or "1..10"; empty and a problem if it is neither.
 std::vector<std::uint64_t> readSeedRange(const Node& node, Problems& problems) {
-  if (!node.isPlain())
-    return scenario::refuse(node, "seeds", seedsAllowed, problems), std::vector<std::uint64_t>{};
   const auto complain = [&](const std::string& what) {
     problems.add(node.place, "seeds", what, "needs " + seedsAllowed);
     return std::vector<std::uint64_t>{};
   };
+  if (node.kind == Node::Kind::scalar && !node.isPlain()) return complain(describe(node) + " is in quotes");
+  if (!node.isPlain())
+    return scenario::refuse(node, "seeds", seedsAllowed, problems), std::vector<std::uint64_t>{};
   const auto dots = node.text.find("..");
   const auto first = scenario::parseNatural(node.text.substr(0, dots));
   const auto last = dots == node.text.npos ? first : scenario::parseNatural(node.text.substr(dots + 2));
@@ -141,7 +142,7 @@ void readWhen(Study& study, const Node& node, Problems& problems) {
     const std::string near =
         closest(*text, std::vector<std::string>{nameOf(Moments::end), nameOf(Moments::eachDivision)});
     problems.add(node.place, path, describe(node) + " is not known here",
-                 (near.empty() ? "" : "did you mean " + near + "? ") + "needs " + whenAllowed);
+                 (near.empty() ? "needs " : "did you mean " + near + "? Needs ") + whenAllowed);
   }
 }
 

@@ -118,7 +118,8 @@ Key varyKey() {
           readVary};
 }
 
-void checkAxes(const Study& study, Problems& problems) {
+std::set<std::string> checkAxes(const Study& study, Problems& problems) {
+  std::set<std::string> wrong;
   struct Use {
     const Axis* axis;
     const Override* change;
@@ -147,9 +148,11 @@ void checkAxes(const Study& study, Problems& problems) {
                                         (whole == path ? "is set by axis "
                                                        : "lies within " + whole + ", which is set by axis ") +
                                         other.axis->name + ", too; let one axis set both");
+            wrong.insert(use.axis->name);
           }
       if (end == path.npos) break;
     }
+  return wrong;
 }
 
 }  // namespace morula::study

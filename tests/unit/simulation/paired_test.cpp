@@ -62,7 +62,7 @@ std::map<std::string, double> factorsOf(const World& world) {
   std::map<std::string, double> factors;
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)
     factors[world.cells.path[i].text()] =
-        world.contacts->adhesion->kinds.factor.at(std::size_t(world.bodies->slots[i]));
+        world.contacts->adhesion.kinds.factor.at(std::size_t(world.bodies->slots[i]));
   return factors;
 }
 

@@ -196,6 +196,30 @@ TEST_CASE("A task's scenario is the one that --set and --seed would have given")
   CHECK(run.meaning == expected.meaning);
 }
 
+TEST_CASE("What measures compare with counts where one is taken, and is gone where none is") {
+  const TemporaryFolder folder;
+  const std::string compared =
+      "record: {measures: [contact_f1]}\ncheck: {extent: 9, reference: {contacts: [[AAA, BBB]]}}\n";
+  writeText(folder / "a.yaml", ballScenario + compared);
+  writeText(folder / "b.yaml", ballScenario + compared);
+  std::string other = compared;
+  writeText(folder / "c.yaml", ballScenario + other.replace(other.find("BBB"), 3, "ABB"));
+  const std::string study =
+      "morula-study: 1\nname: three\nbase: [a.yaml, b.yaml, c.yaml]\nseeds: [1, 2]\nmeasures: ";
+  const Plan with = planIn(folder, study + "[contact-f1]\n");
+  CHECK(conditionsThatShare(with) == std::vector<std::vector<std::size_t>>{{0, 1}});
+  CHECK(with.conditions[0].scenario.check.reference->contacts.size() == 1);
+  CHECK(!with.conditions[0].scenario.check.extent);
+  const Plan without = planIn(folder, study + "[cells]\n");
+  CHECK(conditionsThatShare(without) == std::vector<std::vector<std::size_t>>{{0, 1, 2}});
+  CHECK(!without.conditions[0].scenario.check.reference);
+  for (const Plan* plan : {&with, &without})
+    for (const Task& task : plan->tasks) {  // what a database keeps can be read again
+      const Scenario run = scenarioOf(*plan, task);
+      CHECK(readScenario(run.resolved, "resolved.json", "").resolved == run.resolved);
+    }
+}
+
 TEST_CASE("Several scenarios are the first axis") {
   const TemporaryFolder folder;
   const Plan plan =

@@ -108,7 +108,7 @@ TEST_CASE("A value in a study is the same value in an override") {
        {"longest", "0.5", "-1e-3", "'0.5'", "\"a: b\"", "[1, 0, 0]", "{axis: [1, 0, 0]}", "{}", "[]", "null",
         "'null'", "{of: [skin, 'P*'], plane: random, why: null}", "{a: 'it''s \"so\"', 'b c': [[1], []]}",
         "|\n  START: a0\n  g1(a0|a0)\n", "a text, with [brackets] and {braces}",
-        "why:\n  - one, two\n  - '# no remark'\n", "'-'"}) {
+        "why:\n  - one\n  - '# no remark'\n", "'-'"}) {
     CAPTURE(text);
     const auto node = nodeOf(text);
     const std::string line = overrideText(node);
@@ -119,6 +119,10 @@ TEST_CASE("A value in a study is the same value in an override") {
     CHECK(shapeOf(again) == shapeOf(node));
     CHECK(line.find('\n') == line.npos);
   }
+}
+
+TEST_CASE("Within brackets a text that would end there is put in quotes") {
+  CHECK(overrideText(nodeOf("why:\n  - one, two\n  - [a]\n")) == R"({why: ["one, two", [a]]})");
 }
 
 TEST_CASE("A study is told from a scenario by its name or its first key") {
