@@ -57,6 +57,8 @@ void limit(const ForkedLimits& limits) {
                        int answerTo) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(128 + SIGKILL);  // it died before
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    std::signal(signal, SIG_DFL);  // whatever this process had to do at them
   limit(limits);
   const ForkedAnswer answer = what();
   const std::string text = answer.text.substr(0, mostText);

@@ -14,7 +14,7 @@ using namespace morula;
 namespace {
 
 [[noreturn]] void loopForEver() {
-  for (volatile unsigned i = 0;; i = i + 1) {}
+  while (true) ::getppid();
 }
 
 }  // namespace

@@ -28,23 +28,26 @@ TEST_CASE("a study is computed, and computed once") {
 }
 
 TEST_CASE("what its plan keeps is there, and nothing else") {
-  const auto rows = [](const std::string& more, const std::string& sql) {
-    const SmallStudy s(smallStudy + more);
+  const auto rows = [](const std::string& when, const std::string& more, const std::string& sql) {
+    std::string text = smallStudy;
+    if (!when.empty())
+      text.replace(text.rfind("["), std::string::npos, "{names: [cells, generation], when: " + when + "}\n");
+    const SmallStudy s(text + more);
     const PlannedStudy study = s.open();
     s.run(study, {0});
     return Database(study.folder.task(study.plan.tasks[0].id), Database::Mode::existing, 1s).integer(sql);
   };
   const std::string hashes = "SELECT count(*) FROM step_hash", samples = "SELECT count(*) FROM sample",
                     results = "SELECT count(*) FROM result";
-  CHECK(rows("keep: {hashes: none}\n", hashes) == 0);
-  CHECK(rows("keep: {hashes: end}\n", hashes) == 1);
-  CHECK(rows("keep: {hashes: all}\n", hashes) > 2);
-  CHECK(rows("", samples) == 2);
-  CHECK(rows("", results) == 2);
-  CHECK(rows("when: {every: 1}\n", samples) == 2);
-  CHECK(rows("when: {every: 1}\nkeep: {samples: all}\n", samples) > 2);
-  CHECK(rows("when: {every: 1}\n", results) == 2 * rows("when: {every: 1}\nkeep: {samples: all}\n", samples));
-  CHECK(rows("when: each-division\n", results) > 4);
+  CHECK(rows("", "keep: {hashes: none}\n", hashes) == 0);
+  CHECK(rows("", "keep: {hashes: end}\n", hashes) == 1);
+  CHECK(rows("", "keep: {hashes: all}\n", hashes) > 2);
+  CHECK(rows("", "", samples) == 2);
+  CHECK(rows("", "", results) == 2);
+  CHECK(rows("{every: 1}", "", samples) == 2);
+  CHECK(rows("{every: 1}", "keep: {samples: all}\n", samples) > 2);
+  CHECK(rows("{every: 1}", "", results) == 2 * rows("{every: 1}", "keep: {samples: all}\n", samples));
+  CHECK(rows("each-division", "", results) > 4);
 }
 
 TEST_CASE("a picture is kept of the first seed of each condition, if asked for") {
