@@ -48,7 +48,7 @@ class Table {
  private:
   void addLine(const std::vector<std::string>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) text_ += (i ? "," : "") + quoted(cells[i]);
-    text_ += "\r\n";
+    text_ += "\n";
   }
 
   static std::string quoted(const std::string& cell) {
@@ -97,7 +97,8 @@ void add(Table& table, const StudyComparison& c, const PairComparison& p) {
 }
 
 void add(Table& table, const StudyComparison& c, const MeasureEffects& effects) {
-  for (const FactorEffect& e : effects.analysis.effects) {
+  for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
+    const FactorEffect& e = effects.analysis.effects[i];
     std::vector<std::string> names;
     for (const std::size_t f : e.factors) names.push_back(c.results.axes[effects.axes[f]].name);
     Table::Row(table, "effect", c.measureName(effects.measure))
@@ -105,6 +106,7 @@ void add(Table& table, const StudyComparison& c, const MeasureEffects& effects) 
         .set("value", e.share)
         .set("effect", e.f)
         .set("p", e.p)
+        .set("p_holm", effects.corrected[i])
         .set("n", effects.seeds);
   }
 }

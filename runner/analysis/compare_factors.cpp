@@ -2,6 +2,7 @@
 #include <set>
 
 #include "analysis/compare_parts.h"
+#include "statistics/holm.h"
 
 namespace morula {
 
@@ -65,8 +66,13 @@ std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t me
     for (const auto& seed : bySeed) values.push_back(seed[cell]);
   std::vector<std::size_t> levels;
   for (const std::size_t a : axes) levels.push_back(r.axes[a].labels.size());
-  MeasureEffects effects{
-      .measure = measure, .axes = axes, .means = {}, .analysis = {}, .untested = {}, .seeds = bySeed.size()};
+  MeasureEffects effects{.measure = measure,
+                         .axes = axes,
+                         .means = {},
+                         .analysis = {},
+                         .corrected = {},
+                         .untested = {},
+                         .seeds = bySeed.size()};
   effects.analysis = analyseFactorial(levels, values, true);
   for (std::size_t f = 0; f < axes.size(); ++f) effects.means.push_back(levelMeans(levels, values, f));
   std::size_t still = 0;
@@ -88,6 +94,15 @@ void compareFactors(StudyComparison& c) {
   if (axes.empty()) return;
   for (const std::size_t m : c.measures)
     if (auto effects = effectsOf(c, m, axes)) c.effects.push_back(std::move(*effects));
+  std::vector<double> p;
+  for (const MeasureEffects& effects : c.effects)
+    for (const FactorEffect& e : effects.analysis.effects)
+      if (e.p) p.push_back(*e.p);
+  const auto corrected = correctHolm(p);
+  std::size_t next = 0;
+  for (MeasureEffects& effects : c.effects)
+    for (const FactorEffect& e : effects.analysis.effects)
+      effects.corrected.push_back(e.p ? std::optional(corrected[next++]) : std::nullopt);
 }
 
 }  // namespace morula

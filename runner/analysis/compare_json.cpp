@@ -81,7 +81,8 @@ Json asJson(const StudyComparison& c, const PairComparison& p) {
 
 Json asJson(const StudyComparison& c, const MeasureEffects& effects) {
   Json list = Json::array();
-  for (const FactorEffect& e : effects.analysis.effects) {
+  for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
+    const FactorEffect& e = effects.analysis.effects[i];
     Json axes = Json::array(), means = Json();
     for (const std::size_t f : e.factors) axes.push_back(c.results.axes[effects.axes[f]].name);
     if (e.factors.size() == 1) {
@@ -95,6 +96,7 @@ Json asJson(const StudyComparison& c, const MeasureEffects& effects) {
                     {"df", e.degreesOfFreedom},
                     {"f", orNull(e.f)},
                     {"p", orNull(e.p)},
+                    {"p_holm", orNull(effects.corrected[i])},
                     {"means", means}});
   }
   return {{"measure", c.measureName(effects.measure)},
@@ -145,6 +147,7 @@ Json toJson(const StudyComparison& c) {
   };
   return {{"study", r.name},
           {"by", by},
+          {"troubles", troublesOf(r)},
           {"unfinished", unfinished(r)},
           {"seeds_change_nothing", seedless},
           {"verdicts", verdictsOf(c)},

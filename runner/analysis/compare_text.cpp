@@ -119,8 +119,9 @@ std::string pairTable(const StudyComparison& c, std::size_t measure, std::size_t
 std::string effectTable(const StudyComparison& c, const MeasureEffects& effects) {
   std::string text = "\n  main effects and interactions\n";
   Columns columns;
-  columns.add({"", "η²", "F", "df", "p", "means"});
-  for (const FactorEffect& e : effects.analysis.effects) {
+  columns.add({"", "η²", "F", "df", "p", "Holm", "means"});
+  for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
+    const FactorEffect& e = effects.analysis.effects[i];
     std::vector<std::string> names;
     for (const std::size_t f : e.factors) names.push_back(c.results.axes[effects.axes[f]].name);
     std::string means;
@@ -132,7 +133,7 @@ std::string effectTable(const StudyComparison& c, const MeasureEffects& effects)
     columns.add(
         {join(names, " × "), numberText(e.share, 3), orDash(e.f),
          e.f ? fmt::format("{}, {}", e.degreesOfFreedom, effects.analysis.errorDegreesOfFreedom) : "-",
-         orDash(e.p, 2), means});
+         orDash(e.p, 2), orDash(effects.corrected[i], 2), means});
   }
   text += columns.text();
   if (!effects.untested.empty()) text += "  no F test: " + effects.untested + "\n";

@@ -63,7 +63,7 @@ struct PairComparison {
   std::optional<Same> equivalence;
 
   bool isShown() const { return known == Known::estimated && corrected < 0.05; }
-  /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay.
+  /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay. None where nothing varies.
   std::optional<double> intervalRatio() const;
 };
 
@@ -73,7 +73,8 @@ struct MeasureEffects {
   std::vector<std::size_t> axes;           // with two levels or more; factors count in these
   std::vector<std::vector<double>> means;  // [axis of these][level]
   FactorialAnalysis analysis;
-  std::string untested;  // why there is no F test; "": there is one
+  std::vector<std::optional<double>> corrected{};  // [effect] its p by Holm over all effects of all measures
+  std::string untested;                            // why there is no F test; "": there is one
   std::size_t seeds = 0;
 };
 
@@ -108,14 +109,15 @@ StudyComparison compareStudy(StudyResults results, const CompareOptions& options
 
 /// Sentences: what differs, what does not, what tells nothing. Failed runs and seeds that change nothing come first.
 std::vector<std::string> verdictsOf(const StudyComparison& comparison);
-/// Runs that failed or are missing, a line each; and groups of conditions that are the same runs.
+/// Runs that failed, are missing or are not sane, a line each; and groups of conditions that are the same runs.
 std::vector<std::string> troublesOf(const StudyResults& results);
 
 /// For people.
 std::string describe(const StudyComparison& comparison);
 /// As `compare --json` prints it.
 Json toJson(const StudyComparison& comparison);
-/// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column [RFC 4180].
+/// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column. Quoted as RFC 4180
+/// says; lines end in a line feed.
 std::string toCsv(const StudyComparison& comparison);
 
 }  // namespace morula

@@ -75,11 +75,11 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
   const MeasureWords words = wordsOfMeasure(c.measureName(pair.measure));
   const std::string between =
       fmt::format("{} and {}{}", label(c, pair, pair.a), label(c, pair, pair.b), place(c, pair));
-  if (pair.sameRuns) return fmt::format("{}: {} are the same runs", words.subject, between);
+  if (pair.sameRuns) return fmt::format("{}: {} are the same runs", words.noun, between);
   switch (pair.known) {
     case Known::exact:
       return pair.paired.difference == 0
-                 ? fmt::format("{}: the same under {}, and no seed changes it", words.subject, between)
+                 ? fmt::format("{}: the same under {}, and no seed changes it", words.noun, between)
                  : differs(c, pair) + ", exactly: seeds change neither";
     case Known::oneSeed:
       return differs(c, pair) + ", in one pair of runs: nothing says how far that varies";
@@ -87,7 +87,7 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
       break;
   }
   if (pair.isShown()) return fmt::format("{}, {}", differs(c, pair), inHowMany(pair));
-  return fmt::format("{}: no difference is shown between {} ({}, 95 % interval {} to {}{})", words.subject,
+  return fmt::format("{}: no difference is shown between {} ({}, 95 % interval {} to {}{})", words.noun,
                      between, numberText(pair.paired.difference, 2), numberText(pair.paired.interval.low, 2),
                      numberText(pair.paired.interval.high, 2),
                      pair.paired.p < 0.05 ? "; one by chance is likely among so many comparisons" : "");
@@ -106,12 +106,14 @@ std::string equivalenceVerdict(const StudyComparison& c, const PairComparison& p
 void addInteractions(const StudyComparison& c, std::size_t measure, std::vector<std::string>& verdicts) {
   for (const MeasureEffects& effects : c.effects) {
     if (effects.measure != measure) continue;
-    for (const FactorEffect& e : effects.analysis.effects) {
-      if (e.factors.size() < 2 || !e.p || *e.p >= 0.05) continue;
+    for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
+      const FactorEffect& e = effects.analysis.effects[i];
+      const auto& p = effects.corrected[i];
+      if (e.factors.size() < 2 || !p || *p >= 0.05) continue;
       verdicts.push_back(fmt::format(
           "{}: what {} does depends on {} (interaction, η² {}, {})",
-          wordsOfMeasure(c.measureName(measure)).subject, c.results.axes[effects.axes[e.factors[0]]].name,
-          c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(e.p)));
+          wordsOfMeasure(c.measureName(measure)).noun, c.results.axes[effects.axes[e.factors[0]]].name,
+          c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(p)));
     }
   }
 }
@@ -126,7 +128,7 @@ void addMeasure(const StudyComparison& c, std::size_t measure, std::vector<std::
   if (tellsNothing) {
     const std::string low = numberText(spread.low, 3), high = numberText(spread.high, 3);
     verdicts.push_back(fmt::format("{} is {} everywhere: it tells nothing",
-                                   wordsOfMeasure(c.measureName(measure)).subject,
+                                   wordsOfMeasure(c.measureName(measure)).noun,
                                    low == high ? low : low + " to " + high));
   }
   for (const PairComparison& pair : c.pairs) {
@@ -150,9 +152,10 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
   if (!best) return;
   const std::string where = fmt::format("{}: {} and {}{}", c.measureName(best->measure),
                                         label(c, *best, best->a), label(c, *best, best->b), place(c, *best));
-  verdicts.push_back(fmt::format(
-      "common random numbers: the interval of a paired difference is {}{} of the unpaired one ({})",
-      numberText(least, 2), least < most ? " to " + numberText(most, 2) : "", where));
+  verdicts.push_back(
+      fmt::format("common random numbers: the interval of a paired difference is {} of the unpaired one at "
+                  "best ({}), {} at most",
+                  numberText(least, 2), where, numberText(most, 2)));
 }
 
 }  // namespace
@@ -170,10 +173,15 @@ std::vector<std::string> troublesOf(const StudyResults& r) {
   for (const ResultCondition& condition : r.conditions)
     for (std::size_t s = 0; s < r.seeds.size(); ++s) {
       const std::size_t t = condition.tasks[s];
-      if (t == noTask || r.tasks[t].status == "done" || told[t]) continue;
+      if (t == noTask || told[t] || (r.tasks[t].status == "done" && r.tasks[t].isSane)) continue;
       told[t] = true;
-      lines.push_back(fmt::format("{}  {}, seed {}{}", r.tasks[t].status, r.nameOf(condition), r.seeds[s],
-                                  r.tasks[t].reason.empty() ? "" : ": " + r.tasks[t].reason));
+      const std::string which = fmt::format("{}, seed {}", r.nameOf(condition), r.seeds[s]);
+      if (r.tasks[t].status == "done")
+        lines.push_back("not sane  " + which +
+                        ": its bodies ended in a state that cannot be; its values count");
+      else
+        lines.push_back(r.tasks[t].status + "  " + which +
+                        (r.tasks[t].reason.empty() ? "" : ": " + r.tasks[t].reason));
     }
   std::map<std::vector<std::size_t>, std::vector<std::string>> byTasks;
   for (const ResultCondition& condition : r.conditions)

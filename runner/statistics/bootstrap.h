@@ -28,7 +28,7 @@ double variance(std::span<const double> values);
 class Bootstrap {
  public:
   static constexpr std::uint32_t resamples = 10'000;
-  /// From so many values on the interval is Student's, from which the bootstrap's then differs by less than 1 %
+  /// From so many values on the interval is Student's, from which the bootstrap's then differs by about 1 %
   /// of its width.
   static constexpr std::size_t many = 2048;
 
