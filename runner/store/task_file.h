@@ -23,7 +23,7 @@ struct TaskOutcome {
 /// An empty task's file, from which all others are made: call it once before processes of their own fill one each.
 const std::string& emptyTaskFile();
 
-/// The bytes of the task's file. Made in memory: whoever writes them synchronises once.
+/// The bytes of the task's file. Made in memory, so that writing them takes one synchronisation.
 std::string taskFileBytes(TaskOutcome outcome);
 
 /// A task's file, read into memory.

@@ -1,5 +1,5 @@
 #pragma once
-// The results of all tasks in one database, whoever computed them and wherever their files lie.
+// The results of all tasks in one database, on whichever machines they were computed.
 #include <filesystem>
 #include <string>
 #include <vector>
