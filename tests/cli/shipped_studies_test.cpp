@@ -1,6 +1,6 @@
 // Every sentence of scenarios/policies/README.md is what its command says. The command is put to the values of all runs of
 // a study: some of these the test makes again, and they must be to the last bit what golden/policies keeps; the others are
-// taken from there. With MORULA_WHOLE_STUDIES=1 in the environment all are made again, which takes half an hour.
+// taken from there. With MORULA_WHOLE_STUDIES=1 in the environment all are made again, which takes a quarter of an hour of CPU time.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
