@@ -12,13 +12,7 @@ using namespace morula::test;
 
 namespace {
 
-const std::string escape = "\x1b]0;owned\x07",
-                  c1 = "\xc2\x9b"
-                       "31m",
-                  direction =
-                      "\xe2\x80\xae"
-                      "abc",
-                  noText = "\xff\xfe";
+const std::string escape = "\x1b]0;owned\x07", c1 = "\xc2\x9b" "31m", direction = "\xe2\x80\xae" "abc", noText = "\xff\xfe";
 // What the readers of YAML let pass, and what they refuse at once.
 const std::vector<std::string> hostile{"a" + c1 + direction + "\x7f", escape + "\r" + noText};
 

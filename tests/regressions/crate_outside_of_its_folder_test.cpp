@@ -14,15 +14,12 @@ TEST_CASE("export: names from a database stay in the crate") {
   const TemporaryFolder folder;
   const auto database = folder / "in/run.db";
   writeWhole(folder / "small.yaml", smallScene);
-  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, "--out", folder / "in",
-                  folder / "small.yaml"})
-              .code == 0);
+  REQUIRE(launch({"run", "--quiet", "--no-check", "--no-pictures", "--db", database, "--out", folder / "in", folder / "small.yaml"}).code == 0);
   const std::string outside = folder / "outside";
   int number = 0;
-  for (const std::string& name :
-       {outside, outside + "/x", std::string("../../outside"), std::string(".."), std::string("."),
-        std::string("a/../../../outside"), std::string("..\\outside"), std::string(400, 'x'),
-        std::string("\x1b[31m\n\xff"), std::string("run.db"), std::string("resolved.json"), std::string()})
+  for (const std::string& name : {outside, outside + "/x", std::string("../../outside"), std::string(".."), std::string("."),
+                                  std::string("a/../../../outside"), std::string("..\\outside"), std::string(400, 'x'),
+                                  std::string("\x1b[31m\n\xff"), std::string("run.db"), std::string("resolved.json"), std::string()})
     for (const char* column : {"role", "path"}) {
       CAPTURE(name, column);
       {
