@@ -106,8 +106,11 @@ void main() {
   shape = vec4(n, eyePosition.z);
   owner = cellOwner;
 #ifdef CUT
-  vec3 eye = vec3(0.0, 0.0, eyeDistance), way = eyePosition - eye;
-  vec3 place = eye + (clip.w - dot(clip.xyz, eye)) / dot(clip.xyz, way) * way;
+  // From the pixel alone, so that cells that overlap have one depth there, to the bit.
+  vec2 ray = (2.0 * gl_FragCoord.xy / vec2(size) - 1.0) * aperture;
+  float slope = dot(clip.xy, ray);
+  float z = (clip.w - slope * eyeDistance) / (clip.z - slope);
+  vec3 place = vec3(ray * (eyeDistance - z), z);
   light = vec4(lit(pigment, clip.xyz, v), 1.0);
   shape = vec4(clip.xyz, place.z);
   vec4 seen = projection * vec4(place, 1.0);

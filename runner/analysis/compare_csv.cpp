@@ -48,7 +48,7 @@ class Table {
  private:
   void addLine(const std::vector<std::string>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) text_ += (i ? "," : "") + quoted(cells[i]);
-    text_ += "\r\n";
+    text_ += "\n";
   }
 
   static std::string quoted(const std::string& cell) {

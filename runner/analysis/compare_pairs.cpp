@@ -122,7 +122,8 @@ void testEquivalences(StudyComparison& c) {
 }  // namespace
 
 std::optional<double> PairComparison::intervalRatio() const {
-  if (!unpaired || !(unpaired->interval.width() > 0)) return std::nullopt;
+  // Differences that are all the same say nothing of what pairs save.
+  if (!unpaired || !(unpaired->interval.width() > 0) || !(paired.standardError > 0)) return std::nullopt;
   return paired.interval.width() / unpaired->interval.width();
 }
 

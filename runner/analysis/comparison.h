@@ -63,7 +63,7 @@ struct PairComparison {
   std::optional<Same> equivalence;
 
   bool isShown() const { return known == Known::estimated && corrected < 0.05; }
-  /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay.
+  /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay. None where nothing varies.
   std::optional<double> intervalRatio() const;
 };
 
@@ -116,7 +116,8 @@ std::vector<std::string> troublesOf(const StudyResults& results);
 std::string describe(const StudyComparison& comparison);
 /// As `compare --json` prints it.
 Json toJson(const StudyComparison& comparison);
-/// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column [RFC 4180].
+/// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column. Quoted as RFC 4180
+/// says; lines end in a line feed.
 std::string toCsv(const StudyComparison& comparison);
 
 }  // namespace morula

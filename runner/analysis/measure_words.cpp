@@ -60,12 +60,15 @@ Row rowOf(const std::string& measure) {
 }  // namespace
 
 MeasureWords wordsOfMeasure(const std::string& measure) {
-  for (const Words& w : known)
-    if (measure == w.measure) return {w.subject, w.more, w.less};
-  std::string subject = measure;
-  std::ranges::replace(subject, '_', ' ');
-  std::ranges::replace(subject, '.', ' ');
-  return {subject, "higher", "lower"};
+  std::string plain = measure;
+  std::ranges::replace(plain, '_', ' ');
+  std::ranges::replace(plain, '.', ' ');
+  for (const Words& w : known) {
+    if (measure != w.measure) continue;
+    const bool spokenOf = std::string(w.subject).ends_with("adjacency");
+    return {spokenOf ? w.subject : plain, w.subject, w.more, w.less};
+  }
+  return {plain, plain, "higher", "lower"};
 }
 
 std::string unitOfMeasure(const std::string& measure) { return rowOf(measure).unit; }

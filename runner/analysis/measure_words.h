@@ -6,7 +6,8 @@
 namespace morula {
 
 struct MeasureWords {
-  std::string subject;     // "clones"
+  std::string noun;        // "clone radius": what has a value
+  std::string subject;     // "clones": what is compared
   std::string more, less;  // "wider", "tighter": with larger and with smaller values
 };
 

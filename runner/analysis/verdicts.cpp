@@ -75,11 +75,11 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
   const MeasureWords words = wordsOfMeasure(c.measureName(pair.measure));
   const std::string between =
       fmt::format("{} and {}{}", label(c, pair, pair.a), label(c, pair, pair.b), place(c, pair));
-  if (pair.sameRuns) return fmt::format("{}: {} are the same runs", words.subject, between);
+  if (pair.sameRuns) return fmt::format("{}: {} are the same runs", words.noun, between);
   switch (pair.known) {
     case Known::exact:
       return pair.paired.difference == 0
-                 ? fmt::format("{}: the same under {}, and no seed changes it", words.subject, between)
+                 ? fmt::format("{}: the same under {}, and no seed changes it", words.noun, between)
                  : differs(c, pair) + ", exactly: seeds change neither";
     case Known::oneSeed:
       return differs(c, pair) + ", in one pair of runs: nothing says how far that varies";
@@ -87,7 +87,7 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
       break;
   }
   if (pair.isShown()) return fmt::format("{}, {}", differs(c, pair), inHowMany(pair));
-  return fmt::format("{}: no difference is shown between {} ({}, 95 % interval {} to {}{})", words.subject,
+  return fmt::format("{}: no difference is shown between {} ({}, 95 % interval {} to {}{})", words.noun,
                      between, numberText(pair.paired.difference, 2), numberText(pair.paired.interval.low, 2),
                      numberText(pair.paired.interval.high, 2),
                      pair.paired.p < 0.05 ? "; one by chance is likely among so many comparisons" : "");
@@ -112,7 +112,7 @@ void addInteractions(const StudyComparison& c, std::size_t measure, std::vector<
       if (e.factors.size() < 2 || !p || *p >= 0.05) continue;
       verdicts.push_back(fmt::format(
           "{}: what {} does depends on {} (interaction, η² {}, {})",
-          wordsOfMeasure(c.measureName(measure)).subject, c.results.axes[effects.axes[e.factors[0]]].name,
+          wordsOfMeasure(c.measureName(measure)).noun, c.results.axes[effects.axes[e.factors[0]]].name,
           c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(p)));
     }
   }
@@ -128,7 +128,7 @@ void addMeasure(const StudyComparison& c, std::size_t measure, std::vector<std::
   if (tellsNothing) {
     const std::string low = numberText(spread.low, 3), high = numberText(spread.high, 3);
     verdicts.push_back(fmt::format("{} is {} everywhere: it tells nothing",
-                                   wordsOfMeasure(c.measureName(measure)).subject,
+                                   wordsOfMeasure(c.measureName(measure)).noun,
                                    low == high ? low : low + " to " + high));
   }
   for (const PairComparison& pair : c.pairs) {

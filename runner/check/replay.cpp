@@ -61,6 +61,14 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   for (const TableDifference& t : c.tables)
     if (!sameProgram && t.rows == 0 && t.recomputedRows > 0) later.push_back(t.table);
   for (const std::string& table : later) leaveOut(c, table, "another program stored none");
+  // `keep: {samples: end}`
+  bool ofStudy = false;
+  for (const TableContents& t : stored.contents()) ofStudy |= t.table == "task";
+  std::vector<std::string> endAlone;
+  for (const TableDifference& t : c.tables)
+    for (const char* table : {"sample", "cell_sample", "contact", "measure", "connection"})
+      if (ofStudy && t.table == table && t.rows < t.recomputedRows) endAlone.push_back(t.table);
+  for (const std::string& table : endAlone) leaveOut(c, table, "the study keeps those of the end alone");
   std::size_t elsewhere = 0;
   for (const CheckResult& r : stored.checks(before.id)) elsewhere += r.kind == "golden" || r.kind == "bullet";
   if (!checked) leaveOut(c, "check_result", "the run was not checked");

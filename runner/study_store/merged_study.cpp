@@ -73,9 +73,10 @@ void insertAxes(Database& db, const StudyTables& study) {
 
 MergedStudy::MergedStudy(const std::filesystem::path& file, const StudyTables& study)
     : draft_(file), db_(draft_.path(), Database::Mode::existing, std::chrono::seconds(1)) {
+  db_.execute(
+      "PRAGMA journal_mode = OFF");  // a draft that is not finished is thrown away, and has no file beside it
   migrate(db_);
   db_.execute("PRAGMA foreign_keys = ON");
-  db_.execute("PRAGMA journal_mode = OFF");  // a draft that is not finished is thrown away
   db_.execute("PRAGMA cache_size = -65536");
   db_.execute("BEGIN");
   makeTaskTables(db_);

@@ -35,12 +35,39 @@ TaskRow taskOf(Database& db) {
 
 }  // namespace
 
+namespace {
+
+/// Comments make up half of the tables' text, which each task's file would repeat: `.schema` of the merged file has them.
+void dropComments(Database& db) {
+  std::vector<std::pair<std::string, std::string>> tables;
+  Statement s(db, "SELECT name, sql FROM sqlite_schema WHERE sql IS NOT NULL");
+  while (s.next()) tables.emplace_back(s.text(0), s.text(1));
+  db.execute("PRAGMA writable_schema = ON");
+  Statement change(db, "UPDATE sqlite_schema SET sql = ? WHERE name = ?");
+  for (auto& [name, sql] : tables) {
+    std::string bare;
+    for (std::size_t begin = 0; begin < sql.size();) {
+      const std::size_t end = std::min(sql.find('\n', begin), sql.size());
+      std::string line = sql.substr(begin, end - begin);
+      line.resize(std::min(line.find("--"), line.size()));
+      const std::size_t first = line.find_first_not_of(' '), last = line.find_last_not_of(' ');
+      if (first != line.npos) bare += (bare.empty() ? "" : " ") + line.substr(first, last - first + 1);
+      begin = end + 1;
+    }
+    change.run(bare, name);
+  }
+  db.execute("PRAGMA writable_schema = RESET");
+}
+
+}  // namespace
+
 const std::string& emptyTaskFile() {
   static const std::string bytes = [] {
     Database db = Database::inMemory("a task's database");
     db.execute("PRAGMA page_size = " + std::to_string(pageSize));
     migrate(db);
     makeTaskTables(db);
+    dropComments(db);
     db.execute("VACUUM");
     return db.bytes();
   }();

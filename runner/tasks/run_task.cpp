@@ -33,11 +33,13 @@ std::vector<Sample> measuredSamples(const Study& study, const std::vector<Sample
   return {samples.back()};
 }
 
-/// What is not asked for is not stored: of samples the start's and the end's stay, as of every run.
+/// What is not asked for is not stored: of samples the start's and the end's stay, as of every run; of connections those
+/// that hold at the end, where their history is the largest table of all.
 void drop(RunResults& results, const Study& study) {
   if (study.keep.samples == SamplesKept::all) return;
   if (results.samples.size() > 2)
     results.samples.erase(results.samples.begin() + 1, results.samples.end() - 1);
+  std::erase_if(results.connections, [](const ConnectionRecord& c) { return c.released >= 0; });
 }
 
 /// The words of a failure tell memory apart: they come from the simulator's and the loop's checks and from bad_alloc.
@@ -68,9 +70,13 @@ TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenar
   return outcome;
 }
 
+constexpr int pictureSize = 480;  // [pixel] many of them, to be looked at side by side
+
 void draw(const World& world, const Scenario& scenario, const std::filesystem::path& file) {
-  if (world.bodies) writePicture(drawOrganism(pictureOf(world, scenario)), file);
-  else writePicture(drawLineage(lineagePictureOf(world, scenario)), file);
+  if (!world.bodies) return writePicture(drawLineage(lineagePictureOf(world, scenario)), file);
+  OrganismPicture picture = pictureOf(world, scenario);
+  picture.width = picture.height = pictureSize;
+  writePicture(drawOrganism(picture), file);
 }
 
 /// Simulates; the signal that stopped it, or 0.

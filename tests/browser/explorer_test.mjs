@@ -36,6 +36,19 @@ async function open(browser, name, size = { width: 1280, height: 1000 }, hash = 
 
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+/** A place on a canvas as it lies now: pictures of elements scroll the page. */
+async function placeOn(page, right = 0.5, down = 0.5) {
+  await page.evaluate(() => document.querySelector(".panes").scrollIntoView({ block: "center" }));
+  const box = await (await page.$("#explorer canvas")).boundingBox();
+  return [box.x + right * box.width, box.y + down * box.height];
+}
+async function drag(page, by) {
+  const [x, y] = await placeOn(page);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + by, y + by / 4, { steps: 4 });
+  await page.mouse.up();
+}
 const hashOf = (page) => page.evaluate(() => decodeURIComponent(location.hash));
 const selectedIn = (page) => page.evaluate(() => document.querySelector("#tree .selected")?.getAttribute("data-path") ?? null);
 async function pixels(page, nth = 0) {
@@ -107,7 +120,7 @@ async function oneRun(browser) {
   check("Escape selects nothing", (await selectedIn(page)) === null);
 
   // The organism: what the mouse stands on and clicks at
-  const box = await (await page.$("#explorer canvas")).boundingBox(), middle = [box.x + 0.4 * box.width, box.y + 0.45 * box.height];
+  const middle = await placeOn(page, 0.4, 0.45);
   await page.mouse.move(...middle);
   await page.waitForFunction(() => !document.querySelector(".tip").hidden, { timeout: 3000 }).catch(() => check("hover shows a name", false));
   const name = await page.$eval(".tip", (t) => t.textContent);
@@ -149,7 +162,7 @@ async function oneRun(browser) {
   await changes(page, "opacity", async () => { await page.focus(".tools input[name=opacity]"); for (let i = 0; i < 5; ++i) await page.keyboard.press("PageDown"); });
   await changes(page, "a clip plane", () => page.select(".tools select[name=clip]", "y"));
   await changes(page, "a view from above", () => page.select(".tools select[name=view]", "top"));
-  await changes(page, "turning with the mouse", async () => { await page.mouse.move(...middle); await page.mouse.down(); await page.mouse.move(middle[0] + 90, middle[1] + 20, { steps: 4 }); await page.mouse.up(); });
+  await changes(page, "turning with the mouse", () => drag(page, 90));
   await page.focus("#explorer canvas");
   await changes(page, "turning with keys", async () => { await page.keyboard.down("Shift"); await page.keyboard.press("ArrowLeft"); await page.keyboard.up("Shift"); });
   await pause(400);
@@ -200,8 +213,7 @@ async function narrow(browser) {
 async function twoRuns(browser) {
   const page = await open(browser, "two.html");
   check("two organisms side by side", (await page.$$("#explorer canvas")).length === 2);
-  const box = await (await page.$("#explorer canvas")).boundingBox(), at = [box.x + box.width / 2, box.y + box.height / 2];
-  await changes(page, "turning one organism turns the other, which", async () => { await page.mouse.move(...at); await page.mouse.down(); await page.mouse.move(at[0] + 60, at[1], { steps: 3 }); await page.mouse.up(); }, 1);
+  await changes(page, "turning one organism turns the other, which", () => drag(page, 60), 1);
   await page.focus("#time");
   await changes(page, "one slider for both, which", async () => { for (let i = 0; i < 8; ++i) await page.keyboard.press("ArrowLeft"); }, 1);
   check("what differs is named", /physics\.pressure\.constant/.test(await page.$eval("#parameters", (p) => p.textContent)));

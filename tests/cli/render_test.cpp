@@ -138,7 +138,7 @@ TEST_CASE("two runs stand side by side with the distance of their surfaces") {
   INFO(end.err);
   REQUIRE(end.code == 0);
   CHECK(sidesOf(readWhole(folder / "a.png")).first == 3 * (150 + 8) + 8);
-  CHECK(launch({"render", four, "--beside", "scenarios/thesis/elegans-128.yaml", "--time", "2.2"}).code == 3);
+  CHECK(launch({"render", four, "--beside", "scenarios/worm/four-cell.yaml", "--time", "2.3"}).code == 3);
 }
 
 TEST_CASE("chart draws measures over time, contacts and divisions of a stored run") {

@@ -43,6 +43,7 @@ export class View {
   private size = 1; // [length] of the farthest point that is ever seen
   private waiting = false;
   private drawn = false;
+  private gone = false; // a frame that is still asked for is not drawn
   private readonly edges: Uint32Array[] = [];
   private readonly key = { frame: -1, run: -1 };
 
@@ -63,7 +64,7 @@ export class View {
     this.setRun(run);
     this.takePaper();
     this.listen();
-    new ResizeObserver(() => this.resize()).observe(parent);
+    new ResizeObserver(() => { if (!this.gone) this.resize(); }).observe(parent);
     this.resize();
   }
 
@@ -314,6 +315,7 @@ export class View {
   }
 
   dispose(): void {
+    this.gone = true;
     this.controls.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -341,7 +343,7 @@ export class View {
   }
 
   drawNow(): void {
-    if (!this.frame) return;
+    if (!this.frame || this.gone) return;
     this.sort();
     this.renderer.render(this.scene, this.camera);
     if (!this.drawn) performance.mark("morula-first-frame");

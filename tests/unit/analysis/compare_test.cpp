@@ -65,7 +65,7 @@ TEST_CASE("Sentences say what differs, what does not and what tells nothing") {
   CHECK(says(verdicts, "clones 4.5 % tighter under longest than under random, every one of 10 pairs"));
   CHECK(says(verdicts, "sister adjacency is 0.994 to 1 everywhere: it tells nothing"));
   CHECK(std::ranges::any_of(verdicts, [](const std::string& line) {
-    return line.starts_with("clones: no difference is shown between none and both");
+    return line.starts_with("clone radius: no difference is shown between none and both");
   }));
   CHECK(verdicts.size() == 4);
   CHECK_THAT(verdicts.back(),
@@ -177,7 +177,7 @@ TEST_CASE("Conditions that mean the same are the same runs, and no comparison") 
   const auto c = compared(study);
   CHECK(says(troublesOf(c.results), "the same runs  longest, none = longest, both"));
   CHECK(pairOf(c, "clone_radius", "connections").sameRuns);
-  CHECK(says(verdictsOf(c), "clones: none and both are the same runs"));
+  CHECK(says(verdictsOf(c), "clone radius: none and both are the same runs"));
 }
 
 TEST_CASE("Main effects and interaction are those of the design") {

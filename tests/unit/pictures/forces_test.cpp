@@ -20,7 +20,7 @@ Scenario scenario(const std::string& physics) {
       "forces.yaml", "");
 }
 
-/// Four cells or two, some time after a division.
+/// Two cells, some time after a division.
 World worldOf(const Scenario& scenario, double time) {
   World world = makeWorld(scenario.scene);
   while (world.clock.time < time) step(world);
@@ -35,7 +35,8 @@ const std::string squeezed =
 TEST_CASE("the kinds of forces add up to mass times acceleration, and nothing is left unnamed", "[forces]") {
   for (const std::string& physics :
        {squeezed,
-        std::string("{mesh: {icosphere: 1}, shell: {ellipsoid: [1.2, 0.9, 0.9]}, contact: {}, drag: 0}"),
+        std::string("{mesh: {icosphere: 1}, cell: {radius: 0.85}, shell: {ellipsoid: [1.2, 0.9, 0.9]}, "
+                    "contact: {}, drag: 0}"),
         std::string("{mesh: {icosphere: 1}, contact: {adhesion: {strength: 0.5}}, drag: 0}")}) {
     CAPTURE(physics);
     const Scenario s = scenario(physics);
@@ -133,7 +134,7 @@ TEST_CASE("cells are coloured by measures, generations and clones, and the bar's
           "[colours]") {
   const Scenario s = scenario(squeezed);
   const World world = worldOf(s, 2.2);
-  REQUIRE(world.cells.path.size() == 4);
+  REQUIRE(world.cells.path.size() == 2);
   const auto pictureBy = [&](const char* what) {
     PictureWishes wishes;
     wishes.colouring = parseColouring(what);
@@ -152,12 +153,13 @@ TEST_CASE("cells are coloured by measures, generations and clones, and the bar's
   CHECK(pictureBy("volume_over_rest").instruments.colourBar);
   const OrganismPicture generation = pictureBy("generation");
   CHECK(generation.legend.size() == 1);
-  CHECK(generation.legend[0].label == "generation 2");
+  CHECK(generation.legend[0].label == "generation 1");
   const OrganismPicture clones = pictureBy("clone:1");
   REQUIRE(clones.legend.size() == 2);
   CHECK(clones.legend[0].label == "A");
-  CHECK(clones.cells[0].colour == clones.cells[1].colour);
-  CHECK(!(clones.cells[0].colour == clones.cells[2].colour));
+  CHECK(clones.legend[1].label == "B");
+  CHECK(clones.cells[0].colour == clones.legend[0].colour);
+  CHECK(clones.cells[1].colour == clones.legend[1].colour);
   for (const char* wrong : {"volum", "clone:0", "clone:5", "clone:", ""}) {
     CAPTURE(wrong);
     CHECK_THROWS_AS(parseColouring(wrong), InputError);
