@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "database/database.h"
+#include "database/store_error.h"
 #include "files/read_file.h"
 #include "golden/accept.h"
 #include "scenario/scenario.h"
-#include "store/database.h"
-#include "store/store_error.h"
 #include "system/usage_error.h"
 
 namespace morula {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "comparison/comparison.h"
+#include "database/store_error.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "pictures/pictures.h"
-#include "store/store_error.h"
 #include "system/usage_error.h"
 
 namespace morula {

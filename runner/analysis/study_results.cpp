@@ -4,10 +4,10 @@
 #include <map>
 
 #include "analysis/measure_words.h"
+#include "database/database.h"
+#include "database/schema.h"
+#include "database/store_error.h"
 #include "files/text.h"
-#include "store/database.h"
-#include "store/schema.h"
-#include "store/store_error.h"
 #include "system/json.h"
 
 namespace morula {

@@ -11,12 +11,13 @@
 #include "accuracy/target.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/picture_name.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
 #include "files/folders.h"
 #include "loop/simulate.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/picture_name.h"
+#include "options/verb.h"
 #include "pictures/pictures.h"
 #include "simulation/world.h"
 #include "system/child_process.h"
@@ -95,7 +96,8 @@ ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
       std::erase_if(all, [&](const Override& o) { return o.path == path; });
       all.push_back(parseOverride(change));
     }
-    if (!changes.empty()) {  // these are of the scenario as it is; measures may need what a check compares with
+    if (!changes
+             .empty()) {  // these are of the scenario as it is; measures may need what a check compares with
       all.push_back(parseOverride("check={}"));
       all.push_back(parseOverride("record.measures=null"));
     }

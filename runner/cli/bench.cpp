@@ -8,11 +8,12 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/picture_name.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
 #include "files/folders.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/picture_name.h"
+#include "options/verb.h"
 #include "pictures/pictures.h"
 #include "store/machine_info.h"
 #include "system/child_process.h"

@@ -2,12 +2,13 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/picture_name.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/picture_name.h"
+#include "options/verb.h"
 #include "pictures/pictures.h"
 #include "pictures/run_charts.h"
 #include "store/store.h"

@@ -1,10 +1,11 @@
 // morula explain: where and why a result differs.
 #include <memory>
 
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
 #include "explain/why.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/verb.h"
 #include "system/console.h"
 #include "system/signals.h"
 

@@ -6,12 +6,13 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/exit_codes.h"
 #include "cli/render_options.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
 #include "comparison/comparison.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
+#include "options/exit_codes.h"
+#include "options/verb.h"
 #include "organism/views.h"
 #include "pictures/film.h"
 #include "pictures/pictures.h"

@@ -6,9 +6,9 @@
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
-#include "cli/exit_codes.h"
-#include "cli/picture_name.h"
-#include "cli/verb.h"
+#include "options/exit_codes.h"
+#include "options/picture_name.h"
+#include "options/verb.h"
 #include "organism/views.h"
 #include "pictures/film.h"
 

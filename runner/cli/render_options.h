@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/options.h"
+#include "options/options.h"
 #include "pictures/picture_maker.h"
 
 namespace morula::cli {

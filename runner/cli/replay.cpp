@@ -5,11 +5,13 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
 #include "files/folders.h"
 #include "loop/stored_scenario.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/program.h"
+#include "options/verb.h"
 #include "system/console.h"
 
 namespace morula::cli {

@@ -3,11 +3,12 @@
 
 #include <memory>
 
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
 #include "files/folders.h"
 #include "files/write_file.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/verb.h"
 #include "system/console.h"
 #include "system/usage_error.h"
 

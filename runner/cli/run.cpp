@@ -4,9 +4,11 @@
 #include <set>
 
 #include "check/check_run.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/program.h"
+#include "options/verb.h"
 #include "run/run_scenario.h"
 #include "system/console.h"
 

@@ -3,8 +3,9 @@
 
 #include <memory>
 
-#include "cli/exit_codes.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
+#include "options/exit_codes.h"
+#include "options/verb.h"
 #include "study/study_schema.h"
 #include "system/console.h"
 #include "system/usage_error.h"

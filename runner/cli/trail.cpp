@@ -3,11 +3,12 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
 #include "explain/explain.h"
 #include "explain/hash_trace_json.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/verb.h"
 #include "simulation/checkpoint.h"
 #include "system/console.h"
 

@@ -2,11 +2,12 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/verb.h"
+#include "cli/verbs.h"
 #include "files/text.h"
 #include "loop/simulate.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/verb.h"
 #include "study/plan.h"
 #include "system/console.h"
 

@@ -1,16 +1,8 @@
 #pragma once
 // The verbs of the program: each adds its subcommand to the command line and, when it was chosen, the action.
-#include <functional>
-#include <string>
-
-namespace CLI {
-class App;
-}
+#include "options/verb.h"
 
 namespace morula::cli {
-
-/// What is to be done once the command line is understood. Returns the exit code.
-using Action = std::function<int()>;
 
 void addRun(CLI::App& app, Action& action);
 void addParts(CLI::App& app, Action& action);
@@ -28,23 +20,10 @@ void addExport(CLI::App& app, Action& action);
 void addReport(CLI::App& app, Action& action);
 void addAccuracy(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
-void addStudy(CLI::App& app, Action& action);
-void addCompare(CLI::App& app, Action& action);
 void addTrail(CLI::App& app, Action& action);
 void addEngineWorker(CLI::App& app, Action& action);
 
-// Below `study`, in the order in which they are used.
-void addStudyPlan(CLI::App& study, Action& action);
-void addStudyRun(CLI::App& study, Action& action);
-void addStudyStatus(CLI::App& study, Action& action);
-void addStudyMerge(CLI::App& study, Action& action);
-void addStudyCompare(CLI::App& study, Action& action);
-void addStudyEmit(CLI::App& study, Action& action);
-
-/// The command line as typed, for the record of a run.
-std::string commandLine();
-
-/// The whole program: reads the command line, acts, turns exceptions into exit codes.
-int runProgram(int argc, char** argv);
+/// All of them, and those of study_verbs/study_verbs.h.
+void addVerbs(CLI::App& app, Action& action);
 
 }  // namespace morula::cli

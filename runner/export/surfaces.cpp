@@ -7,10 +7,10 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "database/store_error.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "pictures/pictures.h"
-#include "store/store_error.h"
 #include "system/console.h"
 #include "system/usage_error.h"
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <string_view>
 
-#include "store/database.h"
-#include "store/store_error.h"
+#include "database/database.h"
+#include "database/store_error.h"
 
 namespace morula {
 

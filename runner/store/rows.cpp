@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "store/measure_columns.h"
+#include "database/measure_columns.h"
 
 namespace morula {
 

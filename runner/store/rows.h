@@ -1,6 +1,6 @@
 #pragma once
 // Rows out of plain data. Each function writes into a transaction of its caller's.
-#include "store/database.h"
+#include "database/database.h"
 #include "store/records.h"
 
 namespace morula {

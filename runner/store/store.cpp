@@ -2,9 +2,9 @@
 #include "store/store.h"
 
 #include "base/error.h"
+#include "database/schema.h"
+#include "database/store_error.h"
 #include "store/rows.h"
-#include "store/schema.h"
-#include "store/store_error.h"
 
 namespace morula {
 

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "database/database.h"
 #include "store/contents.h"
-#include "store/database.h"
 #include "store/records.h"
 #include "store/table_difference.h"
 #include "store/table_rows.h"

@@ -1,6 +1,6 @@
 // Runs that stop on the way, and go on.
 #include "base/error.h"
-#include "store/measure_columns.h"
+#include "database/measure_columns.h"
 #include "store/rows.h"
 #include "store/store.h"
 

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "base/error.h"
+#include "database/measure_columns.h"
+#include "database/store_error.h"
 #include "golden/number_text.h"
-#include "store/measure_columns.h"
 #include "store/store.h"
-#include "store/store_error.h"
 
 namespace morula {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "base/hash.h"
-#include "store/database.h"
+#include "database/database.h"
 
 namespace morula {
 

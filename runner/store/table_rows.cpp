@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "store/database.h"
+#include "database/database.h"
 
 namespace morula {
 

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "base/error.h"
+#include "database/store_error.h"
 #include "files/draft.h"
 #include "files/folders.h"
 #include "simulation/memory.h"
-#include "store/store_error.h"
 #include "system/clock.h"
 #include "tasks/study_rows.h"
 

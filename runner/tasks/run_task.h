@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "store/task_file.h"
+#include "study_store/task_file.h"
 #include "system/forked.h"
 #include "tasks/study_folder.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // A plan as rows of the merged database.
-#include "store/merged_study.h"
 #include "study/plan.h"
+#include "study_store/merged_study.h"
 
 namespace morula {
 

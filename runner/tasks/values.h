@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "store/records.h"
-#include "store/study_tables.h"
+#include "study_store/study_tables.h"
 
 namespace morula {
 

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
+#include "database/database.h"
 #include "golden/facts.h"
 #include "launch.h"
-#include "store/database.h"
 
 using namespace morula;
 using namespace morula::test;

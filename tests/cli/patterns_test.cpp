@@ -2,8 +2,8 @@
 #include <set>
 
 #include "catch.h"
+#include "database/database.h"
 #include "launch.h"
-#include "store/database.h"
 
 using namespace morula::test;
 using morula::Database;

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
+#include "database/database.h"
+#include "database/store_error.h"
 #include "launch.h"
-#include "store/database.h"
-#include "store/store_error.h"
 
 using namespace morula::test;
 using morula::Database;

@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "catch.h"
+#include "database/database.h"
 #include "launch.h"
-#include "store/database.h"
 
 using namespace morula::test;
 using morula::Database;

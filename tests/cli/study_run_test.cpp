@@ -10,8 +10,8 @@
 #include <set>
 
 #include "catch.h"
+#include "database/database.h"
 #include "launch.h"
-#include "store/database.h"
 
 using namespace morula::test;
 using Json = nlohmann::json;

@@ -10,7 +10,7 @@ house=$1
 shift
 # The map: "base ← mesh ← physics ← contacts, connections, division ← simulation", as many lines as it has.
 block=$(sed -n '/^```$/,/^```$/p' "$house/README.md")
-map=$(grep -E '^[a-z]+(, [a-z]+)* ←' <<<"$block" | sed 's/─*//g') || {
+map=$(grep -E '^[a-z_]+(, [a-z_]+)* ←' <<<"$block" | sed 's/─*//g') || {
   echo "$house/README.md has no map: lines as base ← mesh ← physics"
   exit 1
 }

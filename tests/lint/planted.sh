@@ -130,18 +130,18 @@ PLANTS
     rm -r "$core/attic"
     # A house on top of another: rooms of the lower one are below all of its own, and not the other way round.
     runner=$work/runner
-    mkdir -p "$runner"/{files,store,run,cli}
-    printf '```\nfiles ← store ← run\nrun ← cli\neverywhere: fmt\n```\n' >"$runner/README.md"
+    mkdir -p "$runner"/{files,store,long_run,cli}
+    printf '```\nfiles ← store ← long_run\nlong_run ← cli\neverywhere: fmt\n```\n' >"$runner/README.md"
     upper() { # FILE LINE
       printf '#include <fmt/format.h>\n#include "mesh/b.h"\n' >"$runner/files/g.cpp"
       printf '#include <fmt/format.h>\n#include <yaml-cpp/yaml.h>\n' >"$runner/store/h.h"
-      printf '#include "files/g.h"\n' >"$runner/run/i.h"
+      printf '#include "files/g.h"\n' >"$runner/long_run/i.h"
       printf '#include "store/h.h"\n#include "simulation/d.h"\n' >"$runner/cli/j.cpp"
       if [ $# -gt 0 ]; then echo "$2" >>"$runner/$1"; fi
     }
     upper && passes "downward, also by way of others" "$here/layers.sh" "$runner" "$core"
-    upper files/g.cpp '#include "run/i.h"' && finds "files/g.cpp:3: files includes" "$here/layers.sh" "$runner" "$core"
-    upper run/i.h '#include <yaml-cpp/yaml.h>' && finds "<yaml-cpp/yaml.h>: " "$here/layers.sh" "$runner" "$core"
+    upper files/g.cpp '#include "long_run/i.h"' && finds "files/g.cpp:3: files includes" "$here/layers.sh" "$runner" "$core"
+    upper long_run/i.h '#include <yaml-cpp/yaml.h>' && finds "<yaml-cpp/yaml.h>: " "$here/layers.sh" "$runner" "$core"
     upper && finds "mesh is not below it" "$here/layers.sh" "$runner"
     sources mesh/b.cpp '#include "files/g.h"' && finds "mesh/b.cpp:4: mesh includes" "$here/layers.sh" "$core"
     echo "no map" >"$core/README.md" && finds "has no map" "$here/layers.sh" "$core"

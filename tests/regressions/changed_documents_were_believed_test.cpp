@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "catch.h"
+#include "database/database.h"
 #include "launch.h"
-#include "store/database.h"
 
 using namespace morula::test;
 using morula::Database;

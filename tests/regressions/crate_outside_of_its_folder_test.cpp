@@ -4,8 +4,8 @@
 #include <set>
 
 #include "catch.h"
+#include "database/database.h"
 #include "hostile.h"
-#include "store/database.h"
 
 using namespace morula::test;
 namespace fs = std::filesystem;

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "catch.h"
+#include "database/database.h"
 #include "hostile.h"
-#include "store/database.h"
 #include "store/store.h"
 
 using namespace morula;

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "catch.h"
+#include "database/database.h"
 #include "hostile.h"
-#include "store/database.h"
 
 using namespace morula::test;
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
+#include "database/database.h"
 #include "launch.h"
-#include "store/database.h"
 
 using namespace morula;
 using namespace morula::test;

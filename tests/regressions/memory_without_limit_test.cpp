@@ -3,8 +3,8 @@
 // (exit code 3), and a run that would take more than its limit ends as a numerical failure (exit code 4) that
 // is stored and says what to change.
 #include "catch.h"
+#include "database/database.h"
 #include "launch.h"
-#include "store/database.h"
 
 using namespace morula;
 using namespace morula::test;

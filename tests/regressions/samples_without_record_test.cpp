@@ -2,8 +2,8 @@
 // cells had all died was stored as one without bodies. Every run has a sample of its start and of its end;
 // what was not measured is NULL, and what was measured is not.
 #include "catch.h"
+#include "database/database.h"
 #include "launch.h"
-#include "store/database.h"
 
 using namespace morula;
 using namespace morula::test;

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "store/database.h"
-#include "store/schema.h"
+#include "database/database.h"
+#include "database/schema.h"
 
 namespace morula {
 

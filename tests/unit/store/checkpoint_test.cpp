@@ -1,8 +1,8 @@
 // What a run that was stopped goes on from.
 #include "catch.h"
+#include "database/store_error.h"
 #include "example_run.h"
 #include "store/store.h"
-#include "store/store_error.h"
 #include "temporary_folder.h"
 
 using namespace morula;

@@ -1,9 +1,9 @@
 // The tables as other programs meet them: names, types, keys and numbers, asked for in plain SQL.
 #include "catch.h"
+#include "database/schema.h"
+#include "database/store_error.h"
 #include "example_run.h"
-#include "store/schema.h"
 #include "store/store.h"
-#include "store/store_error.h"
 #include "temporary_folder.h"
 
 using namespace morula;

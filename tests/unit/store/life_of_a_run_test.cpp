@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include "catch.h"
+#include "database/store_error.h"
 #include "example_run.h"
 #include "store/store.h"
-#include "store/store_error.h"
 #include "temporary_folder.h"
 
 using namespace morula;

@@ -4,12 +4,12 @@
 #include <map>
 
 #include "catch.h"
+#include "database/store_error.h"
 #include "example_run.h"
 #include "scenes.h"
 #include "simulation/measures.h"
 #include "store/recorder.h"
 #include "store/store.h"
-#include "store/store_error.h"
 #include "temporary_folder.h"
 
 using namespace morula;

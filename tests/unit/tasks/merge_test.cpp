@@ -4,7 +4,7 @@
 #include "catch.h"
 #include "files/folders.h"
 #include "small_study.h"
-#include "store/merged_study.h"
+#include "study_store/merged_study.h"
 
 using namespace morula;
 using namespace std::chrono_literals;

@@ -1,4 +1,4 @@
-#include "store/measure_columns.h"
+#include "database/measure_columns.h"
 
 #include <algorithm>
 #include <set>

@@ -6,7 +6,7 @@
 
 #include "store/records.h"
 #include "store/store.h"
-#include "store/study_tables.h"
+#include "study_store/study_tables.h"
 
 namespace morula {
 

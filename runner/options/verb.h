@@ -1,12 +1,18 @@
 #pragma once
 // A verb's place on the command line: what it wants to be told. The only way from verbs to CLI11, whose header
 // takes a compiler longer than most of them do.
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "cli/verbs.h"
+namespace CLI {
+class App;
+}
 
 namespace morula::cli {
+
+/// What is to be done once the command line is understood. Returns the exit code.
+using Action = std::function<int()>;
 
 /// A verb that only stands before others: `morula study plan`. Add those to what is returned.
 CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string& purpose);

@@ -1,8 +1,8 @@
-#include "cli/options.h"
+#include "options/options.h"
 
 #include "base/error.h"
-#include "cli/exit_codes.h"
-#include "cli/verb.h"
+#include "options/exit_codes.h"
+#include "options/verb.h"
 #include "system/usable_memory.h"
 #include "yaml/numbers.h"
 

@@ -3,10 +3,12 @@
 #include <memory>
 
 #include "base/did_you_mean.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/verb.h"
 #include "files/folders.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/program.h"
+#include "options/verb.h"
+#include "study_verbs/study_verbs.h"
 #include "system/console.h"
 #include "system/usable_memory.h"
 #include "tasks/merge.h"

@@ -1,9 +1,10 @@
 // morula study status: what has a result, what failed, what is missing, what it takes.
 #include <memory>
 
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/verb.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/verb.h"
+#include "study_verbs/study_verbs.h"
 #include "system/console.h"
 #include "tasks/status.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "files/draft.h"
-#include "store/task_file.h"
+#include "study_store/task_file.h"
 
 namespace morula {
 

@@ -1,5 +1,6 @@
 // morula study: from a study file to its answer. One file per verb below it: study_plan.cpp, …
-#include "cli/verb.h"
+#include "options/verb.h"
+#include "study_verbs/study_verbs.h"
 
 namespace morula::cli {
 

@@ -1,15 +1,15 @@
-// The command line as a whole: verbs, help, mistakes, exit codes.
+#include "options/program.h"
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "base/floating_point.h"
-#include "cli/exit_codes.h"
-#include "cli/verbs.h"
+#include "database/store_error.h"
 #include "files/text.h"
+#include "options/exit_codes.h"
 #include "store/build_info.h"
-#include "store/store_error.h"
 #include "system/console.h"
 #include "system/usable_memory.h"
 
@@ -75,7 +75,7 @@ void checkLeftovers(const CLI::App& verb) {
                                  : "did you mean " + near + "?"));
 }
 
-Action parse(int argc, char** argv) {
+Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
   CLI::App app{"Morula grows organisms from one cell, the same bits every time.", "morula"};
   app.footer(
       "Exit codes: 0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 5 study "
@@ -83,26 +83,7 @@ Action parse(int argc, char** argv) {
       "70 bug, 130 and 143 interrupted.");
   app.set_version_flag("--version", versionText());
   Action action;
-  addRun(app, action);
-  addParts(app, action);
-  addCheck(app, action);
-  addExplain(app, action);
-  addReview(app, action);
-  addValidate(app, action);
-  addSchema(app, action);
-  addInit(app, action);
-  addRender(app, action);
-  addChart(app, action);
-  addLineage(app, action);
-  addReplay(app, action);
-  addExport(app, action);
-  addReport(app, action);
-  addAccuracy(app, action);
-  addBench(app, action);
-  addStudy(app, action);
-  addCompare(app, action);
-  addTrail(app, action);
-  addEngineWorker(app, action);
+  addVerbs(app, action);
   const auto all = [](CLI::App*) { return true; };
   for (auto* verb : app.get_subcommands(all)) {
     verb->allow_extras();
@@ -136,14 +117,14 @@ Action parse(int argc, char** argv) {
 
 std::string commandLine() { return typed; }
 
-int runProgram(int argc, char** argv) {
+int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   setFloatingPoint();
   for (int i = 0; i < argc; ++i) typed += (i ? " " : "") + std::string(i ? argv[i] : "morula");
   std::signal(SIGXFSZ,
               SIG_IGN);  // then a write beyond the limit of file sizes fails, as one to a full disk does
   try {
     reserveStandardStreams();
-    const int code = parse(argc, argv)();
+    const int code = parse(argc, argv, addVerbs)();
     flushOutput();
     return code;
   } catch (const UsageError& error) {

@@ -1,4 +1,4 @@
-#include "cli/verb.h"
+#include "options/verb.h"
 
 #include <CLI/CLI.hpp>
 #include <utility>

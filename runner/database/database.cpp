@@ -1,4 +1,4 @@
-#include "store/database.h"
+#include "database/database.h"
 
 #include <sqlite3.h>
 #include <sys/resource.h>
@@ -7,10 +7,10 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "database/store_error.h"
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/read_file.h"
-#include "store/store_error.h"
 
 namespace morula {
 

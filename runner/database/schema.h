@@ -1,6 +1,6 @@
 #pragma once
-// The tables, and how a file shows whose it is and how old. README.md describes them for readers.
-#include "store/database.h"
+// The tables, and how a file shows whose it is and how old. store/README.md describes them for readers.
+#include "database/database.h"
 
 namespace morula {
 

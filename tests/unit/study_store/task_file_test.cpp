@@ -1,11 +1,11 @@
 // The file of a task, and all of them in one: what is stored comes back, what was changed is found.
-#include "store/task_file.h"
+#include "study_store/task_file.h"
 
 #include "catch.h"
-#include "example_run.h"
 #include "files/write_file.h"
-#include "store/merged_study.h"
+#include "study_store/merged_study.h"
 #include "temporary_folder.h"
+#include "unit/store/example_run.h"
 
 using namespace morula;
 using namespace std::chrono_literals;

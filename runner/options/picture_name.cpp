@@ -1,6 +1,6 @@
-#include "cli/picture_name.h"
+#include "options/picture_name.h"
 
-#include "cli/exit_codes.h"
+#include "options/exit_codes.h"
 #include "pictures/pictures.h"
 
 namespace morula::cli {

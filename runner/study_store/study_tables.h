@@ -1,13 +1,13 @@
 #pragma once
 // The tables of a study: `task`, `result` and `timing` stand in the file of one task and in the merged file; `study`, `axis`,
-// `level`, `condition`, `condition_key` and `replicate` in the merged file alone. store/README.md describes their columns.
+// `level`, `condition`, `condition_key` and `replicate` in the merged file alone. study_store/README.md describes their columns.
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/hash.h"
-#include "store/database.h"
+#include "database/database.h"
 
 namespace morula {
 

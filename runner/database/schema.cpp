@@ -1,9 +1,9 @@
-#include "store/schema.h"
+#include "database/schema.h"
 
 #include <array>
 
-#include "store/measure_columns.h"
-#include "store/store_error.h"
+#include "database/measure_columns.h"
+#include "database/store_error.h"
 
 namespace morula {
 
@@ -278,7 +278,7 @@ CREATE TABLE measure (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
-// Version 6 to 7: which condition of a study a run is of. The tables of a study (study_tables.h) join where there is one.
+// Version 6 to 7: which condition of a study a run is of. The tables of a study (study_store/study_tables.h) join where there is one.
 const char* const version7 = R"sql(
 ALTER TABLE run ADD COLUMN
   condition_id INTEGER;              -- of a study's merged database; NULL elsewhere

@@ -1,16 +1,16 @@
-#include "store/study_tables.h"
+#include "study_store/study_tables.h"
 
 #include <array>
 
 #include "base/error.h"
-#include "store/measure_columns.h"
-#include "store/store_error.h"
+#include "database/measure_columns.h"
+#include "database/store_error.h"
 
 namespace morula {
 
 namespace {
 
-// Keys that are texts of the plan's own making stand first, as in schema.cpp.
+// Keys that are texts of the plan's own making stand first, as in database/schema.cpp.
 const char* const taskTables = R"sql(
 CREATE TABLE task (
   task_id      TEXT NOT NULL,        -- from the scene's meaning, the seed if it is used, measures, when and keep

@@ -1,8 +1,8 @@
-#include "store/merged_study.h"
+#include "study_store/merged_study.h"
 
-#include "store/measure_columns.h"
-#include "store/schema.h"
-#include "store/store_error.h"
+#include "database/measure_columns.h"
+#include "database/schema.h"
+#include "database/store_error.h"
 
 namespace morula {
 

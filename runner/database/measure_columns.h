@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "database/database.h"
 #include "simulation/measures.h"
-#include "store/database.h"
 
 namespace morula {
 

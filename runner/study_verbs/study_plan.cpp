@@ -2,10 +2,11 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/verb.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/verb.h"
 #include "study/plan_folder.h"
+#include "study_verbs/study_verbs.h"
 #include "system/console.h"
 
 namespace morula::cli {

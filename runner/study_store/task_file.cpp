@@ -1,10 +1,10 @@
-#include "store/task_file.h"
+#include "study_store/task_file.h"
 
+#include "database/schema.h"
+#include "database/store_error.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "store/rows.h"
-#include "store/schema.h"
-#include "store/store_error.h"
 
 namespace morula {
 

@@ -1,6 +1,4 @@
 // morula compare: what a study has found.
-#include "cli/compare.h"
-
 #include <memory>
 
 #include "analysis/comparison.h"
@@ -8,13 +6,14 @@
 #include "analysis/organisms.h"
 #include "analysis/picture.h"
 #include "base/error.h"
-#include "cli/exit_codes.h"
-#include "cli/options.h"
-#include "cli/picture_name.h"
-#include "cli/verb.h"
 #include "files/folders.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/picture_name.h"
+#include "options/verb.h"
 #include "pictures/pictures.h"
 #include "study/plan.h"
+#include "study_verbs/study_verbs.h"
 #include "system/console.h"
 
 namespace morula::cli {
@@ -69,8 +68,7 @@ int act(const CompareCommand& command) {
   return fine;
 }
 
-}  // namespace
-
+/// To the program or to `study`: the same verb.
 void addCompareTo(CLI::App& above, Action& action) {
   auto command = std::make_shared<CompareCommand>();
   Verb verb(above, action, "compare",
@@ -95,6 +93,8 @@ void addCompareTo(CLI::App& above, Action& action) {
   add(verb, command->output);
   verb.does([command] { return act(*command); });
 }
+
+}  // namespace
 
 void addCompare(CLI::App& app, Action& action) { addCompareTo(app, action); }
 
