@@ -37,7 +37,7 @@ TEST_CASE("the kinds of forces add up to mass times acceleration, and nothing is
        {squeezed,
         std::string("{mesh: {icosphere: 1}, cell: {radius: 0.85}, shell: {ellipsoid: [1.2, 0.9, 0.9]}, "
                     "contact: {}, drag: 0}"),
-        std::string("{mesh: {icosphere: 1}, contact: {adhesion: {strength: 0.5}}, drag: 0}")}) {
+        std::string("{mesh: {icosphere: 1}, contact: {adhesion: {default: 0.5}}, drag: 0}")}) {
     CAPTURE(physics);
     const Scenario s = scenario(physics);
     World world = worldOf(s, 1.3);
