@@ -24,7 +24,7 @@ struct Study {
   TemporaryFolder folder;
   Study() {
     std::string scenario = readWhole(MORULA_SOURCE_DIR "/tests/studies/small.yaml");
-    scenario.replace(scenario.find("icosphere: 1"), 12, "icosphere: 3");
+    scenario.replace(scenario.find("icosphere: 1"), 12, "icosphere: 2");
     writeWhole(folder / "small.yaml", scenario);
     writeWhole(folder / "small.study.yaml",
                "morula-study: 1\nname: small\nbase: small.yaml\n"
