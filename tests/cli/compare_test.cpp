@@ -36,7 +36,7 @@ TEST_CASE("compare prints sentences, tables, JSON and CSV, and draws") {
   REQUIRE(text.code == 0);
   CHECK(text.err.empty());
   CHECK_THAT(text.out, ContainsSubstring(
-                           "clones 4.5 % tighter under longest than under random, every one of 10 pairs"));
+                           "clones 4.6 % tighter under longest than under random, every one of 10 pairs"));
   CHECK(launch({"study", "compare", file}).out == text.out);
   CHECK(launch({"compare", folder.path()}).out == text.out);  // the folder that it lies in
   CHECK(launch({"compare", file, "--by", "division"}).out == text.out);
@@ -90,10 +90,11 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
 
 TEST_CASE("A study is run, merged and compared, and one organism of each condition is drawn") {
   const TemporaryFolder folder;
-  writeWhole(folder / "pair.yaml",
-             "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {time: 1.5}\n"
-             "physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, drag: 5, shell: {sphere: 1}, contact: {}}\n"
-             "variation: {share: 0.05}\n");
+  writeWhole(
+      folder / "pair.yaml",
+      "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {time: 1.5}\n"
+      "physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, drag: 5, shell: {sphere: 1}, contact: {}}\n"
+      "variation: {share: 0.05}\n");
   writeWhole(folder / "pair.study.yaml",
              "morula-study: 1\nname: pair\nbase: pair.yaml\n"
              "vary: {drag: {little: {physics.drag: 4}, much: {physics.drag: 8}}}\n"
