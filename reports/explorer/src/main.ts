@@ -7,7 +7,7 @@ import { Info } from "./info";
 import { State, type Choice } from "./state";
 import { element, Tools } from "./tools";
 import { Tree } from "./tree";
-import { View } from "./view";
+import { standpoints, View } from "./view";
 
 class Explorer {
   private readonly state: State;
@@ -83,6 +83,12 @@ class Explorer {
         box.replaceChildren();
         this.showPicture(box, number);
       }
+    }
+    // One scale for all, so that sizes can be compared.
+    const size = Math.max(...this.views.map((view) => view.size));
+    for (const view of this.views) {
+      view.size = size;
+      view.look(standpoints.iso);
     }
     this.scaleBars();
   }
