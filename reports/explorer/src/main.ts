@@ -56,7 +56,6 @@ class Explorer {
     this.state.listen((changed) => this.changed(changed));
     root.addEventListener("keydown", (e) => this.key(e));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.views.forEach((v) => v.takePaper()));
-    if (this.state.choice.camera) this.views.forEach((v) => v.putAt(this.state.choice.camera!));
     this.updateAll();
   }
 
@@ -85,11 +84,14 @@ class Explorer {
       }
     }
     // One scale for all, so that sizes can be compared.
-    const size = Math.max(...this.views.map((view) => view.size));
+    const size = Math.max(...this.views.map((view) => view.size)), { camera } = this.state.choice;
+    this.linking = true; // where the eye stands at first is no choice of the user's
     for (const view of this.views) {
       view.size = size;
       view.look(standpoints.iso);
+      if (camera) view.putAt(camera);
     }
+    this.linking = false;
     this.scaleBars();
   }
 
