@@ -35,6 +35,8 @@ ul.findings { list-style: none; margin: .5rem 0 0; padding: 0; }
 ul.findings li { margin: .3rem 0; padding: .35rem .6rem; border-radius: 5px; overflow-wrap: anywhere; }
 li.good { background: var(--good-back); } li.bad { background: var(--bad-back); } li.warn { background: var(--warn-back); }
 .mark { font-weight: bold; margin-right: .4rem; }
+td .mark { white-space: nowrap; }
+.pictures img { max-height: 34rem; }
 .mark.good, td.good { color: var(--good); } .mark.bad, td.bad { color: var(--bad); } .mark.warn { color: var(--warn); }
 .wide { overflow-x: auto; max-width: 100%; }
 table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; }

@@ -97,6 +97,7 @@ std::string differences(const std::vector<RunFacts>& runs) {
   }
   std::vector<std::pair<std::string, std::vector<std::string>>> rows;
   for (const std::string& key : keys) {
+    if (key == "seed") continue;  // stands among where they come from
     std::vector<std::string> row;
     for (const auto& of : values) row.push_back(of.contains(key) ? of.at(key) : "not given");
     if (std::any_of(row.begin(), row.end(), [&](const auto& v) { return v != row.front(); }))

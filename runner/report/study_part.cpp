@@ -13,6 +13,8 @@ namespace morula {
 
 namespace {
 
+constexpr std::size_t mostSentences = 16;  // that are seen without being asked for
+
 Database openStudy(const std::string& file) {
   return Database(file, Database::Mode::existing, std::chrono::milliseconds(30'000));
 }
@@ -105,14 +107,19 @@ PagePart studyPart(const std::string& database) {
                  counted(r.tasks.size(), "distinct run") + (r.tasks.size() == 1 ? " is" : " are") +
                  " done: " + counted(r.conditions.size(), "condition") + ", " +
                  counted(r.seeds.size(), "seed") + ".</p>\n" + findingsHtml(findings);
-  std::string said;
-  for (const std::string& sentence : verdictsOf(c)) said += "<li>" + shown(sentence) + "</li>\n";
+  const std::vector<std::string> sentences = verdictsOf(c);
+  std::string said, more;
+  for (std::size_t i = 0; i < sentences.size(); ++i)
+    (i < mostSentences ? said : more) += "<li>" + shown(sentences[i]) + "</li>\n";
+  if (!said.empty()) said = "<ul>\n" + said + "</ul>\n";
+  if (!more.empty())
+    said +=
+        htmlFolded(counted(sentences.size() - mostSentences, "more sentence"), "<ul>\n" + more + "</ul>\n");
   const std::string file = shellWord(database);
-  part.change.push_back(
-      {"findings",
-       "What the study finds",
-       said.empty() ? "<p>Nothing: no measure has values.</p>\n" : "<ul>\n" + said + "</ul>\n",
-       {"./morula study compare " + file}});
+  part.change.push_back({"findings",
+                         "What the study finds",
+                         said.empty() ? "<p>Nothing: no measure has values.</p>\n" : said,
+                         {"./morula study compare " + file}});
   part.blocks.push_back(
       {"strips",
        "Every value",

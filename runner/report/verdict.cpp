@@ -88,23 +88,21 @@ std::string sentenceOf(const std::vector<RunFacts>& runs, bool bad, bool warned)
   return counted(runs.size(), "run") + ": " + ending;
 }
 
-/// Runs of one scene that differ only in their seed, and not in their end.
+/// Runs of one scenario that differ in their seed, and not in their end.
 void judgeSeeds(const std::vector<RunFacts>& runs, std::vector<Finding>& findings) {
-  std::map<std::pair<std::string, std::string>, std::set<std::uint64_t>> seeds;  // of a scene and an end
+  const auto keyOf = [](const RunFacts& r) { return r.run.record.scenario + ' ' + r.run.stateHash; };
+  std::map<std::string, std::set<std::uint64_t>> seeds;
   for (const RunFacts& r : runs)
-    if (r.run.status == RunStatus::done)
-      seeds[{r.run.record.scenarioHash, r.run.stateHash}].insert(r.run.record.seed);
-  std::set<std::string> said;
+    if (r.run.status == RunStatus::done) seeds[keyOf(r)].insert(r.run.record.seed);
   for (const RunFacts& r : runs) {
-    const auto same = seeds.find({r.run.record.scenarioHash, r.run.stateHash});
-    if (same == seeds.end() || same->second.size() < 2 ||
-        !said.insert(r.run.record.scenarioHash + r.run.stateHash).second)
-      continue;
+    const auto same = seeds.find(keyOf(r));
+    if (same == seeds.end() || same->second.size() < 2) continue;
     findings.push_back(
         {Kind::warning,
          counted(same->second.size(), "seed") + " of " + shown(r.run.record.scenario) +
              " gave one and the same result, bit for bit: they are no replicates" +
-             (usesSeed(r.scenario.scene) ? "" : ", since nothing in this scene varies with the seed")});
+             (usesSeed(r.scenario.scene) ? "" : ", since nothing in this scenario varies with the seed")});
+    seeds.erase(same);  // said
   }
 }
 

@@ -7,7 +7,7 @@ import { Info } from "./info";
 import { State, type Choice } from "./state";
 import { element, Tools } from "./tools";
 import { Tree } from "./tree";
-import { View } from "./view";
+import { standpoints, View } from "./view";
 
 class Explorer {
   private readonly state: State;
@@ -56,7 +56,6 @@ class Explorer {
     this.state.listen((changed) => this.changed(changed));
     root.addEventListener("keydown", (e) => this.key(e));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.views.forEach((v) => v.takePaper()));
-    if (this.state.choice.camera) this.views.forEach((v) => v.putAt(this.state.choice.camera!));
     this.updateAll();
   }
 
@@ -84,6 +83,15 @@ class Explorer {
         this.showPicture(box, number);
       }
     }
+    // One scale for all, so that sizes can be compared.
+    const size = Math.max(...this.views.map((view) => view.size)), { camera } = this.state.choice;
+    this.linking = true; // where the eye stands at first is no choice of the user's
+    for (const view of this.views) {
+      view.size = size;
+      view.look(standpoints.iso);
+      if (camera) view.putAt(camera);
+    }
+    this.linking = false;
     this.scaleBars();
   }
 

@@ -40,7 +40,7 @@ export class View {
   private order: number[] = [];
   private seeThrough: boolean[] = [];
   private centres!: Float32Array;
-  private size = 1; // [length] of the farthest point that is ever seen
+  size = 1; // [length] of the farthest point that is ever seen
   private waiting = false;
   private drawn = false;
   private gone = false; // a frame that is still asked for is not drawn
