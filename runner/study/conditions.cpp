@@ -77,7 +77,7 @@ void checkMeasures(const Study& study, const Condition& condition, ConditionMist
 
 std::size_t countConditions(const Study& study) {
   std::size_t count = 1;
-  for (const Axis& axis : study.axes)
+  for (const StudyAxis& axis : study.axes)
     count = std::min(count * std::max<std::size_t>(axis.levels.size(), 1), mostConditions + 1);
   return count;
 }

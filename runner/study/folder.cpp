@@ -33,7 +33,7 @@ void countFromFolder(Plan& plan) {
   Study& study = plan.study;
   const auto folder = folderOf(study.file);
   const std::string file = study.file, name = std::filesystem::path(file).filename().string();
-  for (Axis& axis : study.axes)
+  for (StudyAxis& axis : study.axes)
     for (Level& level : axis.levels)
       for (Override& change : level.overrides) rename(change.place, file, name);
   for (Condition& condition : plan.conditions) {

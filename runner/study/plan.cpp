@@ -50,7 +50,7 @@ void addTasks(Plan& plan) {
 std::string planId(const Plan& plan) {
   Hasher hasher;
   hasher.field("plan").add(plan.study.name);
-  for (const Axis& axis : plan.study.axes) {
+  for (const StudyAxis& axis : plan.study.axes) {
     hasher.field("axis").add(axis.name).add(std::uint64_t{axis.levels.size()});
     for (const Level& level : axis.levels) {
       hasher.field("level").add(level.label).add(std::uint64_t{level.overrides.size()});

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int formatVersion = 1;
 
-Json toJson(const Axis& axis) {
+Json toJson(const StudyAxis& axis) {
   Json levels = Json::array();
   for (const Level& level : axis.levels) {
     Json changes = Json::array();
@@ -31,7 +31,7 @@ Json toJson(const Axis& axis) {
 Json toJson(const Study& s) {
   Json bases = Json::array(), axes = Json::array();
   for (const Base& base : s.bases) bases.push_back({{"label", base.label}, {"file", base.file}});
-  for (const Axis& axis : s.axes) axes.push_back(toJson(axis));
+  for (const StudyAxis& axis : s.axes) axes.push_back(toJson(axis));
   return {{"file", s.file},
           {"name", s.name},
           {"summary", s.summary},

@@ -88,7 +88,7 @@ std::optional<RunCost> totalCost(const Plan& plan) {
 std::string describe(const Plan& plan) {
   const Study& s = plan.study;
   std::string text = s.name + (s.summary.empty() ? "" : ": " + s.summary) + "\n";
-  for (const Axis& axis : s.axes) {
+  for (const StudyAxis& axis : s.axes) {
     std::vector<std::string> labels;
     for (const Level& level : axis.levels) labels.push_back(level.label);
     text += fmt::format("  {}: {}\n", axis.name, join(labels));
@@ -111,7 +111,7 @@ std::string describe(const Plan& plan) {
 
 Json summaryOf(const Plan& plan) {
   Json conditions = Json::array(), axes = Json::array(), tasks = Json::array();
-  for (const Axis& axis : plan.study.axes) {
+  for (const StudyAxis& axis : plan.study.axes) {
     Json labels = Json::array();
     for (const Level& level : axis.levels) labels.push_back(level.label);
     axes.push_back({{"name", axis.name}, {"labels", std::move(labels)}});

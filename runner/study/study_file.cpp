@@ -24,7 +24,7 @@ void refuseScenario(const Node& root, Problems& problems) {
 
 void addBaseAxis(Study& study) {
   if (study.bases.size() < 2) return;
-  Axis axis{"base", {}};
+  StudyAxis axis{"base", {}};
   for (const Base& base : study.bases) axis.levels.push_back({base.label, {}});
   study.axes.insert(study.axes.begin(), std::move(axis));
 }
@@ -48,7 +48,7 @@ void lookAtScenarios(Study study, const std::set<std::string>& clashing, Problem
   constexpr std::size_t enough = 200;  // conditions
   if (study.bases.empty()) return;
   std::erase_if(study.axes,
-                [&](const Axis& axis) { return axis.levels.empty() || clashing.contains(axis.name); });
+                [&](const StudyAxis& axis) { return axis.levels.empty() || clashing.contains(axis.name); });
   if (study.seeds.empty()) study.seeds = {1};
   std::vector<std::string> warnings;
   study::loadConditions(study, problems, warnings, {}, enough);

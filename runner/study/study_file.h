@@ -20,7 +20,7 @@ struct Level {
   std::vector<Override> overrides;  // none: the scenario as it is
 };
 
-struct Axis {
+struct StudyAxis {
   std::string name;
   std::vector<Level> levels;  // one or more, in the order of the file
 };
@@ -84,7 +84,7 @@ struct Study {
   std::string bytes;  // the file, byte by byte
   std::string name, summary;
   std::vector<Base> bases;
-  std::vector<Axis>
+  std::vector<StudyAxis>
       axes;  // as in the file; several bases are the first axis, `base`, whose levels override nothing
   std::vector<std::uint64_t> seeds;   // one or more, each once, in the order of the file
   std::vector<std::string> measures;  // as StudyMeasure::name [study_measures.h], each once

@@ -43,7 +43,7 @@ std::string placeOf(const Node& node, const Problems& problems) {
   return scenario::placeText(problems.file(), node.place);
 }
 
-void readLevel(Axis& axis, const Member& member, Problems& problems) {
+void readLevel(StudyAxis& axis, const Member& member, Problems& problems) {
   const std::string path = "vary." + axis.name + "." + member.key;
   if (!isLabel(member.key))
     return problems.add(member.place, path, "'" + member.key + "' is no label", labelNeeds);
@@ -78,11 +78,11 @@ void readAxis(Study& study, const Member& member, Problems& problems) {
                           [&](const std::string& word) { return equalButForCase(word, member.key); }))
     return problems.add(member.place, path, "results have a column of this name already",
                         "call the axis otherwise");
-  for (const Axis& other : study.axes)
+  for (const StudyAxis& other : study.axes)
     if (equalButForCase(other.name, member.key))
       return problems.add(member.place, path, "is called as " + other.name + " but for case",
                           "call one otherwise");
-  Axis axis{member.key, {}};
+  StudyAxis axis{member.key, {}};
   if (member.value.kind != Node::Kind::map)
     return scenario::refuse(member.value, path, "a map of labels, as {longest: {division.plane: longest}}",
                             problems);
@@ -121,11 +121,11 @@ Key varyKey() {
 std::set<std::string> checkAxes(const Study& study, Problems& problems) {
   std::set<std::string> wrong;
   struct Use {
-    const Axis* axis;
+    const StudyAxis* axis;
     const Override* change;
   };
   std::map<std::string, std::vector<Use>> uses;  // of each path, one an axis
-  for (const Axis& axis : study.axes)
+  for (const StudyAxis& axis : study.axes)
     for (const Level& level : axis.levels)
       for (const Override& change : level.overrides) {
         auto& list = uses[change.path];

@@ -19,7 +19,7 @@ std::string keysOf(const Level& level) {
 /// All keys that some level changes, in the order of the file.
 std::vector<std::string> changedKeys(const Study& study) {
   std::vector<std::string> keys;
-  for (const Axis& axis : study.axes)
+  for (const StudyAxis& axis : study.axes)
     for (const Level& level : axis.levels)
       for (const Override& o : level.overrides)
         if (std::ranges::find(keys, o.path) == keys.end()) keys.push_back(o.path);
@@ -81,7 +81,7 @@ StudyTables tablesOf(const Plan& plan) {
                      .conditions = {},
                      .replicates = {}};
   std::vector<std::string> names;
-  for (const Axis& axis : study.axes) names.push_back(axis.name);
+  for (const StudyAxis& axis : study.axes) names.push_back(axis.name);
   names = asColumns(std::move(names), {"condition_id", "uses_seed", "distinct_runs"});
   for (std::size_t a = 0; a < study.axes.size(); ++a) {
     tables.axes.push_back({names[a], {}});
