@@ -1,5 +1,5 @@
 #pragma once
-// The results of all tasks in one database, on whichever machines they were computed.
+// The results of all tasks in one database, on whatever machine they were computed and wherever their files lie.
 #include <filesystem>
 #include <string>
 #include <vector>
