@@ -34,11 +34,20 @@ Spread spreadOf(const StudyComparison& c, std::size_t measure) {
   return s;
 }
 
-bool anyShown(const StudyComparison& c, std::size_t measure) {
-  return std::ranges::any_of(c.pairs, [&](const PairComparison& p) {
-    return p.measure == measure && (p.isShown() || (p.known == Known::exact && p.paired.difference != 0));
-  });
+/// By statistics, or because both sides are known exactly.
+bool isDifferent(const PairComparison& p) {
+  return p.isShown() || (p.known == Known::exact && p.paired.difference != 0);
 }
+
+bool anyShown(const StudyComparison& c, std::size_t measure) {
+  return std::ranges::any_of(c.pairs,
+                             [&](const PairComparison& p) { return p.measure == measure && isDifferent(p); });
+}
+
+/// In the order of measures and pairs each; what is known is read first.
+struct Verdicts {
+  std::vector<std::string> known, open;
+};
 
 /// " at none" for what is fixed.
 std::string place(const StudyComparison& c, const PairComparison& pair) {
@@ -103,14 +112,14 @@ std::string equivalenceVerdict(const StudyComparison& c, const PairComparison& p
 }
 
 /// Interactions alone: main effects are what the pairs say.
-void addInteractions(const StudyComparison& c, std::size_t measure, std::vector<std::string>& verdicts) {
+void addInteractions(const StudyComparison& c, std::size_t measure, Verdicts& verdicts) {
   for (const MeasureEffects& effects : c.effects) {
     if (effects.measure != measure) continue;
     for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
       const FactorEffect& e = effects.analysis.effects[i];
       const auto& p = effects.corrected[i];
       if (e.factors.size() < 2 || !p || *p >= 0.05) continue;
-      verdicts.push_back(fmt::format(
+      verdicts.known.push_back(fmt::format(
           "{}: what {} does depends on {} (interaction, η² {}, {})",
           wordsOfMeasure(c.measureName(measure)).noun, c.results.axes[effects.axes[e.factors[0]]].name,
           c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(p)));
@@ -118,23 +127,24 @@ void addInteractions(const StudyComparison& c, std::size_t measure, std::vector<
   }
 }
 
-void addMeasure(const StudyComparison& c, std::size_t measure, std::vector<std::string>& verdicts) {
+void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdicts) {
   const Spread spread = spreadOf(c, measure);
   if (!(spread.low <= spread.high)) {
-    verdicts.push_back(c.measureName(measure) + ": there was nothing to measure in any run");
+    verdicts.open.push_back(c.measureName(measure) + ": there was nothing to measure in any run");
     return;
   }
   const bool tellsNothing = spread.share() <= littleRange && !anyShown(c, measure);
   if (tellsNothing) {
     const std::string low = numberText(spread.low, 3), high = numberText(spread.high, 3);
-    verdicts.push_back(fmt::format("{} is {} everywhere: it tells nothing",
-                                   wordsOfMeasure(c.measureName(measure)).noun,
-                                   low == high ? low : low + " to " + high));
+    verdicts.known.push_back(fmt::format("{} is {} everywhere: it tells nothing",
+                                         wordsOfMeasure(c.measureName(measure)).noun,
+                                         low == high ? low : low + " to " + high));
   }
   for (const PairComparison& pair : c.pairs) {
     if (pair.measure != measure) continue;
-    if (!tellsNothing) verdicts.push_back(pairVerdict(c, pair));
-    if (pair.equivalence) verdicts.push_back(equivalenceVerdict(c, pair));
+    auto& part = isDifferent(pair) || pair.equivalence ? verdicts.known : verdicts.open;
+    if (!tellsNothing) part.push_back(pairVerdict(c, pair));
+    if (pair.equivalence) part.push_back(equivalenceVerdict(c, pair));
   }
   if (!tellsNothing) addInteractions(c, measure, verdicts);
 }
@@ -161,10 +171,12 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
 }  // namespace
 
 std::vector<std::string> verdictsOf(const StudyComparison& c) {
-  std::vector<std::string> verdicts;
+  Verdicts verdicts;
   for (const std::size_t m : c.measures) addMeasure(c, m, verdicts);
-  addCommonRandomNumbers(c, verdicts);
-  return verdicts;
+  std::vector<std::string> all = std::move(verdicts.known);
+  all.insert(all.end(), verdicts.open.begin(), verdicts.open.end());
+  addCommonRandomNumbers(c, all);
+  return all;
 }
 
 std::vector<std::string> troublesOf(const StudyResults& r) {
