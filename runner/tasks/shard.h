@@ -6,8 +6,8 @@
 
 namespace morula {
 
-/// Every `of`-th task, from the `number`-th on. It depends on the plan's tasks alone, so that machines that know nothing of
-/// each other share them out alike; neighbours in the plan are of one condition, and go to different shares.
+/// The tasks number, number + of, number + 2·of, … of the plan, counted from 1. The plan alone decides, so machines need not
+/// communicate. Consecutive tasks, which belong to one condition and cost about the same, are in different shards.
 struct Shard {
   std::size_t number = 1, of = 1;  // number: from 1
 };

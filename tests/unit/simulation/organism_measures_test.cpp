@@ -252,7 +252,7 @@ TEST_CASE("Displacement: a cell is moved by (3, 4, 0), and so is 5 away from whe
   const auto divide = [&](const std::vector<CellChange>& changes) {
     changePopulation(world, Observation(world), changes);
   };
-  CHECK(ways().empty());  // nobody divided to make the egg
+  CHECK(ways().empty());  // the egg is no daughter: no division led to it
   divide({CellChange::divides});
   CHECK(ways() == std::map<std::string, double>{{"A", 0}, {"B", 0}});
   std::vector<Body> bodies;

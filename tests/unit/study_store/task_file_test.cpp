@@ -68,7 +68,7 @@ TEST_CASE("a task's file is a database of one run, with the task beside it") {
   CHECK(task.run().stateHash == exampleEnd().stateHash->text());
   CHECK(task.timing().cpuSeconds == 0.25);
   CHECK(task.timing().host == "here");
-  Store store = Store::openForReading(file);  // by those that know nothing of studies
+  Store store = Store::openForReading(file);  // the file is an ordinary database of runs, too
   CHECK(store.results(task.run().id).lineage.size() == 3);
   Database db(file, Database::Mode::existing, 1s);
   CHECK(db.integer("SELECT count(*) FROM result WHERE value = 1.0 / 3 AND measure = 'sphericity'") == 1);
