@@ -107,7 +107,8 @@ struct StudyComparison {
 /// Throws UsageError for axes, measures and margins that the study has not.
 StudyComparison compareStudy(StudyResults results, const CompareOptions& options);
 
-/// Sentences: first what differs, what is equivalent and what tells nothing, then where no difference is shown; each by measure and pair.
+/// Sentences: first what differs, what is equivalent and what tells nothing, then where no difference is shown; each by
+/// measure and pair.
 std::vector<std::string> verdictsOf(const StudyComparison& comparison);
 /// Runs that failed, are missing or are not sane, a line each; and groups of conditions that are the same runs.
 std::vector<std::string> troublesOf(const StudyResults& results);

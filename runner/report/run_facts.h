@@ -1,6 +1,6 @@
 #pragma once
-// What a page says of one run: what the database holds of it, what its scenario and its golden file say, and the run once more,
-// for its shapes, which no database keeps.
+// What a page says of one run: what the database holds of it, what its scenario and its golden file say, and the run made
+// again for its shapes, which few databases keep.
 #include <memory>
 #include <optional>
 #include <string>

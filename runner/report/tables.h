@@ -8,7 +8,7 @@
 namespace morula {
 
 std::string cellsCsv(const RunResults& results);
-/// "" without samples; so cellSamplesCsv.
+/// These two are "" without samples.
 std::string samplesCsv(const RunResults& results);
 std::string cellSamplesCsv(const RunResults& results);
 

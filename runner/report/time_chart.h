@@ -1,5 +1,5 @@
 #pragma once
-// Something over time, as a drawing.
+// What changes over time, one line for each run, as a drawing.
 #include <string>
 #include <vector>
 

@@ -24,7 +24,7 @@ std::string findingsHtml(const std::vector<Finding>& findings);
 /// "1 cell", "2 cells".
 std::string counted(std::uint64_t count, const std::string& what);
 
-/// "unique-four, seed 5", and where that is no answer also the run's id: how a run is called on a page with `all` runs.
+/// "unique-four, seed 5", and the run's id where another run has the same: how a run is called on a page with `all` runs.
 std::string titleOf(const RunFacts& run, const std::vector<RunFacts>& all);
 
 /// As one word of a command line.
