@@ -57,9 +57,11 @@ PageBlock downloadBlock(const std::vector<RunFacts>& runs, std::size_t mostBytes
     const std::string ending = runs.size() > 1 ? "-" + runs[i].run.id : "";
     offerRun(runs[i], ending, links);
     if (block.commands.size() >= 4) continue;
-    block.commands.push_back(commandFor(runs[i], "export", "--format csv -o tables" + ending));
+    // They do not replace what is there, so each has a name of its own.
+    const std::string& id = runs[i].run.id;
+    block.commands.push_back(commandFor(runs[i], "export", "--format csv -o tables-" + id));
     if (!runs[i].results.lineage.empty())
-      block.commands.push_back(commandFor(runs[i], "export", "--format newick -o lineage" + ending + ".nwk"));
+      block.commands.push_back(commandFor(runs[i], "export", "--format newick -o lineage-" + id + ".nwk"));
   }
   block.html = "<div class=\"downloads\">\n" + links.html + "</div>\n";
   if (!links.left.empty())

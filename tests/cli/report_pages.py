@@ -99,22 +99,22 @@ done = set()
 for name in pages:
     page = read(name)
     text = "".join(page.text)
-    if name in ("one", "two") and "<script>window.evil=1</script>" not in text:
+    if name == "one" and "<script>window.evil=1</script>" not in text:
         fault(name, "the summary is not seen as it was written")
     if not page.commands:
         fault(name, "no commands")
     for command in page.commands:
-        if command in done:
+        # The pages are made again by one of their commands; the others differ in their files.
+        kind = "report" if command.startswith("./morula report") else command
+        if kind in done:
             continue
-        done.add(command)
+        done.add(kind)
         if not command.startswith("./morula "):
             fault(name, f"not a command of Morula: {command}")
             continue
         run = subprocess.run(command, shell=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
         if run.returncode not in fine.get(command.split()[1], (0,)):
             fault(name, f"exit {run.returncode}: {command}\n{run.stdout.decode(errors='replace')[-600:]}")
-    if sys.flags.verbose:
-        print(name, len(page.commands))
 
 # A database that others may have changed: what is shown of it stays text.
 import sqlite3
