@@ -127,6 +127,8 @@ button, select, input { font: inherit; color: inherit; }
     --good-back: #fff; --bad-back: #fff; --warn-back: #fff; }
   body { font-size: 10pt; } header, main, footer { max-width: none; padding: 0; }
   section { border: 0; padding: 0; margin: .8rem 0; } #verdict { padding-left: .6rem; }
+  .wide, .large { overflow: visible; } td, th, thead th { overflow-wrap: anywhere; white-space: normal; } td { min-width: 2.5rem; }
+  .long { min-width: 0; } #compare { display: none; }
   .tools, .views, .clock, .tip, .downloads, .swipe-tools, #explorer .bar, #info { display: none !important; }
   .panes { display: block; } .tree { height: auto; overflow: visible; border: 0; } pre { max-height: none; }
   h2, h3 { break-after: avoid; } figure, tr, li { break-inside: avoid; }

@@ -22,12 +22,6 @@ std::string placeOf(const CheckResult& r, const CellNames& names) {
   return text;
 }
 
-/// Hashes may be broken anywhere, words may not.
-std::string value(const std::string& text) {
-  return text.find(' ') == text.npos && text.size() > 24 ? "<span class=\"long\">" + shown(text) + "</span>"
-                                                         : shown(text);
-}
-
 std::vector<std::string> rowOf(const CheckResult& r, const CellNames& names) {
   const bool limit = r.tolerance == "exact" && (r.kind == "sanity" || r.kind == "invariant");
   return {shown(r.check),
@@ -37,8 +31,8 @@ std::vector<std::string> rowOf(const CheckResult& r, const CellNames& names) {
                          (limit ? "failed" : "differs") + "</span>",
           limit ? "a limit" : shown(r.tolerance),
           shareText(r.share),
-          value(r.expected),
-          value(r.actual),
+          shownValue(r.expected),
+          shownValue(r.actual),
           shown(placeOf(r, names))};
 }
 

@@ -69,7 +69,7 @@ std::string sideBySide(const std::string& caption, const std::vector<RunFacts>& 
                                   [&, &first = values.front()](const auto& v) { return v == first; });
     std::vector<std::string> row{shown(label) +
                                  (same ? "" : " <span class=\"mark warn\" title=\"differs\">≠</span>")};
-    for (const std::string& v : values) row.push_back(shown(v));
+    for (const std::string& v : values) row.push_back(shownValue(v));
     cells.push_back(std::move(row));
   }
   return htmlTable(caption, runs.size() > 1 ? head : std::vector<std::string>{}, cells);

@@ -126,7 +126,7 @@ PagePart studyPart(const std::string& database) {
                              "<div class=\"downloads\">" + link("comparison.csv", "text/csv", csv) +
                              link("comparison.json", "application/json", json) + "</div>\n",
                          {"./morula study compare " + file + " --csv > comparison.csv",
-                          "./morula compare " + file + " --json > comparison.json"}});
+                          "./morula study compare " + file + " --json > comparison.json"}});
   return part;
 }
 

@@ -10,6 +10,11 @@ namespace morula {
 
 std::string shown(std::string_view text) { return htmlText(printable(text)); }
 
+std::string shownValue(const std::string& text) {
+  return text.find(' ') == text.npos && text.size() > 24 ? "<span class=\"long\">" + shown(text) + "</span>"
+                                                         : shown(text);
+}
+
 std::string shownBlock(std::string_view text, std::size_t mostBytes) {
   if (text.size() <= mostBytes) return "<pre tabindex=\"0\">" + shown(text) + "</pre>\n";
   return "<pre tabindex=\"0\">" + shown(text.substr(0, mostBytes)) + "</pre>\n<p class=\"note\">The first " +

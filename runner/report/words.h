@@ -10,6 +10,8 @@ namespace morula {
 
 /// Text of unknown origin as HTML: characters that a reader would not see are made visible.
 std::string shown(std::string_view text);
+/// The same in a table: a hash may be broken anywhere, words may not.
+std::string shownValue(const std::string& text);
 /// The same in a <pre>; a text longer than `mostBytes` is cut, which is said.
 std::string shownBlock(std::string_view text, std::size_t mostBytes = 200'000);
 
