@@ -8,6 +8,7 @@
 #include "files/printable.h"
 #include "files/read_file.h"
 #include "loop/stored_scenario.h"
+#include "report/bullet_block.h"
 #include "report/parts.h"
 #include "report/run_blocks.h"
 #include "report/study_part.h"
@@ -108,6 +109,15 @@ std::string titleOfPage(const std::vector<RunFacts>& runs) {
   return same ? first + ", " + counted(runs.size(), "run") : counted(runs.size(), "run");
 }
 
+/// What was made again in Bullet; cells neither divide nor die there, so its lineage is that of `ours`.
+ExplorerRun explorerRunOf(const BulletAgain& bullet, const ExplorerRun& ours, bool alone) {
+  ExplorerRun run = ours;
+  run.title = bulletName() + (alone ? "" : ": " + ours.title);
+  run.end = bullet.frames.frames.back().time;
+  run.frames = &bullet.frames;
+  return run;
+}
+
 ExplorerRun explorerRunOf(const CheckedScenario& checked) {
   const World& world = checked.again->simulation.world;
   return {.title = checked.report.scenario,
@@ -155,6 +165,8 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   }
   if (!changes.empty()) part.change.push_back({"change", "What changed", changes, {}});
   part.blocks = {pictureBlock(runs), chartBlock(runs)};
+  if (PageBlock bullet = bulletBlock(runs); !bullet.html.empty())
+    part.blocks.insert(part.blocks.begin(), std::move(bullet));
   if (!checks.empty()) {
     part.blocks.push_back({"checks", "Checks", checks, {}});
     if (runs.size() == 1 && !runs[0].golden.empty())
@@ -165,6 +177,22 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   part.blocks.push_back(parameterBlock(runs));
   part.blocks.push_back(downloadBlock(runs, mostBytes / 10));
   return part;
+}
+
+/// Bullet's runs of the same scenarios, behind ours.
+void addBullet(std::vector<RunFacts>& runs, const ReportQuestion& question,
+               std::vector<ExplorerRun>& explored, std::vector<Frames*>& frames) {
+  std::size_t made = 0;
+  for (RunFacts& run : runs) {
+    if (!question.bullet || made == mostInBullet) return;
+    if (!run.again || !run.scenario.check.bullet || run.run.status != RunStatus::done) continue;
+    run.bullet =
+        runInBulletAgain(run.scenario, run.again->simulation.world, question.frames, question.quiet);
+    ++made;
+    if (run.bullet->frames.frames.empty() || explored.size() == mostExplored) continue;
+    explored.push_back(explorerRunOf(*run.bullet, explorerRunOf(run, runs), runs.size() == 1));
+    frames.push_back(&run.bullet->frames);
+  }
 }
 
 /// The parts, one after the other: what must be known first of each, then the explorer, then the rest.
@@ -218,6 +246,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   for (const RunFacts& run : runs)
     if (!run.results.lineage.empty() && explored.size() < mostExplored && (run.again || again == 0))
       explored.push_back(explorerRunOf(run, runs));
+  addBullet(runs, question, explored, frames);
   for (const std::string& file : sources.studies) parts.push_back(studyPart(file));
   if (!runs.empty()) parts.push_back(runPart(runs, question.mostBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
