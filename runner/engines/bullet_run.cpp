@@ -54,8 +54,7 @@ void placeCell(Bodies& b, int slot, const std::vector<Point>& shape) {
 }  // namespace
 
 void placeCells(World& world, const std::vector<std::vector<Point>>& shapes) {
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    placeCell(*world.bodies, world.bodies->slots[i], shapes[i]);
+  for (std::size_t i = 0; i < shapes.size(); ++i) placeCell(*world.bodies, world.bodies->slots[i], shapes[i]);
 }
 
 void BulletRun::take(const std::vector<Body>& cells) {

@@ -81,7 +81,7 @@ bool AccuracyEntry::holds(double error, double referenceError) const {
 AccuracyRead accuracyFrom(const Json& j) {
   AccuracyRead read;
   read.scenario = j.at("scenario");
-  read.file = textOr(valueOf(j, "file")), read.command = textOr(valueOf(j, "command"));
+  read.file = textOr(valueOf(j, "file"));
   read.until = j.at("times").empty() ? 0 : j.at("times").back().get<double>();
   read.end = realOr(j.at("end"));
   readReference(j.at("reference"), read);
@@ -104,13 +104,15 @@ AccuracyRead accuracyFrom(const Json& j) {
 }
 
 std::string accuracyCsv(const Json& rows) {
-  constexpr const char* ofSettings[] = {"integrator", "time_step", "icosphere",  "substeps",
+  constexpr const char* ofSettings[] = {"integrator", "time_step",   "icosphere", "substeps",
                                         "precision",  "contact_law", "cell_model"};
   constexpr const char* ofParts[] = {"time", "mesh", "precision", "model"};
   constexpr const char* ofErrors[] = {"centroid", "volume", "surface", "birth_times"};
-  constexpr const char* own[] = {"error",     "error_on_scenario_mesh", "resolved",     "lineages_part_at",
-                                 "cpu_seconds", "force_evaluations",    "vertex_steps", "steps",
-                                 "failed",    "failure"};
+  constexpr const char* own[] = {"error",        "error_on_scenario_mesh",
+                                 "resolved",     "lineages_part_at",
+                                 "cpu_seconds",  "force_evaluations",
+                                 "vertex_steps", "steps",
+                                 "failed",       "failure"};
   std::string text = "series,engine";
   for (const char* name : ofSettings) text += std::string(",") + name;
   for (const char* name : ofParts) text += std::string(",error_of_") + name;

@@ -10,10 +10,10 @@ namespace morula {
 
 /// One way to compute the scene, held against the reference. Errors in radii of the egg, of volumes relative; absent: not known.
 struct AccuracyEntry {
-  std::string series, engine;      // engine: "morula", "bullet-b1", …
-  double timeStep = 0;             // [time]
-  std::vector<std::string> set;    // as --set takes them
-  std::optional<double> whole;     // no more than the sum of its parts; at least that where the mesh's is absent
+  std::string series, engine;    // engine: "morula", "bullet-b1", …
+  double timeStep = 0;           // [time]
+  std::vector<std::string> set;  // as --set takes them
+  std::optional<double> whole;  // no more than the sum of its parts; at least that where the mesh's is absent
   std::optional<double> time, mesh, precision, model;
   std::optional<double> onMesh;    // against the reference, on the scenario's mesh
   std::optional<double> partedAt;  // [time] other cells live from then on
@@ -30,13 +30,14 @@ struct AccuracyEntry {
 
 struct AccuracyMeshLevel {
   int icosphere = 0;
-  double error = 0, position = 0, volume = 0, surface = 0, pressure = 0, contactArea = 0;  // largest of all times
+  double error = 0, position = 0, volume = 0, surface = 0, pressure = 0,
+         contactArea = 0;  // largest of all times
 };
 
 struct AccuracyRead {
-  std::string scenario, file, command;  // the last two "" where they are not told
-  double until = 0;                     // [time]
-  std::optional<double> end;            // [time] of the scene
+  std::string scenario, file;  // file: "" where it is not told
+  double until = 0;            // [time]
+  std::optional<double> end;   // [time] of the scene
   struct {
     std::string integrator, witness;
     double timeStep = 0, witnessTimeStep = 0, order = 0;

@@ -28,7 +28,8 @@ std::vector<double> evenTimes(double end, std::size_t count) {
 std::unique_ptr<BulletAgain> runInBulletAgain(const Scenario& scenario, const World& ours, std::size_t most,
                                               bool quiet) {
   const std::size_t fit = mostFrameVertices / std::max<std::size_t>(1, vertexCount(ours));
-  const auto times = evenTimes(ours.clock.time, std::clamp<std::size_t>(fit, 1, std::max<std::size_t>(1, most)));
+  const auto times =
+      evenTimes(ours.clock.time, std::clamp<std::size_t>(fit, 1, std::max<std::size_t>(1, most)));
   auto again = std::make_unique<BulletAgain>();
   again->found = checkAgainstBullet(scenario, ours, quiet, times);
   if (again->found.bullet) again->frames = framesOf(scenario, again->found.bullet->frames);
@@ -52,12 +53,10 @@ BulletStored compareWithStored(const std::vector<CheckResult>& found,
   for (const CheckResult& r : stored)
     if (r.kind == "bullet" && !wasSkipped(r)) then.push_back(r);
   if (then.empty()) return BulletStored::none;
-  const bool same =
-      std::equal(found.begin(), found.end(), then.begin(), then.end(),
-                 [](const CheckResult& a, const CheckResult& b) {
-                   return a.check == b.check && a.expected == b.expected && a.actual == b.actual &&
-                          a.passed == b.passed;
-                 });
+  const bool same = std::equal(
+      found.begin(), found.end(), then.begin(), then.end(), [](const CheckResult& a, const CheckResult& b) {
+        return a.check == b.check && a.expected == b.expected && a.actual == b.actual && a.passed == b.passed;
+      });
   return same ? BulletStored::same : BulletStored::other;
 }
 

@@ -74,11 +74,13 @@ std::string decidingWords(const BulletCheck& check, bool touching) {
   std::string text = "Geometry decides, as the table says; the pictures and the map of distances explain. ";
   if (check.positions)
     return text +
-           "Nothing touches here and both take the same steps, so the two are held against each other vertex by "
+           "Nothing touches here and both take the same steps, so the two are held against each other vertex "
+           "by "
            "vertex.";
   if (touching)
     return text + "Bullet keeps surfaces that touch two margins of " + numberText(check.margin, 4) +
-           " radii apart, and its contact forces differ from ours: so what is compared is where cells lie, how "
+           " radii apart, and its contact forces differ from ours: so what is compared is where cells lie, "
+           "how "
            "large they are and how flat, not their surfaces point by point.";
   return text +
          "Both come to the same rest on different ways, so each cell is compared as a whole, not vertex by "
@@ -107,7 +109,8 @@ std::string resultTable(const Scenario& scenario, const std::vector<CheckResult>
 }
 
 std::string distanceTable(std::vector<CellDistance> all, double radius) {
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.largest > b.largest; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.largest > b.largest; });
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < std::min(all.size(), mostCells); ++i)
     rows.push_back({shown(all[i].cell), numberText(all[i].largest / radius, 3),
@@ -123,14 +126,16 @@ std::string distanceTable(std::vector<CellDistance> all, double radius) {
 }
 
 std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
-  const auto worst =
-      std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.largest < b.largest; });
+  const auto worst = std::max_element(all.begin(), all.end(),
+                                      [](const auto& a, const auto& b) { return a.largest < b.largest; });
+  // Rounding alone makes no place.
+  const auto place = [&](double x) { return std::abs(x) < 1e-9 * radius ? "0" : numberText(x, 3); };
   double squares = 0, count = 0;
   for (const CellDistance& d : all)
     squares += d.meanSquare * static_cast<double>(d.vertices), count += static_cast<double>(d.vertices);
   return "<p>The surfaces are farthest apart at " + shown(worst->cell) + ": " +
-         numberText(worst->largest / radius, 3) + " radii of the egg, near (" + numberText(worst->at.x, 3) +
-         ", " + numberText(worst->at.y, 3) + ", " + numberText(worst->at.z, 3) +
+         numberText(worst->largest / radius, 3) + " radii of the egg, near (" + place(worst->at.x) + ", " +
+         place(worst->at.y) + ", " + place(worst->at.z) +
          ") [length]. The root mean square over all vertices is " +
          numberText(std::sqrt(squares / count) / radius, 3) + " radii.</p>\n";
 }
@@ -142,19 +147,19 @@ std::string pictures(const Scenario& scenario, const World& ours, const External
   const auto picture = [&](std::size_t k, const std::string& what, const std::string& caption) {
     return htmlPicture("image/png", pngFile(panels[k]), what, caption);
   };
-  std::string html;
+  std::string html = "<div class=\"pictures\">\n<div" +
+                     std::string(where.swipe ? " id=\"beside-ours\"" : "") + ">" +
+                     picture(0, "our cells " + when, "ours, " + when) + "</div>\n<div" +
+                     (where.picture.empty() ? "" : " id=\"" + where.picture + "\"") + "><div" +
+                     (where.swipe ? " id=\"beside-bullet\"" : "") + ">" +
+                     picture(1, "Bullet's cells " + when, "Bullet's, " + when) + "</div></div>\n<div>" +
+                     picture(2, "a map of the distances of the surfaces",
+                             "how far each vertex of ours is from Bullet's surface") +
+                     "</div>\n</div>\n";
   if (where.swipe)
     html +=
         "<div id=\"compare\" data-first=\"beside-ours\" data-second=\"beside-bullet\" data-names=\"ours | "
         "Bullet's\"></div>\n";
-  html += "<div class=\"pictures\">\n<div" + std::string(where.swipe ? " id=\"beside-ours\"" : "") + ">" +
-          picture(0, "our cells " + when, "ours, " + when) + "</div>\n<div" +
-          (where.picture.empty() ? "" : " id=\"" + where.picture + "\"") + "><div" +
-          (where.swipe ? " id=\"beside-bullet\"" : "") + ">" +
-          picture(1, "Bullet's cells " + when, "Bullet's, " + when) + "</div></div>\n<div>" +
-          picture(2, "a map of the distances of the surfaces",
-                  "how far each vertex of ours is from Bullet's surface") +
-          "</div>\n</div>\n";
   return html;
 }
 
@@ -176,7 +181,8 @@ std::string sentenceOf(const std::vector<CheckResult>& results) {
   for (const CheckResult& r : results)
     if (r.share && (!most || *r.share > *most->share)) most = &r;
   if (most)
-    text += "; the one used most, of the " + most->field + ", by " + numberText(100 * *most->share, 3) + " %";
+    text += "; the one used most is that of the " + most->field + ", of which they take " +
+            numberText(100 * *most->share, 3) + " %";
   return text + ".";
 }
 
@@ -189,7 +195,8 @@ std::string storedWords(const std::vector<CheckResult>& found, const std::vector
       return "<p>Made again for this page, it gives the numbers that are stored with the run, digit for "
              "digit.</p>\n";
     case BulletStored::other:
-      return "<p><span class=\"mark warn\">! Warning</span>Made again for this page, it gives other numbers than "
+      return "<p><span class=\"mark warn\">! Warning</span>Made again for this page, it gives other numbers "
+             "than "
              "are stored with the run, which the checks show.</p>\n";
   }
   return {};
@@ -226,10 +233,11 @@ void judgeBullet(const RunFacts& run, std::vector<Finding>& findings) {
   }
   const bool sameProgram = buildId(run.run.record.build) == buildId(buildInfo());
   if (compareWithStored(found.results, run.checks) == BulletStored::other && run.again && run.again->same)
-    findings.push_back({sameProgram ? Kind::bad : Kind::warning,
-                        "Bullet, run again for this page, gives other numbers than are stored" +
-                            std::string(sameProgram ? ", though by the same program"
-                                                    : ", with another program; the checks are the stored ones")});
+    findings.push_back(
+        {sameProgram ? Kind::bad : Kind::warning,
+         "Bullet, run again for this page, gives other numbers than are stored" +
+             std::string(sameProgram ? ", though by the same program"
+                                     : ", with another program; the checks are the stored ones")});
   if (!stored)
     for (const CheckResult& r : found.results)
       if (!r.passed) findings.push_back({Kind::bad, "Beside Bullet: " + shown(r.message)});
@@ -250,8 +258,8 @@ PageBlock bulletBlock(const std::vector<RunFacts>& runs) {
                         "./morula report " + shellWord(run.database)};
   }
   if (made > 0 && asked > made)
-    block.html += "<p class=\"note\">The first " + std::to_string(made) + " of " +
-                  counted(asked, "run") + " that " + "are held against Bullet.</p>\n";
+    block.html += "<p class=\"note\">The first " + std::to_string(made) + " of " + counted(asked, "run") +
+                  " that " + "are held against Bullet.</p>\n";
   return block;
 }
 

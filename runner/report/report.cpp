@@ -186,8 +186,7 @@ void addBullet(std::vector<RunFacts>& runs, const ReportQuestion& question,
   for (RunFacts& run : runs) {
     if (!question.bullet || made == mostInBullet) return;
     if (!run.again || !run.scenario.check.bullet || run.run.status != RunStatus::done) continue;
-    run.bullet =
-        runInBulletAgain(run.scenario, run.again->simulation.world, question.frames, question.quiet);
+    run.bullet = runInBulletAgain(run.scenario, run.again->simulation.world, question.frames, question.quiet);
     ++made;
     if (run.bullet->frames.frames.empty() || explored.size() == mostExplored) continue;
     explored.push_back(explorerRunOf(*run.bullet, explorerRunOf(run, runs), runs.size() == 1));
