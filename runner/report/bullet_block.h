@@ -1,6 +1,7 @@
 #pragma once
 // Ours beside Bullet's: the numbers that decide, pictures, and how far the surfaces are apart.
 #include "page/page.h"
+#include "report/parts.h"
 #include "report/words.h"
 
 namespace morula {
@@ -19,5 +20,11 @@ void judgeBullet(const RunFacts& run, std::vector<Finding>& findings);
 
 /// Of all runs that were made again in Bullet; no HTML where there is none. Bullet's runs stand in the explorer behind all others.
 PageBlock bulletBlock(const std::vector<RunFacts>& runs);
+
+/// Of a check: the first scenarios that were held against Bullet, those that differ before others, run again in both. Returns the
+/// signal that interrupted it, or 0.
+int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuestion& question);
+/// A block of each of these.
+std::vector<PageBlock> bulletBlocks(const std::vector<CheckedScenario>& checked);
 
 }  // namespace morula

@@ -179,6 +179,13 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   return part;
 }
 
+void showBullet(BulletAgain& bullet, const ExplorerRun& ours, bool alone, std::vector<ExplorerRun>& explored,
+                std::vector<Frames*>& frames) {
+  if (bullet.frames.frames.empty() || explored.size() >= mostExplored) return;
+  explored.push_back(explorerRunOf(bullet, ours, alone));
+  frames.push_back(&bullet.frames);
+}
+
 /// Bullet's runs of the same scenarios, behind ours.
 void addBullet(std::vector<RunFacts>& runs, const ReportQuestion& question,
                std::vector<ExplorerRun>& explored, std::vector<Frames*>& frames) {
@@ -188,9 +195,7 @@ void addBullet(std::vector<RunFacts>& runs, const ReportQuestion& question,
     if (!run.again || !run.scenario.check.bullet || run.run.status != RunStatus::done) continue;
     run.bullet = runInBulletAgain(run.scenario, run.again->simulation.world, question.frames, question.quiet);
     ++made;
-    if (run.bullet->frames.frames.empty() || explored.size() == mostExplored) continue;
-    explored.push_back(explorerRunOf(*run.bullet, explorerRunOf(run, runs), runs.size() == 1));
-    frames.push_back(&run.bullet->frames);
+    showBullet(*run.bullet, explorerRunOf(run, runs), runs.size() == 1, explored, frames);
   }
 }
 
@@ -228,12 +233,18 @@ ReportAnswer makeReport(const ReportQuestion& question) {
     checks.push_back(readChecked(file));
     if (question.frames > 0 && (answer.signal = runFailedAgain(checks.back(), mostExplored / 2, question)))
       return answer;
+    if (question.frames > 0 && question.bullet &&
+        (answer.signal = runCheckedInBullet(checks.back(), question)))
+      return answer;
     parts.push_back(checkPart(checks.back(), file));
+    for (PageBlock& block : bulletBlocks(checks.back())) parts.back().blocks.push_back(std::move(block));
   }
   for (auto& checked : checks)
     for (CheckedScenario& c : checked)
-      if (c.again && explored.size() < mostExplored)
+      if (c.again && explored.size() < mostExplored) {
         explored.push_back(explorerRunOf(c)), frames.push_back(&c.again->frames);
+        if (c.bullet) showBullet(*c.bullet, ExplorerRun(explored.back()), false, explored, frames);
+      }
 
   std::size_t again = explored.size();
   for (RunFacts& run : runs)
