@@ -31,7 +31,7 @@ OrganismPicture mapOf(const OrganismPicture& one, const OrganismPicture& other, 
 
 }  // namespace
 
-Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius) {
+std::vector<Image> comparisonPanels(OrganismPicture one, OrganismPicture other, double eggRadius) {
   if (one.cells.size() != other.cells.size())
     throw InputError("organisms of " + std::to_string(one.cells.size()) + " and " +
                      std::to_string(other.cells.size()) + " cells cannot be compared cell by cell");
@@ -42,7 +42,11 @@ Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRad
   }
   one.camera.framing = other.camera.framing = fitFraming({one, other});
   const OrganismPicture map = mapOf(one, other, eggRadius);
-  return contactSheet({drawOrganism(one), drawOrganism(other), drawOrganism(map)}, 3);
+  return {drawOrganism(one), drawOrganism(other), drawOrganism(map)};
+}
+
+Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius) {
+  return contactSheet(comparisonPanels(std::move(one), std::move(other), eggRadius), 3);
 }
 
 Drawing contactSheet(const std::vector<Image>& images, int columns, int gap) {

@@ -13,6 +13,8 @@ namespace morula {
 /// left out. `eggRadius` [length] is for the caption. Throws InputError as drawOrganism does, and if the
 /// numbers of cells differ.
 Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius);
+/// The three pictures of it, each by itself: one, other, distances.
+std::vector<Image> comparisonPanels(OrganismPicture one, OrganismPicture other, double eggRadius);
 
 /// All images as tiles in rows of `columns` (0: as square as possible), with a gap of `gap` pixels. Tiles are
 /// as large as the largest image; smaller ones stand centred. Throws InputError for no image.

@@ -105,26 +105,32 @@ std::vector<CheckedScenario> readChecked(const std::string& file) {
   return checked;
 }
 
+int runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
+  if (c.again || c.file.empty() || !fileExists(c.file)) return 0;
+  try {
+    Scenario scenario = loadScenario(c.file);
+    World world = makeScenarioWorld(scenario, question.execution);
+    // Where a run ends is not always known before: then frames are spread over the longest it may take.
+    const auto end = plannedEnd(scenario.scene);
+    if (!end) return 0;
+    FrameTaker taker(*end, question.frames);
+    Progress progress(scenario.scene.name, question.quiet);
+    auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
+                        [&](const World& w) { taker.observe(w); });
+    if (run.signal) return run.signal;
+    c.again = std::make_unique<FailedAgain>(
+        FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
+  } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
+  }
+  return 0;
+}
+
 int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question) {
   for (CheckedScenario& c : checked) {
     if (most == 0) break;
-    if (failures(c.report) == 0 || c.file.empty() || !fileExists(c.file)) continue;
-    try {
-      Scenario scenario = loadScenario(c.file);
-      World world = makeScenarioWorld(scenario, question.execution);
-      // Where a run ends is not always known before: then frames are spread over the longest it may take.
-      const auto end = plannedEnd(scenario.scene);
-      if (!end) continue;
-      FrameTaker taker(*end, question.frames);
-      Progress progress(scenario.scene.name, question.quiet);
-      auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
-                          [&](const World& w) { taker.observe(w); });
-      if (run.signal) return run.signal;
-      c.again = std::make_unique<FailedAgain>(
-          FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
-      --most;
-    } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
-    }
+    if (failures(c.report) == 0) continue;
+    if (const int signal = runCheckedAgain(c, question)) return signal;
+    most -= c.again != nullptr;
   }
   return 0;
 }

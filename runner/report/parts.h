@@ -31,11 +31,14 @@ struct FailedAgain {
 struct CheckedScenario {
   CheckReport report;
   std::string file;                    // of the scenario; "" where it is not known
-  std::unique_ptr<FailedAgain> again;  // of the first failed ones
+  std::unique_ptr<FailedAgain> again;  // of the first failed ones, and those beside Bullet
+  std::unique_ptr<BulletAgain> bullet = {};
 };
 
 /// A report.json of `morula check --reports`. Throws InputError for one that it did not write.
 std::vector<CheckedScenario> readChecked(const std::string& file);
+/// Runs it again, if it can be read and its end is known. Returns the signal that interrupted it, or 0.
+int runCheckedAgain(CheckedScenario& checked, const ReportQuestion& question);
 /// Runs up to `most` of those that failed again. Returns the signal that interrupted it, or 0.
 int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question);
 PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file);

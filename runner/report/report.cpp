@@ -7,6 +7,8 @@
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "loop/stored_scenario.h"
+#include "report/bullet_block.h"
+#include "report/explored.h"
 #include "report/parts.h"
 #include "report/sources.h"
 #include "report/study_part.h"
@@ -38,31 +40,6 @@ std::vector<RunFacts> factsOfAll(const Sources& sources, const ReportQuestion& q
   if (facts.empty() && sources.studies.empty() && sources.checks.empty() && sources.accuracies.empty())
     throw UsageError("there is no run in " + question.what.front() + "; morula run writes one");
   return facts;
-}
-
-ExplorerRun explorerRunOf(const RunFacts& facts) {
-  ExplorerRun run{.title = titleOf(facts),
-                  .scenario = &facts.scenario,
-                  .lineage = &facts.results.lineage,
-                  .describe = [&facts](StateId state) { return facts.results.stateTexts.at(state); },
-                  .end = facts.run.time,
-                  .frames = nullptr};
-  if (!facts.again) return run;
-  const World& world = facts.again->simulation.world;
-  run.lineage = &world.lineage.entries;
-  run.describe = [&world](StateId state) { return world.biology->describe(state); };
-  run.frames = &facts.again->frames;
-  return run;
-}
-
-ExplorerRun explorerRunOf(const CheckedScenario& checked) {
-  const World& world = checked.again->simulation.world;
-  return {.title = checked.report.scenario,
-          .scenario = &checked.again->scenario,
-          .lineage = &world.lineage.entries,
-          .describe = [&world](StateId state) { return world.biology->describe(state); },
-          .end = checked.again->simulation.end.time,
-          .frames = &checked.again->frames};
 }
 
 PageBlock explorerBlock(const ReportQuestion& question, const std::vector<ExplorerRun>& runs) {
@@ -97,6 +74,7 @@ std::string commandOf(const ReportQuestion& question) {
   if (!question.run.empty()) command += " --run " + shellWord(question.run);
   if (question.frames != usual.frames) command += " --frames " + std::to_string(question.frames);
   if (question.mostBytes != usual.mostBytes) command += " --size-limit " + std::to_string(question.mostBytes);
+  if (!question.bullet) command += " --no-bullet";
   return command + " -o page.html";
 }
 
@@ -136,31 +114,21 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   std::vector<RunFacts> runs = factsOfAll(sources, question);
   ReportAnswer answer{.bytes = {}, .runs = runs.size(), .remarks = {}};
   std::vector<PagePart> parts;
-  std::vector<ExplorerRun> explored;
-  std::vector<Frames*> frames;
+  Explored explored;
 
   std::vector<std::vector<CheckedScenario>> checks;
   for (const std::string& file : sources.checks) {
     checks.push_back(readChecked(file));
     if (question.frames > 0 && (answer.signal = runFailedAgain(checks.back(), mostExplored / 2, question)))
       return answer;
+    if (question.frames > 0 && question.bullet &&
+        (answer.signal = runCheckedInBullet(checks.back(), question)))
+      return answer;
     parts.push_back(checkPart(checks.back(), file));
+    for (PageBlock& block : bulletBlocks(checks.back())) parts.back().blocks.push_back(std::move(block));
   }
-  for (auto& checked : checks)
-    for (CheckedScenario& c : checked)
-      if (c.again && explored.size() < mostExplored)
-        explored.push_back(explorerRunOf(c)), frames.push_back(&c.again->frames);
-
-  std::size_t again = explored.size();
-  for (RunFacts& run : runs)
-    if (question.frames > 0 && again < mostExplored && canRunAgain(run)) {
-      ++again;
-      if ((answer.signal = runAgain(run, question.execution, question.frames, question.quiet))) return answer;
-      frames.push_back(&run.again->frames);
-    }
-  for (const RunFacts& run : runs)
-    if (!run.results.lineage.empty() && explored.size() < mostExplored && (run.again || again == 0))
-      explored.push_back(explorerRunOf(run));
+  for (auto& checked : checks) exploreChecked(checked, explored);
+  if ((answer.signal = exploreRuns(runs, question, explored))) return answer;
   for (const std::string& file : sources.studies) parts.push_back(studyPart(file));
   if (!runs.empty()) parts.push_back(runPart(runs, question.mostBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
@@ -178,24 +146,25 @@ ReportAnswer makeReport(const ReportQuestion& question) {
             .data = {},
             .bytes = {},
             .command = commandOf(question),
-            .program = explored.empty() ? "" : question.program};
+            .program = explored.runs.empty() ? "" : question.program};
   const auto compose = [&] {
-    const PageBlock explorer = explorerBlock(question, explored);
-    putTogether(parts, one, explored.empty() ? nullptr : &explorer, page);
-    if (!page.program.empty()) page.data = jsonText(explorerData(explored));
+    const PageBlock explorer = explorerBlock(question, explored.runs);
+    putTogether(parts, one, explored.runs.empty() ? nullptr : &explorer, page);
+    if (!page.program.empty()) page.data = jsonText(explorerData(explored.runs));
   };
   // What room the rest leaves goes to the frames; base64 takes 4 bytes for 3.
   compose();
   const std::size_t without = pageFile(page).size() + 20'000;
   const std::size_t room = question.mostBytes > without ? (question.mostBytes - without) / 4 * 3 : 0;
-  for (Frames* of : frames) thinFrames(*of, page.program.empty() ? 0 : room / frames.size());
+  for (Frames* of : explored.frames)
+    thinFrames(*of, page.program.empty() ? 0 : room / explored.frames.size());
   compose();
-  if (!page.program.empty()) page.bytes = explorerBytes(explored);
+  if (!page.program.empty()) page.bytes = explorerBytes(explored.runs);
   answer.bytes = pageFile(page);
   if (answer.bytes.size() > question.mostBytes)
     answer.remarks.push_back("the page takes " + std::to_string(answer.bytes.size()) +
                              " bytes, more than --size-limit");
-  for (const ExplorerRun& run : explored)
+  for (const ExplorerRun& run : explored.runs)
     if (const Frames* f = run.frames; f && !page.program.empty() && f->frames.size() < f->worlds.size())
       answer.remarks.push_back(run.title + ": " + std::to_string(f->frames.size()) + " of " +
                                std::to_string(f->worlds.size()) + " frames fit into the page");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "loop/simulate.h"
+#include "report/bullet_again.h"
 #include "report/frames.h"
 #include "store/store.h"
 
@@ -33,6 +34,7 @@ struct RunFacts {
   std::string change;                     // how the run differs from it, in words; "" where it does not
   std::string unusableGolden;             // why it cannot be read; ""
   std::unique_ptr<RunAgain> again;
+  std::unique_ptr<BulletAgain> bullet = {};  // of a run made again whose scenario asks for it
 };
 
 /// Reads what is stored. Throws FileError if the record was changed.

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "files/printable.h"
+#include "report/bullet_block.h"
 #include "report/check_tables.h"
 #include "report/parts.h"
 #include "report/run_blocks.h"
@@ -57,7 +58,9 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   if (!judged.empty()) part.verdict = verdictOf(judged);
   if (const std::string changes = changesOf(runs); !changes.empty())
     part.change.push_back({"change", "What changed", changes, {}});
-  part.blocks = {pictureBlock(runs), chartBlock(runs)};
+  if (PageBlock bullet = bulletBlock(runs); !bullet.html.empty()) part.blocks.push_back(std::move(bullet));
+  part.blocks.push_back(pictureBlock(runs));
+  part.blocks.push_back(chartBlock(runs));
   if (const std::string checks = checksOfAll(runs); !checks.empty()) {
     part.blocks.push_back({"checks", "Checks", checks, {}});
     const auto ofGolden = [](const CheckResult& c) { return c.kind == "golden"; };

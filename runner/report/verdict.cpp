@@ -6,6 +6,7 @@
 
 #include "base/number_text.h"
 #include "page/page.h"
+#include "report/bullet_block.h"
 #include "store/records.h"
 
 namespace morula {
@@ -160,6 +161,7 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   judgeChecks(facts, findings);
   judgeDivisions(facts, findings);
   judgeAgain(facts, findings);
+  judgeBullet(facts, findings);
   if (!facts.unusableGolden.empty())
     findings.push_back({Kind::warning, "The golden file cannot be used: " + shown(facts.unusableGolden)});
   for (const std::string& warning : facts.scenario.warnings)
