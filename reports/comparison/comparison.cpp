@@ -64,7 +64,7 @@ OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, 
     map.cells[i].colour = neutralGrey;
     for (const double d : distances[i]) map.cells[i].colours.push_back(scaleColour(most > 0 ? d / most : 0));
   }
-  map.title = ofCentres ? "how far the cells' middles have moved" : "distance of the surfaces";
+  map.title = ofCentres ? "how far the centroids have moved" : "distance of the surfaces";
   map.caption = most > 0 ? "at most " + numberText(most, 3) + " [length], " +
                                numberText(most / eggRadius, 2) + " radii of the egg, of " + cellName(where) +
                                "; mean " + numberText(sum / double(count), 3)
@@ -89,12 +89,13 @@ ComparisonImages compareOrganisms(OrganismPicture one, OrganismPicture other, do
   const std::size_t grey = countUnmatched(of, beside), missing = countUnmatched(beside, of);
   ComparisonImages images{drawOrganism(one), drawOrganism(other),
                           drawOrganism(mapOf(of, beside, eggRadius, map.ofCentres)), ""};
-  if (grey)
-    images.unmatched = "Grey: " + cellsOf(grey) + " that only " + (map.ofOther ? "the second" : "the first") +
-                       " picture has, so that there is nothing to compare.";
-  if (missing)
-    images.unmatched += std::string(grey ? " " : "") + "Only " + (map.ofOther ? "the first" : "the second") +
-                        " picture has " + cellsOf(missing) + " more.";
+  const std::string ofWhich = map.ofOther ? "second" : "first",
+                    besideWhich = map.ofOther ? "first" : "second";
+  const auto isOnly = [](std::size_t count, const std::string& which) {
+    return cellsOf(count) + (count == 1 ? " is" : " are") + " only in the " + which + " picture.";
+  };
+  if (grey) images.unmatched = "Grey, for there is nothing to compare: " + isOnly(grey, ofWhich);
+  if (missing) images.unmatched += (grey ? " " : "") + isOnly(missing, besideWhich);
   return images;
 }
 

@@ -13,7 +13,7 @@ struct DistanceMap {
   bool ofOther =
       false;  // the vertices of `other` beside the surfaces of `one`; else those of `one` beside `other`
   bool ofCentres =
-      false;  // how far the middle of each cell has moved, with an arrow, in place of its vertices
+      false;  // how far the centroid of each cell has moved, with an arrow, in place of its vertices
 };
 
 /// The three pictures, of one size and seen from one place.

@@ -121,8 +121,10 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
     result.source = BesideGolden::Source::centres;
     before.shell = now.shell;
     result.notes = {
-        "Golden: spheres with the accepted volumes at the accepted places, for " + again.whyNot + ".",
-        "Colours on the right, and arrows where they are long enough: how far the middle of each cell has "
+        "Golden: spheres with the accepted volumes at the accepted places. Its shapes cannot be made "
+        "again: " +
+            again.whyNot + ".",
+        "Colours on the right, and arrows where they are long enough: how far the centroid of each cell has "
         "moved."};
   }
   before.width = before.height = side;
