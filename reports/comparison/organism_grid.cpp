@@ -17,17 +17,6 @@ int sideFor(std::size_t rows, std::size_t columns) {
   return rows * columns <= 12 ? 340 : rows * columns <= 60 ? 260 : 180;
 }
 
-/// Bands for a body of this height: what they need depends a little on the height of all.
-Bands bandsAround(const Annotations& words, int width, int body, int& height) {
-  Bands bands;
-  height = body;
-  for (int i = 0; i < 4; ++i) {
-    bands = bandsFor(words, width, height);
-    height = body + bands.top + bands.bottom;
-  }
-  return bands;
-}
-
 void check(const OrganismGrid& grid) {
   const std::size_t rows = grid.rows.size(), columns = grid.columns.size();
   if (rows == 0 || columns == 0 || grid.tiles.size() != rows * columns)
@@ -76,11 +65,16 @@ Drawing drawOrganismGrid(OrganismGrid grid) {
             heading = static_cast<int>(2 * textSize);
   const int body = heading + static_cast<int>(rows) * pitch + scaleHeight;
   const Annotations words{grid.title, grid.caption, grid.legend};
-  int height = 0;
-  const Bands bands = bandsAround(words, width, body, height);
+  // The bands are at most a quarter of the whole height each, and so depend on it.
+  Bands bands;
+  int height = body;
+  for (int i = 0; i < 16; ++i) {
+    bands = bandsFor(words, width, height, textSize);
+    height = body + bands.top + bands.bottom;
+  }
 
   Drawing drawing(width, height);
-  annotate(drawing, words);
+  annotate(drawing, words, textSize);
   for (std::size_t c = 0; c < columns; ++c) {
     TextStyle style = bold;
     style.anchor = Anchor::centre;

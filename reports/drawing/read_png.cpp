@@ -42,10 +42,10 @@ Image readPng(const std::string& bytes, const std::string& name) {
                      " pixels is too large; needs at most " + std::to_string(mostPixels) + " pixels");
   Reader reader{bytes};
   const Surface surface(cairo_image_surface_create_from_png_stream(take, &reader));
-  const cairo_status_t status = cairo_surface_status(surface.get());
-  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
-  const cairo_format_t format =
-      status == CAIRO_STATUS_SUCCESS ? cairo_image_surface_get_format(surface.get()) : CAIRO_FORMAT_INVALID;
+  // What libpng refuses comes as want of memory in older versions of cairo: of a size that is fine, it is the file.
+  const cairo_format_t format = cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS
+                                    ? cairo_image_surface_get_format(surface.get())
+                                    : CAIRO_FORMAT_INVALID;
   if (format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24)
     throw InputError(name + ": a damaged PNG picture, or of a kind that is not read");
   cairo_surface_flush(surface.get());

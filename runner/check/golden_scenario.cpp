@@ -106,10 +106,15 @@ std::optional<Scenario> withGoldenValues(const Scenario& now, const Golden& gold
   if (golden.data.parameters.empty()) return std::nullopt;
   GoldenData ofNow;
   ofNow.parameters = decidingValues(now);
-  return ifMeant(golden, [&] {
-    return readScenario(now.bytes, now.file, folderOf(now.file), overridesTo(golden.data, ofNow), {},
-                        now.allowOutside);
-  });
+  const auto overrides = overridesTo(golden.data, ofNow);
+  const auto read = [&](const std::vector<NamedFile>& files) {
+    return ifMeant(golden, [&] {
+      return readScenario(now.bytes, now.file, folderOf(now.file), overrides, files, now.allowOutside);
+    });
+  };
+  // Of a stored run the files are those that are stored with it; a golden may name others.
+  if (auto scenario = read(now.files)) return scenario;
+  return read({});
 }
 
 std::optional<Scenario> asCommitted(const Scenario& now, const Golden& golden, const std::string& commit) {

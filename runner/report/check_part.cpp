@@ -9,6 +9,7 @@
 #include "files/read_file.h"
 #include "golden/check_json.h"
 #include "pictures/pictures.h"
+#include "report/golden_pictures.h"
 #include "report/parts.h"
 #include "report/verdict.h"
 
@@ -56,12 +57,13 @@ std::string overview(const std::vector<CheckedScenario>& checked) {
   return htmlTable("Scenarios", {"Scenario", "Checks", "What differs", "Largest share of a tolerance"}, rows);
 }
 
-std::string blockOf(const CheckedScenario& c) {
+std::string blockOf(const CheckedScenario& c, bool isFirst) {
   std::string html;
   const CellNames names = c.again ? c.again->scenario.names : CellNames{};
   if (!c.report.change.empty())
     html += "<pre tabindex=\"0\">" + shown(withNames(c.report.change, names.function())) + "</pre>\n";
-  if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
+  if (c.again && c.again->beside) html += goldenPictures(*c.again->beside, c.report.scenario, isFirst);
+  else if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
     html += "<div class=\"pictures\">" +
             htmlPicture("image/png",
                         pngFile(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario))),
@@ -122,6 +124,10 @@ int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, cons
       c.again = std::make_unique<FailedAgain>(
           FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
       --most;
+      const World& now = c.again->simulation.world;
+      if (c.again->simulation.end.status != RunStatus::done) continue;
+      c.again->beside = drawBesideGoldenFile(c.again->scenario, now, question.execution, question.quiet);
+      if (c.again->beside && c.again->beside->signal) return c.again->beside->signal;
     } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
     }
   }
@@ -141,7 +147,7 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
                                  counted(c.report.results.size(), "check") +
                                  (differ == 1 ? " differs: " : " differ: ") + shown(classesOf(c.report))});
     if (++told > mostTold) continue;
-    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c), {}});
+    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c, told == 1), {}});
     if (!c.file.empty())
       part.blocks.back().commands = {"./morula check " + shellWord(c.file),
                                      "./morula explain " + shellWord(c.file),

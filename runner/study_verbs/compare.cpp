@@ -9,6 +9,7 @@
 #include "analysis/picture.h"
 #include "base/error.h"
 #include "comparison/organism_grid.h"
+#include "files/content.h"
 #include "files/folders.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
@@ -98,6 +99,9 @@ int act(const CompareCommand& command) {
   if (command.what.size() > 2)
     throw UsageError("compare takes one study or two pictures, not " + std::to_string(command.what.size()) +
                      " files");
+  if (contentOfFile(command.what[0]) == Content::picture)
+    throw UsageError("compare: '" + command.what[0] +
+                     "' is a picture; give a second one that it is compared with");
   checkPictureName("compare", command.picture, true);
   checkPictureName("compare", command.organisms, false);
   const GridMoments moments = momentsOf(command);
