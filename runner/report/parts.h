@@ -16,7 +16,11 @@ struct PagePart {
   std::string verdict;            // HTML
   std::vector<PageBlock> change;  // what stands before the pictures
   std::vector<PageBlock> blocks;
+  bool isAside = false;  // it belongs to another part; its blocks' titles say what they are of
 };
+
+/// Runs, with all that is known of them but their frames. Downloads take a tenth of `mostBytes`.
+PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes);
 
 /// A scenario that failed its check, run again to be looked at.
 struct FailedAgain {

@@ -63,6 +63,7 @@ void compareWithGolden(RunFacts& facts) {
 RunFacts factsOf(Store& store, const StoredRun& run) {
   RunFacts facts{.database = store.file().string(),
                  .label = {},
+                 .title = {},
                  .run = run,
                  .scenario = storedScenario(store.file().string(), run.id),
                  .documents = store.documents(run.id),
@@ -78,6 +79,10 @@ RunFacts factsOf(Store& store, const StoredRun& run) {
       [&](StateId state) { return facts.results.stateTexts.at(state); }, facts.results.divisions);
   compareWithGolden(facts);
   return facts;
+}
+
+std::string changeBetween(const RunFacts& before, const RunFacts& after) {
+  return changeInWords(goldenDataOf(before), goldenDataOf(after));
 }
 
 bool canRunAgain(const RunFacts& facts) {

@@ -22,6 +22,7 @@ struct RunAgain {
 struct RunFacts {
   std::string database;    // as given
   std::string label = {};  // of the condition of a study that it stands for; "" for a run of its own
+  std::string title = {};  // what it is called on its page
   StoredRun run;
   Scenario scenario;
   std::vector<Document> documents;
@@ -36,6 +37,9 @@ struct RunFacts {
 
 /// Reads what is stored. Throws FileError if the record was changed.
 RunFacts factsOf(Store& store, const StoredRun& run);
+
+/// How `after` differs from `before`, as changeInWords says it; "" where it does not. Both are done.
+std::string changeBetween(const RunFacts& before, const RunFacts& after);
 
 /// Whether there is something to look at when it runs again: bodies, and an end or a failure to come to.
 bool canRunAgain(const RunFacts& facts);

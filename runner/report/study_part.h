@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/comparison.h"
 #include "report/parts.h"
 
 namespace morula {
@@ -11,6 +12,9 @@ namespace morula {
 bool isStudy(const std::string& database);
 
 PagePart studyPart(const std::string& database);
+
+/// What its verdict says. `database`: the merged study that `comparison` is of.
+std::vector<Finding> findingsOf(const StudyComparison& comparison, const std::string& database);
 
 struct Representative {
   std::string condition, run;  // its name, the run's id
