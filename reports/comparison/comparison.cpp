@@ -37,7 +37,7 @@ std::string cellsOf(std::size_t count) { return std::to_string(count) + (count =
 
 /// `of` in the colours of its distances from `beside`.
 OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, double eggRadius,
-                      bool ofCentres) {
+                      const DistanceMap& what) {
   OrganismPicture map = of;
   const auto matches = matchCells(of, beside);
   std::vector<std::vector<double>> distances(of.cells.size());
@@ -47,7 +47,7 @@ OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, 
   for (std::size_t i = 0; i < of.cells.size(); ++i) {
     if (!matches[i]) continue;
     const CellShape &cell = of.cells[i], &partner = beside.cells[*matches[i]];
-    if (ofCentres) {
+    if (what.ofCentres) {
       const Point from = measureCentroid(partner.vertices), to = measureCentroid(cell.vertices);
       distances[i].assign(cell.vertices.size(), norm(to - from));
       if (norm(to - from) > leastArrow * eggRadius) map.lines.push_back({from, to, ink, true, true});
@@ -64,12 +64,13 @@ OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, 
     map.cells[i].colour = neutralGrey;
     for (const double d : distances[i]) map.cells[i].colours.push_back(scaleColour(most > 0 ? d / most : 0));
   }
-  map.title = ofCentres ? "how far the centroids have moved" : "distance of the surfaces";
+  map.title = what.ofCentres ? "how far the centroids have moved" : "distance of the surfaces";
   map.caption = most > 0 ? "at most " + numberText(most, 3) + " [length], " +
                                numberText(most / eggRadius, 2) + " radii of the egg, of " + cellName(where) +
                                "; mean " + numberText(sum / double(count), 3)
                 : count ? "none"
                         : "no cell is in both";
+  if (what.named) map.caption = what.named(map.caption);
   map.legend.clear();
   map.instruments.colourBar = ColourBar{"distance [length]", 0, most};
   return map;
@@ -88,7 +89,7 @@ ComparisonImages compareOrganisms(OrganismPicture one, OrganismPicture other, do
   const OrganismPicture &of = map.ofOther ? other : one, &beside = map.ofOther ? one : other;
   const std::size_t grey = countUnmatched(of, beside), missing = countUnmatched(beside, of);
   ComparisonImages images{drawOrganism(one), drawOrganism(other),
-                          drawOrganism(mapOf(of, beside, eggRadius, map.ofCentres)), ""};
+                          drawOrganism(mapOf(of, beside, eggRadius, map)), ""};
   const std::string ofWhich = map.ofOther ? "second" : "first",
                     besideWhich = map.ofOther ? "first" : "second";
   const auto isOnly = [](std::size_t count, const std::string& which) {

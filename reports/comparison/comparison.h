@@ -1,5 +1,6 @@
 #pragma once
 // Organisms that should be the same, side by side, and how far their surfaces are apart.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct DistanceMap {
       false;  // the vertices of `other` beside the surfaces of `one`; else those of `one` beside `other`
   bool ofCentres =
       false;  // how far the centroid of each cell has moved, with an arrow, in place of its vertices
+  std::function<std::string(const std::string&)> named = {};  // puts names of cells into words, for "cell AB"
 };
 
 /// The three pictures, of one size and seen from one place.

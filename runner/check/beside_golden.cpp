@@ -110,7 +110,8 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
     result.source = BesideGolden::Source::again;
     before = std::move(*again.picture);
     result.notes = {
-        "Golden: its scenario run again, to the accepted state, bit for bit. Colours on the right: how far "
+        "Golden: its scenario run again, to the accepted state, bit for bit. Colours of the third picture: "
+        "how far "
         "each vertex of now is from "
         "the same cell's surface in the golden."};
   } else {
@@ -124,7 +125,8 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
         "Golden: spheres with the accepted volumes at the accepted places. Its shapes cannot be made "
         "again: " +
             again.whyNot + ".",
-        "Colours on the right, and arrows where they are long enough: how far the centroid of each cell has "
+        "Colours of the third picture, and arrows where they are long enough: how far the centroid of each "
+        "cell has "
         "moved."};
   }
   before.width = before.height = side;
@@ -132,7 +134,9 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
   now.title = scenario.scene.name + ": now";
   result.images =
       compareOrganisms(std::move(before), std::move(now), scenario.scene.mechanics->physics.cell.radius,
-                       {.ofOther = true, .ofCentres = !again.picture});
+                       {.ofOther = true, .ofCentres = !again.picture, .named = [&](const std::string& words) {
+                          return withNames(words, scenario.names.function());
+                        }});
   return result;
 }
 

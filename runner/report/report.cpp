@@ -161,7 +161,11 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   for (const RunFacts& run : runs)
     if (!run.results.lineage.empty() && explored.size() < mostExplored && (run.again || again == 0))
       explored.push_back(explorerRunOf(run));
-  for (const std::string& file : sources.studies) parts.push_back(studyPart(file));
+  for (const std::string& file : sources.studies) {
+    parts.push_back(studyPart(file));
+    if (question.frames > 0 && (answer.signal = addOrganisms(parts.back(), file, question.quiet)))
+      return answer;
+  }
   if (!runs.empty()) parts.push_back(runPart(runs, question.mostBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
   if (runs.empty()) parts.back().blocks.push_back(programBlock());

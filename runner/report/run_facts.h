@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check/beside_golden.h"
 #include "loop/simulate.h"
 #include "report/frames.h"
 #include "store/store.h"
@@ -33,6 +34,7 @@ struct RunFacts {
   std::string change;                     // how the run differs from it, in words; "" where it does not
   std::string unusableGolden;             // why it cannot be read; ""
   std::unique_ptr<RunAgain> again;
+  std::optional<BesideGolden> beside = {};  // of a run that was made again and differs from its golden
 };
 
 /// Reads what is stored. Throws FileError if the record was changed.
