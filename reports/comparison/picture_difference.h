@@ -19,8 +19,8 @@ struct PictureDifference {
 };
 
 /// ΔE00 above which two pictures are called different: the difference that people just notice in a patch of colour [Mahy, Van
-/// Eycken, Oosterlinck 1994: 2.3, in ΔE of 1976]. The same organism as drawn by softpipe in place of llvmpipe comes to 1.1,
-/// moved sideways by one pixel to 20.
+/// Eycken, Oosterlinck 1994: 2.3, in ΔE of 1976]. The same organism as drawn by softpipe in place of llvmpipe comes
+/// to 1.0, moved sideways by one pixel to 19.
 inline constexpr double noticeableDifference = 2.3;
 
 /// CIEDE2000 [Sharma, Wu, Dalal 2005] between the two, pixel by pixel, after either has been smoothed in linear light by a Gaussian

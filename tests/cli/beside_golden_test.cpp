@@ -1,4 +1,5 @@
 // Pictures of what differs from a golden, and of two pictures, as users ask for them.
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -43,6 +44,42 @@ TEST_CASE(
   writeWhole(scenario, pair);
   CHECK(launch(run).code == 0);
   CHECK_FALSE(fs::exists(results / "golden.png"));
+}
+
+TEST_CASE("a page of a failed check shows the golden's organism: from git, or else from its numbers") {
+  const TemporaryFolder folder;
+  std::string genes;  // more than a golden records word for word
+  for (int i = 0; i < 20; ++i) genes += "  h" + std::to_string(i) + "(p" + std::to_string(i) + "|a0,A)\n";
+  const auto scenario = folder / "pair.yaml";
+  writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
+  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code ==
+          0);
+  const auto pageOf = [&](const std::string& text) {
+    writeWhole(scenario, text);
+    const auto checked = launch({"check", scenario, "--reports", folder / "out", "--quiet"});
+    INFO(checked.err);
+    CHECK(checked.code == 1);
+    return readWhole(folder / "out/report.html");
+  };
+  const std::string changed = replaced(pair, "stop:", genes + "  h20(p20|a0,B)\nstop:");
+  const std::string without = pageOf(changed);
+  CHECK_THAT(without,
+             ContainsSubstring("spheres with the accepted volumes") && ContainsSubstring("git has no other"));
+
+  writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
+  const auto git = [&](const std::string& words) {
+    return std::system(("git -C '" + folder.path() + "' -c user.name=tests -c user.email=tests " + words +
+                        " >/dev/null 2>&1")
+                           .c_str()) == 0;
+  };
+  if (!git("init") || !git("add pair.yaml pair.golden") || !git("commit -m first")) {
+    WARN("skipped: no git here");
+    return;
+  }
+  CHECK_THAT(pageOf(changed), ContainsSubstring("to the accepted state, bit for bit"));
+  // Also where the change has been committed since: the golden's own commit has its scenario.
+  REQUIRE(git("commit -a -m second"));
+  CHECK_THAT(pageOf(changed), ContainsSubstring("to the accepted state, bit for bit"));
 }
 
 TEST_CASE("compare tells how different two pictures look") {
