@@ -141,20 +141,20 @@ std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
 
 std::string pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet,
                      const BulletShown& where) {
-  const auto panels = panelsBesideBullet(ours, bullet.shapes, scenario);
+  const ComparisonImages images = imagesBesideBullet(ours, bullet.shapes, scenario);
   const std::string when = "at time " + numberText(ours.clock.time, 6);
-  const auto picture = [&](std::size_t k, const std::string& what, const std::string& caption) {
-    return htmlPicture("image/png", pngFile(panels[k]), what, caption);
+  const auto picture = [&](const Image& image, const std::string& what, const std::string& caption) {
+    return htmlPicture("image/png", pngFile(image), what, caption);
   };
-  std::string html = "<div class=\"pictures\">\n<div" +
-                     std::string(where.swipe ? " id=\"beside-ours\"" : "") + ">" +
-                     picture(0, "our cells " + when, "ours, " + when) + "</div>\n<div" +
-                     (where.picture.empty() ? "" : " id=\"" + where.picture + "\"") + "><div" +
-                     (where.swipe ? " id=\"beside-bullet\"" : "") + ">" +
-                     picture(1, "Bullet's cells " + when, "Bullet's, " + when) + "</div></div>\n<div>" +
-                     picture(2, "a map of the distances of the surfaces",
-                             "how far each vertex of ours is from Bullet's surface") +
-                     "</div>\n</div>\n";
+  std::string html =
+      "<div class=\"pictures\">\n<div" + std::string(where.swipe ? " id=\"beside-ours\"" : "") + ">" +
+      picture(images.one, "our cells " + when, "ours, " + when) + "</div>\n<div" +
+      (where.picture.empty() ? "" : " id=\"" + where.picture + "\"") + "><div" +
+      (where.swipe ? " id=\"beside-bullet\"" : "") + ">" +
+      picture(images.other, "Bullet's cells " + when, "Bullet's, " + when) + "</div></div>\n<div>" +
+      picture(images.distance, "a map of the distances of the surfaces",
+              "how far each vertex of ours is from Bullet's surface") +
+      "</div>\n</div>\n";
   if (where.swipe)
     html +=
         "<div id=\"compare\" data-first=\"beside-ours\" data-second=\"beside-bullet\" data-names=\"ours | "

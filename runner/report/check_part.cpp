@@ -10,6 +10,7 @@
 #include "page/html.h"
 #include "pictures/pictures.h"
 #include "report/check_tables.h"
+#include "report/golden_pictures.h"
 #include "report/parts.h"
 
 namespace morula {
@@ -58,11 +59,12 @@ std::string overview(const std::vector<CheckedScenario>& checked) {
   return htmlTable("Scenarios", {"Scenario", "Checks", "What differs", "Largest share of a tolerance"}, rows);
 }
 
-std::string blockOf(const CheckedScenario& c) {
+std::string blockOf(const CheckedScenario& c, bool isFirst) {
   std::string html;
   const CellNames names = c.again ? c.again->scenario.names : CellNames{};
   if (!c.report.change.empty()) html += changeTable(c.report.change, names);
-  if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
+  if (c.again && c.again->beside) html += goldenPictures(*c.again->beside, c.report.scenario, isFirst);
+  else if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
     html += "<div class=\"pictures\">" +
             htmlPicture("image/png",
                         pngFile(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario))),
@@ -130,7 +132,12 @@ int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, cons
     if (most == 0) break;
     if (failures(c.report) == 0) continue;
     if (const int signal = runCheckedAgain(c, question)) return signal;
-    most -= c.again != nullptr;
+    if (!c.again) continue;
+    --most;
+    const Simulation& run = c.again->simulation;
+    if (run.end.status != RunStatus::done) continue;
+    c.again->beside = drawBesideGoldenFile(c.again->scenario, run.world, question.execution, question.quiet);
+    if (c.again->beside && c.again->beside->signal) return c.again->beside->signal;
   }
   return 0;
 }
@@ -152,7 +159,7 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
              (c.report.change.empty() ? ""
                                       : ". <i>" + shown(changeSentence(c.report.change, names)) + "</i>")});
     if (++told > mostTold) continue;
-    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c), {}});
+    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c, told == 1), {}});
     if (!c.file.empty())
       part.blocks.back().commands = {"./morula check " + shellWord(c.file),
                                      "./morula explain " + shellWord(c.file),

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "check/beside_golden.h"
 #include "report/explorer_data.h"
 #include "report/report.h"
 #include "report/words.h"
@@ -26,6 +27,7 @@ struct FailedAgain {
   Scenario scenario;
   Simulation simulation;
   Frames frames;
+  std::optional<BesideGolden> beside = {};  // and the accepted result
 };
 
 struct CheckedScenario {

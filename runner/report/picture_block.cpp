@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "page/html.h"
 #include "pictures/pictures.h"
+#include "report/golden_pictures.h"
 #include "report/run_blocks.h"
 
 namespace morula {
@@ -106,6 +107,8 @@ PageBlock pictureBlock(const std::vector<RunFacts>& runs) {
     block.commands.push_back(commandFor(r, "lineage", "-o lineage.png"));
   }
   block.html += "</div>\n";
+  if (runs.size() == 1 && runs[0].beside)
+    block.html += goldenPictures(*runs[0].beside, titleOf(runs[0]), true);
   if (runs.size() > 1 && trees.size() == 1 && drawn == 1)
     block.html += "<p class=\"note\">The lineage is the same in all runs.</p>\n";
   if (block.commands.size() > 6) block.commands.resize(6);

@@ -129,7 +129,11 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   }
   for (auto& checked : checks) exploreChecked(checked, explored);
   if ((answer.signal = exploreRuns(runs, question, explored))) return answer;
-  for (const std::string& file : sources.studies) parts.push_back(studyPart(file));
+  for (const std::string& file : sources.studies) {
+    parts.push_back(studyPart(file));
+    if (question.frames > 0 && (answer.signal = addOrganisms(parts.back(), file, question.quiet)))
+      return answer;
+  }
   if (!runs.empty()) parts.push_back(runPart(runs, question.mostBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
   if (runs.empty()) parts.back().blocks.push_back(programBlock());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check/beside_golden.h"
 #include "loop/simulate.h"
 #include "report/bullet_again.h"
 #include "report/frames.h"
@@ -35,6 +36,7 @@ struct RunFacts {
   std::string unusableGolden;             // why it cannot be read; ""
   std::unique_ptr<RunAgain> again;
   std::unique_ptr<BulletAgain> bullet = {};  // of a run made again whose scenario asks for it
+  std::optional<BesideGolden> beside = {};  // of a run that was made again and differs from its golden
 };
 
 /// Reads what is stored. Throws FileError if the record was changed.

@@ -4,15 +4,21 @@
 
 #include "analysis/comparison.h"
 #include "analysis/measure_words.h"
+#include "analysis/organisms.h"
 #include "analysis/picture.h"
 #include "base/number_text.h"
+#include "database/store_error.h"
+#include "loop/stored_scenario.h"
 #include "page/html.h"
 #include "store/store.h"
+#include "system/signals.h"
+#include "system/usage_error.h"
 
 namespace morula {
 
 namespace {
 
+constexpr std::size_t mostDrawn = 12;      // conditions of which a run is made again
 constexpr std::size_t mostSentences = 16;  // that are seen without being asked for
 
 Database openStudy(const std::string& file) {
@@ -128,6 +134,42 @@ PagePart studyPart(const std::string& database) {
                          {"./morula study compare " + file + " --csv > comparison.csv",
                           "./morula study compare " + file + " --json > comparison.json"}});
   return part;
+}
+
+namespace {
+
+/// Of the first run that is done; false without any.
+bool hasBodies(const StudyResults& results, const std::string& database) {
+  for (const ResultTask& task : results.tasks)
+    if (task.status == "done") return storedScenario(database, task.runId).scene.mechanics.has_value();
+  return false;
+}
+
+}  // namespace
+
+int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
+  const StudyResults results = readStudyResults(database);
+  PageBlock block{
+      "organisms", "Organisms", "", {"./morula compare " + shellWord(database) + " --pictures grid.png"}};
+  if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
+  if (results.conditions.size() > mostDrawn) {
+    block.html = "<p class=\"note\">" + counted(results.conditions.size(), "condition") +
+                 " are too many to be run again for this page; the command draws them.</p>\n";
+  } else {
+    try {
+      block.html = htmlLarge("image/png", pngFile(drawOrganisms(results, database, {}, quiet).pixels()),
+                             "the organisms of all conditions at five moments",
+                             "A row a condition, a column a moment; one seed, one camera, one scale");
+    } catch (const Interrupted& by) {
+      return by.signal;
+    } catch (const UsageError&) {  // there is nothing that can be seen
+      return 0;
+    } catch (const NondeterminismError& error) {
+      block.html = "<p class=\"note\">" + shown(error.what()) + "</p>\n";
+    }
+  }
+  part.blocks.insert(part.blocks.begin(), std::move(block));
+  return 0;
 }
 
 std::vector<Representative> representativesOf(const std::string& database, std::size_t most) {
