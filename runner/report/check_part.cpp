@@ -114,13 +114,12 @@ int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, cons
       // Where a run ends is not always known before: then frames are spread over the longest it may take.
       const auto end = plannedEnd(scenario.scene);
       if (!end) continue;
-      FrameTaker taker(*end, question.frames);
+      FrameTaker taker(*end, question.frames, ForceMeter(makeScenarioWorld(scenario, question.execution)));
       Progress progress(scenario.scene.name, question.quiet);
       auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
                           [&](const World& w) { taker.observe(w); });
       if (run.signal) return run.signal;
-      c.again = std::make_unique<FailedAgain>(
-          FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
+      c.again = std::make_unique<FailedAgain>(FailedAgain{std::move(scenario), std::move(run), taker.take()});
       --most;
     } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
     }

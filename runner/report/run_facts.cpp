@@ -87,14 +87,14 @@ bool canRunAgain(const RunFacts& facts) {
 
 int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool quiet) {
   Progress progress(facts.run.record.scenario, quiet);
-  FrameTaker taker(facts.run.time, frames);
+  FrameTaker taker(facts.run.time, frames, ForceMeter(makeScenarioWorld(facts.scenario, how)));
   auto run = simulate(makeScenarioWorld(facts.scenario, how), {.nameOf = facts.scenario.names.function()},
                       progress, [&](const World& world) { taker.observe(world); });
   if (run.signal) return run.signal;
   const bool same = facts.run.status == RunStatus::done
                         ? run.end.stateHash && run.end.stateHash->text() == facts.run.stateHash
                         : run.end.status == facts.run.status && run.end.failure == facts.run.failure;
-  facts.again = std::make_unique<RunAgain>(RunAgain{std::move(run), std::move(taker.frames()), same});
+  facts.again = std::make_unique<RunAgain>(RunAgain{std::move(run), taker.take(), same});
   return 0;
 }
 
