@@ -42,11 +42,10 @@ class Explorer {
     infoBox.setAttribute("aria-live", "polite");
     const clockBox = element("div", "clock");
     this.tip.hidden = true;
-    document.body.append(this.tip);
     const tools = new Tools(data, this.state, this.colouring, anyBodies);
     tools.onLook = (direction) => this.views.forEach((view) => view.look(direction));
     this.forces = new ForceKey(data, this.state);
-    root.append(tools.box, this.panes, this.bar, this.forces.box, clockBox, infoBox);
+    root.append(tools.box, this.panes, this.bar, this.forces.box, clockBox, infoBox, this.tip);
     if (anyBodies) this.panes.append(this.viewRow);
     else this.panes.style.gridTemplateColumns = "minmax(0, 1fr)";
     this.panes.append(treePane);
@@ -107,12 +106,18 @@ class Explorer {
 
   /** Without WebGL, or without shapes: the picture that the page has of the run. */
   private showPicture(box: HTMLElement, number: number): void {
-    const stored = document.querySelector<HTMLImageElement>(`#picture-${number} img`), run = this.data.runs[number];
+    const run = this.data.runs[number], stored = document.querySelector<HTMLImageElement>(`#picture-${number} img`) ?? this.pictureUnder(run.title);
     if (stored) {
       const picture = stored.cloneNode() as HTMLImageElement;
       box.append(picture);
     }
     box.append(element("div", "caption", run.hasBodies ? "This browser has no WebGL: the stored picture instead." : `${run.title}: no shapes are kept in this page.`));
+  }
+
+  /** In the block of a page that bears this title. */
+  private pictureUnder(title: string): HTMLImageElement | null {
+    const block = [...document.querySelectorAll("main > section")].find((section) => section.querySelector("h2")?.textContent === title);
+    return block?.querySelector("img") ?? null;
   }
 
   private fitButton(tools: HTMLElement): void {

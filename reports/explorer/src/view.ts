@@ -5,7 +5,7 @@ import type { Colouring } from "./colours";
 import type { Run } from "./data";
 import { Eye, standpoints } from "./eye";
 import { Marks } from "./marks";
-import { drawsInSoftware } from "./shading";
+import { whatDraws } from "./shading";
 import type { State } from "./state";
 import { Surface } from "./surface";
 
@@ -28,7 +28,8 @@ export class View {
   private gone = false; // a frame that is still asked for is not drawn
 
   constructor(private readonly parent: HTMLElement, readonly run: Run, private readonly state: State, private readonly colouring: Colouring) {
-    const software = drawsInSoftware();
+    const by = whatDraws(), software = by === "software";
+    if (by === "nothing") throw new Error("there is no WebGL");
     this.renderer = new WebGLRenderer({ antialias: !software, powerPreference: "low-power" });
     this.renderer.setPixelRatio(software ? 1 : Math.min(2, devicePixelRatio));
     this.canvas = this.renderer.domElement;
