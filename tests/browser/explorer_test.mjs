@@ -25,6 +25,8 @@ async function address(browser, hash) {
 async function twoRuns(browser) {
   const page = await open(browser, "two.html");
   check("two organisms side by side", (await page.$$("#explorer canvas")).length === 2);
+  const bars = await page.$$eval("#explorer .scale", (all) => all.map((bar) => [bar.textContent, bar.clientWidth].join()));
+  check("both have one scale", bars.length === 2 && bars[0] === bars[1], bars);
   await changes(page, "turning one organism turns the other, which", () => drag(page, 60), 1);
   await page.focus("#time");
   await changes(page, "one slider for both, which", () => press(page, "ArrowLeft", 8), 1);

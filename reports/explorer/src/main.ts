@@ -82,6 +82,7 @@ class Explorer {
         const view = new View(box, run, this.state, this.colouring);
         view.onPick = (path) => { if (path === null) this.state.set({ selected: null }); else this.pick(path); };
         view.onHover = (path, x, y) => this.hover(path, x, y);
+        view.onResize = () => this.scaleBars();
         view.onCamera = (moved) => this.link(moved);
         const caption = element("div", "caption", this.data.runs.length > 1 ? run.title : ""), scale = element("div", "scale");
         box.append(caption, scale);

@@ -13,6 +13,7 @@ export class View {
   readonly canvas: HTMLCanvasElement;
   readonly eye: Eye;
   onCamera: (view: View) => void = () => {};
+  onResize: () => void = () => {};
   onPick: (path: string | null) => void = () => {};
   onHover: (path: string | null, x: number, y: number) => void = () => {};
   size = 1; // [length] of the farthest point that is ever seen
@@ -68,6 +69,7 @@ export class View {
     if (!w || !h) return;
     this.renderer.setSize(w, h);
     this.eye.resize(w, h);
+    this.onResize();
     this.draw();
   }
 
