@@ -118,6 +118,7 @@ button, select, input { font: inherit; color: inherit; }
   .clock { grid-template-columns: auto minmax(0, 1fr); } .clock output { grid-column: 1 / -1; }
 }
 @media (prefers-reduced-motion: reduce) { * { transition: none; } }
+@page { margin: 14mm; }
 @media print {
   :root { --paper: #fff; --ink: #000; --quiet: #444; --line: #bbb; --panel: #fff; --good: #17713a; --bad: #b3201a; --warn: #8a5a00;
     --good-back: #fff; --bad-back: #fff; --warn-back: #fff; }
