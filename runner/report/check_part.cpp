@@ -119,7 +119,8 @@ int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, cons
       auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
                           [&](const World& w) { taker.observe(w); });
       if (run.signal) return run.signal;
-      c.again = std::make_unique<FailedAgain>(FailedAgain{std::move(scenario), std::move(run), taker.take()});
+      c.again = std::make_unique<FailedAgain>(
+          FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
       --most;
     } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
     }

@@ -110,13 +110,14 @@ void FrameTaker::observe(const World& world) {
   frames_.worlds.push_back(measureWorld(now));
 }
 
-Frames FrameTaker::take() {
+Frames& FrameTaker::frames() {
   if (!lastForces_.empty()) {
     Frame& last = frames_.frames.back();
     last.vertexForces = last.bytes.size();
     putVertexForces(last.bytes, lastForces_, frames_.forces);
+    lastForces_.clear();
   }
-  return std::move(frames_);
+  return frames_;
 }
 
 std::size_t bytesOf(const Frames& frames) {

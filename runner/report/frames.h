@@ -47,8 +47,8 @@ class FrameTaker {
   FrameTaker(double end, std::size_t most, std::optional<ForceMeter> forces = {});
   /// The world at the start and after every step.
   void observe(const World& world);
-  /// All of them; once.
-  Frames take();
+  /// All of them, when there will be no more.
+  Frames& frames();
 
  private:
   std::uint32_t meshNumber(const std::vector<Face>& faces);

@@ -94,7 +94,7 @@ int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool qui
   const bool same = facts.run.status == RunStatus::done
                         ? run.end.stateHash && run.end.stateHash->text() == facts.run.stateHash
                         : run.end.status == facts.run.status && run.end.failure == facts.run.failure;
-  facts.again = std::make_unique<RunAgain>(RunAgain{std::move(run), taker.take(), same});
+  facts.again = std::make_unique<RunAgain>(RunAgain{std::move(run), std::move(taker.frames()), same});
   return 0;
 }
 

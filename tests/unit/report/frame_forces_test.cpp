@@ -38,7 +38,7 @@ Watched watch(const std::string& physics, bool forces = true) {
   Progress progress("two", true);
   auto run =
       simulate(makeScenarioWorld(scenario, {}), {}, progress, [&](const World& w) { taker.observe(w); });
-  return {std::move(run), taker.take()};
+  return {std::move(run), std::move(taker.frames())};
 }
 
 std::uint32_t numberAt(const std::string& bytes, std::size_t at, int size = 4) {

@@ -41,7 +41,7 @@ Watched watch(std::size_t most) {
   Progress progress("two", true);
   auto run =
       simulate(makeScenarioWorld(scenario, {}), {}, progress, [&](const World& w) { taker.observe(w); });
-  return {std::move(run), taker.take()};
+  return {std::move(run), std::move(taker.frames())};
 }
 
 TEST_CASE("Frames lie evenly over time, the first at the start and the last at the end") {
