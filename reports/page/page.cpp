@@ -53,11 +53,12 @@ std::string pageFile(const Page& page) {
 
 std::string htmlTable(const std::string& caption, const std::vector<std::string>& head,
                       const std::vector<std::vector<std::string>>& rows) {
-  std::string html = "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + htmlText(caption) +
+  std::string html = "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"" + htmlText(caption) +
                      "\"><table>\n<caption>" + htmlText(caption) + "</caption>\n";
   if (!head.empty()) {
     html += "<thead><tr>";
-    for (const std::string& cell : head) html += "<th scope=\"col\">" + cell + "</th>";
+    for (const std::string& cell : head)
+      html += cell.empty() ? "<td></td>" : "<th scope=\"col\">" + cell + "</th>";
     html += "</tr></thead>\n";
   }
   html += "<tbody>\n";

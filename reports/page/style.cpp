@@ -73,7 +73,7 @@ button, select, input { font: inherit; color: inherit; }
 .tools input[type=range] { width: 6.5rem; accent-color: var(--accent); }
 .panes { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: .8rem; }
 .views { display: grid; grid-auto-flow: column; grid-auto-columns: minmax(0, 1fr); gap: .4rem; min-width: 0; }
-.view { position: relative; min-width: 0; height: 30rem; border: 1px solid var(--line); border-radius: 6px; overflow: hidden; background: var(--paper); }
+.view { position: relative; min-width: 0; height: 30rem; border: 1px solid var(--line); overflow: hidden; background: var(--paper); }
 .view canvas { display: block; touch-action: none; }
 .view .caption { position: absolute; left: .5rem; top: .35rem; right: .5rem; font-size: .8rem; pointer-events: none; overflow-wrap: anywhere; }
 .view .scale { position: absolute; left: .6rem; bottom: .5rem; font-size: .75rem; pointer-events: none; border-bottom: 2px solid currentColor; text-align: center; }
@@ -82,6 +82,9 @@ button, select, input { font: inherit; color: inherit; }
 .bar .ramp { width: 10rem; height: .8rem; border-radius: 3px; }
 .bar .chip { display: inline-flex; align-items: center; gap: .25rem; margin-right: .5rem; }
 .bar .chip i { width: .8rem; height: .8rem; border-radius: 3px; border: 1px solid var(--line); }
+.forces label { cursor: pointer; } .forces .note { font-size: inherit; }
+.forces .arrow { position: relative; height: 2px; background: currentColor; margin-right: .3rem; }
+.forces .arrow::after { content: ""; position: absolute; right: -2px; top: -3px; border-left: 8px solid currentColor; border-top: 4px solid transparent; border-bottom: 4px solid transparent; }
 .tree { position: relative; height: 30rem; overflow: auto; border: 1px solid var(--line); border-radius: 6px; background: var(--paper); }
 .tree svg { display: block; }
 .tree text { font: 11px "DejaVu Sans", sans-serif; fill: var(--ink); }
@@ -122,6 +125,7 @@ button, select, input { font: inherit; color: inherit; }
   .clock { grid-template-columns: auto minmax(0, 1fr); } .clock output { grid-column: 1 / -1; }
 }
 @media (prefers-reduced-motion: reduce) { * { transition: none; } }
+@page { margin: 14mm; }
 @media print {
   :root { --paper: #fff; --ink: #000; --quiet: #444; --line: #bbb; --panel: #fff; --good: #17713a; --bad: #b3201a; --warn: #8a5a00;
     --good-back: #fff; --bad-back: #fff; --warn-back: #fff; }

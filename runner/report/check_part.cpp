@@ -115,7 +115,7 @@ int runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
     // Where a run ends is not always known before: then frames are spread over the longest it may take.
     const auto end = plannedEnd(scenario.scene);
     if (!end) return 0;
-    FrameTaker taker(*end, question.frames);
+    FrameTaker taker(*end, question.frames, ForceMeter(makeScenarioWorld(scenario, question.execution)));
     Progress progress(scenario.scene.name, question.quiet);
     auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
                         [&](const World& w) { taker.observe(w); });

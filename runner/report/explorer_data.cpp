@@ -5,6 +5,7 @@
 
 #include "drawing/palette.h"
 #include "files/printable.h"
+#include "pictures/picture_maker.h"
 #include "pictures/pictures.h"
 #include "report/words.h"
 
@@ -89,11 +90,16 @@ Json dataOf(const ExplorerRun& run) {
   json["shell"] = shellOf(*run.scenario);
   json["radius"] = run.scenario->scene.mechanics ? run.scenario->scene.mechanics->physics.cell.radius : 1;
   json["measures"] = Json::array(), json["frames"] = Json::array(), json["meshes"] = Json::array();
+  json["forces"] = Json::array(), json["netForces"] = Json::array();
   if (!run.frames) return json;
   json["measures"] = run.frames->measures;
+  for (const ForceKind kind : run.frames->forces) json["forces"].push_back(nameOf(kind));
+  for (const ForceKind kind : kindsWithNetForce(run.frames->forces))
+    json["netForces"].push_back(nameOf(kind));
   for (const auto& faces : run.frames->meshes) json["meshes"].push_back(flat(faces));
   for (const Frame& f : run.frames->frames)
-    json["frames"].push_back({f.time, f.step, f.cells, f.contacts, f.connections, f.bytes.size()});
+    json["frames"].push_back(
+        {f.time, f.step, f.cells, f.contacts, f.connections, f.bytes.size(), f.vertexForces});
   return json;
 }
 
@@ -104,10 +110,13 @@ Json explorerData(const std::vector<ExplorerRun>& runs) {
             {"units", unitsOf()},
             {"scale", Json::array()},
             {"series", Json::array()},
+            {"forces", Json::array()},
             {"runs", Json::array()}};
   for (std::size_t i = 0; i < colourSteps; ++i)
     json["scale"].push_back(hex(scaleColour(double(i) / (colourSteps - 1))));
   for (std::size_t i = 0; i < manySeries; ++i) json["series"].push_back(hex(seriesColour(i)));
+  for (const auto& kind : choices<ForceKind>)
+    json["forces"].push_back({kind.name, hex(forceColour(kind.value)), kind.meaning});
   for (const ExplorerRun& run : runs) json["runs"].push_back(dataOf(run));
   return json;
 }

@@ -1,19 +1,14 @@
 #include "report/frames.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
+
+#include "report/bytes.h"
 
 namespace morula {
 
 namespace {
-
-void put(std::string& bytes, std::uint32_t number) {
-  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift);
-}
-
-void put(std::string& bytes, float number) { put(bytes, std::bit_cast<std::uint32_t>(number)); }
 
 /// The box that holds a cell's vertices, and how far apart the 65536 places along each of its sides are.
 struct Grid {
@@ -42,7 +37,9 @@ std::uint32_t numberAmong(const World& world, const CellPath& path) {
 
 }  // namespace
 
-FrameTaker::FrameTaker(double end, std::size_t most) : end_(end), most_(most) {
+FrameTaker::FrameTaker(double end, std::size_t most, std::optional<ForceMeter> forces)
+    : end_(end), most_(most), meter_(std::move(forces)) {
+  if (meter_) frames_.forces = meter_->kinds();
   for (const CellMeasure& m : sampledMeasures<CellContext>()) frames_.measures.push_back(m.name);
 }
 
@@ -77,39 +74,53 @@ void FrameTaker::take(const World& world) {
   Frame frame{.time = world.clock.time,
               .step = world.clock.step,
               .cells = static_cast<std::uint32_t>(count),
+              .vertexForces = 0,
               .bytes = {}};
   std::string places;
   for (std::size_t i = 0; i < count; ++i) {
     const Mesh mesh = cellMesh(world, world.cells.path[i]);
     const Grid grid(mesh.vertices);
-    put(frame.bytes, world.cells.entry[i]);
-    put(frame.bytes, meshNumber(mesh.faces));
-    put(frame.bytes, stateNumber(world.cells.state[i]));
-    for (const float x : grid.low) put(frame.bytes, x);
-    for (const float x : grid.step) put(frame.bytes, x);
+    putBytes(frame.bytes, world.cells.entry[i]);
+    putBytes(frame.bytes, meshNumber(mesh.faces));
+    putBytes(frame.bytes, stateNumber(world.cells.state[i]));
+    for (const float x : grid.low) putBytes(frame.bytes, x);
+    for (const float x : grid.step) putBytes(frame.bytes, x);
     for (const auto& value : measured[i].values)
-      put(frame.bytes, value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN());
+      putBytes(frame.bytes, value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN());
     for (const Point& p : mesh.vertices)
       for (const std::uint16_t n : {grid.place(0, p.x), grid.place(1, p.y), grid.place(2, p.z)})
-        places += static_cast<char>(n), places += static_cast<char>(n >> 8);
+        putBytes(places, n);
   }
   for (const ContactArea& contact : now.contacts()) {
-    put(frame.bytes, static_cast<std::uint32_t>(contact.a));
-    put(frame.bytes, static_cast<std::uint32_t>(contact.b));
-    put(frame.bytes, static_cast<float>(contact.area));
+    putBytes(frame.bytes, static_cast<std::uint32_t>(contact.a));
+    putBytes(frame.bytes, static_cast<std::uint32_t>(contact.b));
+    putBytes(frame.bytes, static_cast<float>(contact.area));
     ++frame.contacts;
   }
   if (world.connections)
     for (const std::size_t place : world.connections->active) {
       const ConnectionRecord& held = world.connections->history[place];
-      put(frame.bytes, numberAmong(world, held.a));
-      put(frame.bytes, numberAmong(world, held.b));
+      putBytes(frame.bytes, numberAmong(world, held.a));
+      putBytes(frame.bytes, numberAmong(world, held.b));
       ++frame.connections;
     }
+  if (meter_) lastForces_ = meter_->at(world);
+  putNetForces(frame.bytes, lastForces_, count, kindsWithNetForce(frames_.forces));
   frame.bytes += places;
-  while (frame.bytes.size() % 4 != 0) frame.bytes += '\0';
+  fillBytes(frame.bytes);
+  if (world.bodies->areSpheres()) lastForces_.clear();  // one force each, and no vertices that are drawn
   frames_.frames.push_back(std::move(frame));
   frames_.worlds.push_back(measureWorld(now));
+}
+
+Frames& FrameTaker::frames() {
+  if (!lastForces_.empty()) {
+    Frame& last = frames_.frames.back();
+    last.vertexForces = last.bytes.size();
+    putVertexForces(last.bytes, lastForces_, frames_.forces);
+    lastForces_.clear();
+  }
+  return frames_;
 }
 
 std::size_t bytesOf(const Frames& frames) {

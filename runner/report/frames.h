@@ -2,10 +2,12 @@
 // The organism's shape at many times, small enough to be put into a page: positions as 16-bit numbers over each cell's box.
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "report/frame_forces.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
 
@@ -16,13 +18,16 @@ namespace morula {
 ///                    float32 for each of Frames::measures (NaN: not measured)
 ///   each contact:    uint32 a, b: cells of this frame; float32 area [length²]
 ///   each connection: uint32 a, b: cells of this frame
+///   each cell:       its net forces [frame_forces.h, putNetForces]
 ///   each cell:       uint16 x, y, z of each vertex: low + step · number
-/// and as many zeros as make the length a multiple of 4. A position is off by half a step at most: the longest side of the
-/// cell's box over 131070.
+///   and as many zeros as make the length a multiple of 4. A position is off by half a step at most: the longest side of the
+///   cell's box over 131070.
+/// In the last frame of cells with vertices there follow, from `vertexForces` on, the forces on these [putVertexForces].
 struct Frame {
   double time = 0;  // [time]
   std::uint64_t step = 0;
   std::uint32_t cells = 0, contacts = 0, connections = 0;
+  std::size_t vertexForces = 0;  // where in bytes; 0: there are none
   std::string bytes;
 };
 
@@ -31,18 +36,21 @@ struct Frames {
   std::vector<std::vector<Face>> meshes;  // that cells have, by their numbers
   std::vector<std::string> measures;      // of cells, sampled
   std::vector<StateId> states;            // by their numbers in frames
+  std::vector<ForceKind> forces;          // that cells can have; empty: forces are not known
   std::vector<WorldMeasures> worlds;      // at the times of all frames that were taken
 };
 
 /// Watches a run and takes `most` frames, evenly from time 0 to `end` [time].
 class FrameTaker {
  public:
-  FrameTaker(double end, std::size_t most);
+  /// Without `forces` there are none in the frames.
+  FrameTaker(double end, std::size_t most, std::optional<ForceMeter> forces = {});
   /// The world at the start and after every step.
   void observe(const World& world);
   /// One more frame, whatever the time.
   void take(const World& world);
-  Frames& frames() { return frames_; }
+  /// All of them, when there will be no more.
+  Frames& frames();
 
  private:
   std::uint32_t meshNumber(const std::vector<Face>& faces);
@@ -52,6 +60,8 @@ class FrameTaker {
   std::size_t most_, next_ = 0;
   Frames frames_;
   std::map<StateId, std::uint32_t> stateNumbers_;
+  std::optional<ForceMeter> meter_;
+  std::vector<ForcesByKind> lastForces_;  // in the last frame; empty: not known, or not of vertices
 };
 
 /// Keeps as many frames as take at most so many bytes, evenly over time; of two or more the first and the last are among them. None

@@ -92,7 +92,7 @@ bool canRunAgain(const RunFacts& facts) {
 
 int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool quiet) {
   Progress progress(facts.run.record.scenario, quiet);
-  FrameTaker taker(facts.run.time, frames);
+  FrameTaker taker(facts.run.time, frames, ForceMeter(makeScenarioWorld(facts.scenario, how)));
   auto run = simulate(makeScenarioWorld(facts.scenario, how), {.nameOf = facts.scenario.names.function()},
                       progress, [&](const World& world) { taker.observe(world); });
   if (run.signal) return run.signal;

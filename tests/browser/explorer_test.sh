@@ -25,14 +25,59 @@ cat >"$folder/tsconfig.json" <<END
 END
 node "$folder/node_modules/typescript/bin/tsc" --noEmit -p "$folder/tsconfig.json"
 
+node "$here/faces_test.mjs" "$folder" "$source/reports/explorer/src"
+
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$source"
-"$program" run scenarios/thesis/unique-four.yaml --no-check --quiet --db "$scratch/one.db" --out "$scratch/one" >/dev/null
-"$program" run scenarios/thesis/unique-four.yaml --set physics.pressure.constant=180 --quiet --db "$scratch/two.db" --out "$scratch/two" >/dev/null
-"$program" report "$scratch/one.db" -o "$scratch/one.html" --frames 60 --quiet >/dev/null
-"$program" report "$scratch/one.db" "$scratch/two.db" -o "$scratch/two.html" --frames 20 --quiet >/dev/null
-mkdir -p "$scratch/evil"
-"$program" run "$here/evil.yaml" --quiet --db "$scratch/evil.db" --out "$scratch/evil" >/dev/null
-"$program" report "$scratch/evil.db" -o "$scratch/evil.html" --frames 5 --quiet >/dev/null
-NODE_PATH=$folder/node_modules CHROMIUM=$chromium node "$here/explorer_test.mjs" "$folder" "$scratch"
+page() { # page NAME FRAMES WHAT...: the page NAME.html
+  name=$1 frames=$2
+  shift 2
+  "$program" report "$@" -o "$scratch/$name.html" --frames "$frames" --quiet >/dev/null
+}
+run() { # run NAME SCENARIO OPTION...: the database NAME.db
+  name=$1
+  shift
+  "$program" run "$@" --quiet --db "$scratch/$name.db" --out "$scratch/$name" >/dev/null
+}
+run one scenarios/thesis/unique-four.yaml --no-check
+run two scenarios/thesis/unique-four.yaml --set physics.pressure.constant=180
+run evil "$here/evil.yaml"
+page one 60 "$scratch/one.db"
+page two 20 "$scratch/one.db" "$scratch/two.db"
+page evil 5 "$scratch/evil.db"
+
+# A check that fails: what was accepted had another pressure.
+sed -e 's/^name: evil/name: small/' -e '/^summary:/d' "$here/evil.yaml" >"$scratch/small.yaml"
+CI= "$program" review "$scratch/small.yaml" --accept --by tests --why 'to be held against' >/dev/null
+sed -i 's/constant: 172/constant: 190/' "$scratch/small.yaml"
+code=0
+"$program" check "$scratch/small.yaml" --reports "$scratch/check" --quiet >/dev/null || code=$?
+[ $code -eq 1 ] || { echo "FAILED: a check that must fail ends with $code" && exit 1; }
+page check 20 "$scratch/check"
+
+# A study of 150 runs.
+cat >"$scratch/many.study.yaml" <<END
+morula-study: 1
+name: many
+base: small.yaml
+vary:
+  drag:
+    little: {physics.drag: 10}
+    some: {physics.drag: 20}
+    much: {physics.drag: 40}
+seeds: 1..50
+measures: [sphericity]
+END
+printf 'variation: {cycle: 0.05, start: 0.01}\n' >>"$scratch/small.yaml"
+"$program" study run "$scratch/many.study.yaml" --to "$scratch/many" --no-predict --quiet >/dev/null
+page study 10 "$scratch/many"
+
+files="one.html check.html study.html"
+# The largest takes as long as all others together: MORULA_BROWSER_LARGE=1 asks for it.
+if [ -n "${MORULA_BROWSER_LARGE-}" ]; then
+  run elegans scenarios/thesis/elegans-128.yaml --no-check
+  page elegans 200 "$scratch/elegans.db"
+  files="$files elegans.html"
+fi
+NODE_PATH=$folder/node_modules CHROMIUM=$chromium node "$here/explorer_test.mjs" "$folder" "$scratch" $files

@@ -1,4 +1,5 @@
 // What the page holds for the explorer, as runner/report/explorer_data.cpp and frames.h write it.
+import { facesAcross } from "./occlusion";
 
 export type Fate = "alive" | "divided" | "died";
 
@@ -28,11 +29,39 @@ export interface Frame {
   values: Float32Array; // [i * measures + m]
   contacts: Contact[];
   connections: [number, number][];
+  forces: Float32Array; // [3 (i * Run.netForces + k)] net force of each kind on each cell; NaN: not known
+  vertexForces: VertexForces | null; // of the last frame
   positions: Float32Array; // xyz of all vertices, cell after cell
   firstVertex: Uint32Array; // [i], and one more: the number of all
 }
 
-interface FrameHead { time: number; step: number; cells: number; contacts: number; connections: number; offset: number }
+interface FrameHead { time: number; step: number; cells: number; contacts: number; connections: number; offset: number; vertexForces: number }
+
+/** Forces on the vertices of each cell, as runner/report/frame_forces.h writes them. */
+export class VertexForces {
+  private readonly steps: Float32Array; // [i * kinds + k]
+  private readonly first: Uint32Array; // likewise, where its numbers begin
+  private readonly numbers: Int8Array;
+
+  constructor(bytes: ArrayBuffer, at: number, private readonly kinds: number, firstVertex: Uint32Array) {
+    const cells = firstVertex.length - 1, n = cells * kinds;
+    this.steps = new Float32Array(bytes, at, n);
+    this.first = new Uint32Array(n + 1);
+    for (let k = 0; k < n; ++k) {
+      const i = Math.floor(k / kinds);
+      this.first[k + 1] = this.first[k] + (this.steps[k] > 0 ? 3 * (firstVertex[i + 1] - firstVertex[i]) : 0);
+    }
+    this.numbers = new Int8Array(bytes, at + 4 * n, this.first[n]);
+  }
+
+  /** [kind][3 * vertex of the cell] of a cell of the frame; null where there are none. */
+  of(cell: number): (Float32Array | null)[] {
+    return Array.from({ length: this.kinds }, (_, kind) => {
+      const k = cell * this.kinds + kind, step = this.steps[k];
+      return step > 0 ? Float32Array.from(this.numbers.subarray(this.first[k], this.first[k + 1]), (x) => step * x) : null;
+    });
+  }
+}
 
 export class Run {
   readonly title: string;
@@ -43,7 +72,10 @@ export class Run {
   readonly colours: string[];
   readonly legend: [string, string][];
   readonly measures: string[];
+  readonly forces: string[]; // kinds that cells can have
+  readonly netForces: string[]; // and those of them that may add up to anything on a cell
   readonly meshes: Uint32Array[];
+  readonly across: Uint32Array[]; // of each mesh
   readonly vertexCounts: number[];
   readonly shell: { axes?: number[]; vertices?: number[]; faces?: number[] } | null;
   readonly radius: number;
@@ -59,9 +91,12 @@ export class Run {
     this.colours = json.colours;
     this.legend = json.legend;
     this.measures = json.measures;
+    this.forces = json.forces;
+    this.netForces = json.netForces;
     this.shell = json.shell;
     this.radius = json.radius;
     this.meshes = json.meshes.map((faces: number[]) => Uint32Array.from(faces));
+    this.across = this.meshes.map(facesAcross);
     this.vertexCounts = this.meshes.map((faces) => faces.reduce((most, v) => Math.max(most, v), -1) + 1);
     this.bytes = bytes;
     this.cells = json.cells.map(([path, name, born, ended, fate, state]: any): Cell => ({
@@ -74,8 +109,8 @@ export class Run {
     }
     for (const cell of this.cells) cell.daughters.sort((a, b) => (a.path < b.path ? -1 : 1));
     let offset = 0;
-    for (const [time, step, cells, contacts, connections, size] of json.frames) {
-      this.heads.push({ time, step, cells, contacts, connections, offset });
+    for (const [time, step, cells, contacts, connections, size, vertexForces] of json.frames) {
+      this.heads.push({ time, step, cells, contacts, connections, offset, vertexForces });
       offset += size;
     }
     this.times = this.heads.map((head) => head.time);
@@ -120,7 +155,7 @@ export class Run {
     const frame: Frame = {
       time: head.time, step: head.step, count: head.cells,
       cell: new Uint32Array(head.cells), mesh: new Uint32Array(head.cells), state: new Uint32Array(head.cells),
-      values: new Float32Array(head.cells * m), contacts: [], connections: [],
+      values: new Float32Array(head.cells * m), contacts: [], connections: [], forces: new Float32Array(0), vertexForces: null,
       positions: new Float32Array(0), firstVertex: new Uint32Array(head.cells + 1),
     };
     for (let i = 0; i < head.cells; ++i) {
@@ -138,6 +173,9 @@ export class Run {
     const held = new Uint32Array(this.bytes, place, 2 * head.connections);
     for (let k = 0; k < head.connections; ++k) frame.connections.push([held[2 * k], held[2 * k + 1]]);
     place += 8 * head.connections;
+    frame.forces = new Float32Array(this.bytes, place, 3 * this.netForces.length * head.cells);
+    place += 4 * frame.forces.length;
+    if (head.vertexForces) frame.vertexForces = new VertexForces(this.bytes, head.offset + head.vertexForces, this.forces.length, frame.firstVertex);
     const vertices = frame.firstVertex[head.cells];
     const grid = new Uint16Array(this.bytes, place, 3 * vertices);
     frame.positions = new Float32Array(3 * vertices);
@@ -150,7 +188,13 @@ export class Run {
   }
 }
 
-export interface Data { runs: Run[]; units: Record<string, string>; scale: string[]; series: string[] }
+export interface Data {
+  runs: Run[];
+  units: Record<string, string>;
+  scale: string[];
+  series: string[];
+  forces: { name: string; colour: string; meaning: string }[]; // kinds
+}
 
 function bytesOf(text: string): ArrayBuffer {
   const binary = atob(text), bytes = new Uint8Array(binary.length);
@@ -162,6 +206,7 @@ export function readData(): Data {
   const json = JSON.parse(document.getElementById("data")!.textContent!);
   return {
     units: json.units, scale: json.scale, series: json.series,
+    forces: json.forces.map(([name, colour, meaning]: string[]) => ({ name, colour, meaning })),
     runs: json.runs.map((run: any, i: number) => new Run(run, bytesOf(document.getElementById(`frames-${i}`)?.textContent ?? ""))),
   };
 }

@@ -60,6 +60,14 @@ export class Info {
     return part;
   }
 
+  /** The size of the net force of each kind, and of all together. */
+  private forces(run: Run, frame: Frame, i: number): [string, string][] {
+    const n = run.netForces.length, of = run.netForces.map((_, k) => [...frame.forces.subarray(3 * (i * n + k), 3 * (i * n + k) + 3)]);
+    const all = [0, 1, 2].map((axis) => of.reduce((sum, force) => sum + force[axis], 0)), sizes = of.map((force) => Math.hypot(...force));
+    const seen = run.netForces.map((kind, k): [string, number] => [kind, sizes[k]]).filter(([, size]) => size > 1e-9 * Math.max(...sizes));
+    return n && Number.isFinite(sizes[0]) ? [["net force", `${numberText(Math.hypot(...all))} [force]` + (seen.length ? `: ${seen.map(([kind, size]) => `${kind} ${numberText(size)}`).join(", ")}` : "")]] : [];
+  }
+
   /** Of one cell at the present time: measures and neighbours, or why there are none. */
   private present(run: Run, cell: Cell): HTMLElement {
     const column = element("div"), { time } = this.state.choice;
@@ -70,7 +78,7 @@ export class Info {
       const m = run.measures.length, rows: [string, string][] = [];
       for (let k = 0; k < m; ++k)
         if (Number.isFinite(frame.values[i * m + k])) rows.push([run.measures[k], numberText(frame.values[i * m + k]) + (this.data.units[run.measures[k]] ? ` ${this.data.units[run.measures[k]]}` : "")]);
-      column.append(this.table(rows), this.neighbours(run, frame, i));
+      column.append(this.table([...rows, ...this.forces(run, frame, i)]), this.neighbours(run, frame, i));
       return column;
     }
     let living = 0, volume = 0;

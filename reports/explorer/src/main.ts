@@ -3,11 +3,13 @@ import { Clock } from "./clock";
 import { Colouring } from "./colours";
 import { setUpCompare } from "./compare";
 import { isWithin, numberText, readData, type Data, type Run } from "./data";
+import { standpoints } from "./eye";
+import { ForceKey } from "./force_key";
 import { Info } from "./info";
 import { State, type Choice } from "./state";
 import { element, Tools } from "./tools";
 import { Tree } from "./tree";
-import { standpoints, View } from "./view";
+import { View } from "./view";
 
 class Explorer {
   private readonly state: State;
@@ -18,6 +20,7 @@ class Explorer {
   private readonly clock: Clock;
   private readonly tip = element("div", "tip");
   private readonly bar = element("div", "bar");
+  private readonly forces: ForceKey;
   private readonly panes = element("div", "panes");
   private readonly viewRow = element("div", "views");
   private hasGraphics = true;
@@ -27,7 +30,7 @@ class Explorer {
     const second = data.runs.length > 1 ? 1 : -1;
     const initial: Choice = {
       time: Math.max(data.runs[0].end, second > 0 ? data.runs[1].end : 0), selected: null, hovered: null, colour: "substance", scaleNow: false, surface: true, wireframe: false, normals: false,
-      connections: false, shell: true, opacity: 1, clip: "", clipAt: 0, left: 0, right: second, camera: null,
+      connections: false, forces: false, kinds: "all", shell: true, opacity: 1, clip: "", clipAt: 0, left: 0, right: second, camera: null,
     };
     this.state = new State(initial, { runs: data.runs.length, time: Math.max(...data.runs.map((r) => r.end)), isCell: (path) => data.runs.some((r) => r.byPath.has(path)) });
     this.colouring = new Colouring(data);
@@ -39,10 +42,10 @@ class Explorer {
     infoBox.setAttribute("aria-live", "polite");
     const clockBox = element("div", "clock");
     this.tip.hidden = true;
-    document.body.append(this.tip);
     const tools = new Tools(data, this.state, this.colouring, anyBodies);
     tools.onLook = (direction) => this.views.forEach((view) => view.look(direction));
-    root.append(tools.box, this.panes, this.bar, clockBox, infoBox);
+    this.forces = new ForceKey(data, this.state);
+    root.append(tools.box, this.panes, this.bar, this.forces.box, clockBox, infoBox, this.tip);
     if (anyBodies) this.panes.append(this.viewRow);
     else this.panes.style.gridTemplateColumns = "minmax(0, 1fr)";
     this.panes.append(treePane);
@@ -55,8 +58,14 @@ class Explorer {
     this.tree.onHover = (path, x, y) => this.hover(path, x, y);
     this.state.listen((changed) => this.changed(changed));
     root.addEventListener("keydown", (e) => this.key(e));
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.views.forEach((v) => v.takePaper()));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.takePaper());
     this.updateAll();
+  }
+
+  private takePaper(): void {
+    this.views.forEach((view) => view.takePaper());
+    this.forces.takePaper();
+    this.forces.update(this.views);
   }
 
   private firstRun(): Run { return this.data.runs[this.state.choice.left]; }
@@ -73,6 +82,7 @@ class Explorer {
         const view = new View(box, run, this.state, this.colouring);
         view.onPick = (path) => { if (path === null) this.state.set({ selected: null }); else this.pick(path); };
         view.onHover = (path, x, y) => this.hover(path, x, y);
+        view.onResize = () => this.scaleBars();
         view.onCamera = (moved) => this.link(moved);
         const caption = element("div", "caption", this.data.runs.length > 1 ? run.title : ""), scale = element("div", "scale");
         box.append(caption, scale);
@@ -97,12 +107,18 @@ class Explorer {
 
   /** Without WebGL, or without shapes: the picture that the page has of the run. */
   private showPicture(box: HTMLElement, number: number): void {
-    const stored = document.querySelector<HTMLImageElement>(`#picture-${number} img`), run = this.data.runs[number];
+    const run = this.data.runs[number], stored = document.querySelector<HTMLImageElement>(`#picture-${number} img`) ?? this.pictureUnder(run.title);
     if (stored) {
       const picture = stored.cloneNode() as HTMLImageElement;
       box.append(picture);
     }
     box.append(element("div", "caption", run.hasBodies ? "This browser has no WebGL: the stored picture instead." : `${run.title}: no shapes are kept in this page.`));
+  }
+
+  /** In the block of a page that bears this title. */
+  private pictureUnder(title: string): HTMLImageElement | null {
+    const block = [...document.querySelectorAll("main > section")].find((section) => section.querySelector("h2")?.textContent === title);
+    return block?.querySelector("img") ?? null;
   }
 
   private fitButton(tools: HTMLElement): void {
@@ -118,20 +134,22 @@ class Explorer {
   private link(moved: View): void {
     if (this.linking) return;
     this.linking = true;
-    for (const view of this.views) if (view !== moved) view.putAt(moved.place());
+    for (const view of this.views) if (view !== moved) view.putAt(moved.eye.place());
     this.linking = false;
     this.scaleBars();
-    this.state.set({ camera: moved.place() });
+    this.state.set({ camera: moved.eye.place() });
   }
 
   private scaleBars(): void {
     for (const view of this.views) {
-      const bar = view.canvas.parentElement!.querySelector<HTMLElement>(".scale"), perPixel = view.lengthPerPixel();
+      const bar = view.canvas.parentElement!.querySelector<HTMLElement>(".scale"), perPixel = view.eye.lengthPerPixel();
       if (!bar || !(perPixel > 0)) continue;
       const power = 10 ** Math.floor(Math.log10(120 * perPixel)), length = [5, 2, 1].map((x) => x * power).find((x) => x <= 120 * perPixel) ?? power;
-      bar.textContent = numberText(length);
-      bar.style.width = `${length / perPixel}px`;
+      const text = numberText(length), width = `${(length / perPixel).toFixed(1)}px`;
+      if (bar.textContent !== text) bar.textContent = text; // what stays as it is need not be laid out again
+      if (bar.style.width !== width) bar.style.width = width;
     }
+    this.forces.measure(this.views[0]);
   }
 
   private pick(path: string): void {
@@ -169,7 +187,7 @@ class Explorer {
     if (event.shiftKey && view) {
       const turns: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
       if (!turns[event.key]) return;
-      view.turn(...turns[event.key]);
+      view.eye.turn(...turns[event.key]);
     } else if (event.key === "ArrowLeft") to = cell.mother?.path;
     else if (event.key === "ArrowRight") to = cell.daughters[0]?.path;
     else if (event.key === "ArrowUp" || event.key === "ArrowDown") to = sister?.path;
@@ -213,6 +231,7 @@ class Explorer {
     this.clock.update();
     this.info.update();
     this.legend();
+    this.forces.update(this.views);
     this.scaleBars();
   }
 

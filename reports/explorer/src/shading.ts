@@ -39,12 +39,12 @@ export function insideMaterial(): ShaderMaterial {
   return made;
 }
 
-/** Whether a processor draws, and no graphics hardware. */
-export function drawsInSoftware(): boolean {
+/** What draws here: graphics hardware, a processor instead of it, or nothing. */
+export function whatDraws(): "hardware" | "software" | "nothing" {
   const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) return false;
+  if (!gl) return "nothing";
   const info = gl.getExtension("WEBGL_debug_renderer_info");
   const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
   gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software|softpipe/i.test(name);
+  return /swiftshader|llvmpipe|software|softpipe/i.test(name) ? "software" : "hardware";
 }

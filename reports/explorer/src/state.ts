@@ -10,6 +10,8 @@ export interface Choice {
   wireframe: boolean;
   normals: boolean;
   connections: boolean;
+  forces: boolean;
+  kinds: string; // of forces: "all", or their names with commas
   shell: boolean;
   opacity: number; // 0.1 to 1
   clip: "" | "x" | "y" | "z";
@@ -84,7 +86,7 @@ export class State {
         const numbers = text.split(",").map(Number);
         if (numbers.length === 7 && numbers.every(Number.isFinite)) found.camera = numbers;
       } else if (key === "clip") { if (["", "x", "y", "z"].includes(text)) found.clip = text; }
-      else if (key === "colour") found.colour = text;
+      else if (key === "colour" || key === "kinds") found[key] = text;
       else if (typeof this.initial[key] === "boolean") found[key] = text === "true";
       else if (finite) {
         if (key === "time") found.time = Math.min(this.most.time, Math.max(0, number));

@@ -2,7 +2,7 @@
 import type { Colouring } from "./colours";
 import type { Data } from "./data";
 import type { State } from "./state";
-import { standpoints } from "./view";
+import { standpoints } from "./eye";
 
 export function element<K extends keyof HTMLElementTagNameMap>(name: K, className = "", text = ""): HTMLElementTagNameMap[K] {
   const made = document.createElement(name);
@@ -33,7 +33,7 @@ export class Tools {
     this.fill(bodies);
   }
 
-  private toggle(key: "scaleNow" | "surface" | "wireframe" | "normals" | "connections" | "shell", text: string): HTMLElement {
+  private toggle(key: "scaleNow" | "surface" | "wireframe" | "normals" | "connections" | "forces" | "shell", text: string): HTMLElement {
     const label = element("label"), box = element("input");
     box.type = "checkbox";
     box.name = key;
@@ -83,6 +83,7 @@ export class Tools {
     show();
     tools.append(now);
     tools.append(this.toggle("surface", "surface"), this.toggle("wireframe", "wireframe"), this.toggle("normals", "normals"));
+    if (runs.some((run) => run.forces.length)) tools.append(this.toggle("forces", "forces"));
     if (runs.some((run) => run.connected)) tools.append(this.toggle("connections", "connections"));
     if (runs.some((run) => run.shell)) tools.append(this.toggle("shell", "shell"));
     tools.append(this.range("opacity", "Opacity", 0.1, 1), this.select("clip", "Clip", [["", "none"], ["x", "x"], ["y", "y"], ["z", "z"]]), this.range("clipAt", "at", -1, 1));

@@ -5,6 +5,7 @@ import type { State } from "./state";
 
 const svgNs = "http://www.w3.org/2000/svg";
 const topRoom = 22, leftRoom = 8, readableRow = 15; // [pixel]
+const mostLetters = 21; // of a name
 
 function make<K extends keyof SVGElementTagNameMap>(name: K, attributes: Record<string, string | number>): SVGElementTagNameMap[K] {
   const element = document.createElementNS(svgNs, name);
@@ -68,7 +69,7 @@ export class Tree {
     const w = Math.max(200, this.pane.clientWidth - 2), h = Math.max(120, this.pane.clientHeight - 2);
     const fitted = (h - topRoom - 10) / Math.max(1, this.leaves), row = this.whole ? Math.min(34, fitted) : Math.max(readableRow, Math.min(34, fitted));
     const height = Math.round(topRoom + 10 + row * this.leaves), labels = row >= 9;
-    const longest = Math.max(1, ...this.run.cells.filter((c) => !c.daughters.length).map((c) => Math.min(22, c.label.length)));
+    const longest = Math.max(1, ...this.run.cells.filter((c) => !c.daughters.length).map((c) => Math.min(mostLetters + 1, c.label.length)));
     const rightRoom = labels ? 12 + Math.min(0.4 * w, 6.8 * longest) : 10, end = this.run.end || 1;
     this.place = (time) => leftRoom + ((w - leftRoom - rightRoom) * time) / end;
     const y = (cell: Cell) => topRoom + row * (this.rows.get(cell)! + 0.5);
@@ -98,8 +99,17 @@ export class Tree {
       node.append(make("path", { class: "hit", d: `M${x1} ${at}H${x2 + (cell.daughters.length ? 0 : rightRoom - 4)}`, "stroke-width": Math.max(3, Math.min(14, row)) }));
       if (labels && !cell.daughters.length) {
         const text = make("text", { x: x2 + 5, y: at + 4 });
-        text.textContent = cell.label.length > 22 ? cell.label.slice(0, 21) + "…" : cell.label;
+        text.textContent = cell.label.slice(0, mostLetters);
         node.append(text);
+        if (cell.label.length > mostLetters) {
+          // The rest is there for those who do not see it: what is written must be a part of the line's name.
+          const rest = make("tspan", {}), more = make("text", { x: w - 2, y: at + 4, "text-anchor": "end", "aria-hidden": "true" });
+          rest.textContent = cell.label.slice(mostLetters);
+          rest.style.fill = "transparent";
+          text.append(rest);
+          more.textContent = "…";
+          svg.append(more);
+        }
       }
       svg.append(node);
       this.nodes.set(cell.path, node);
