@@ -15,7 +15,7 @@ namespace morula {
 
 enum class Engine {
   thesis,  // ours, with the thesis' contact law
-  b1,      // Bullet: scenario/baseline.h
+  b1,      // Bullet: values/baseline.h
   b2,
   b3,
 };

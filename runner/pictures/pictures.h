@@ -46,8 +46,8 @@ TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
 Drawing drawBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
                          const Scenario& scenario);
 /// The three pictures of it, each by itself.
-std::vector<Image> panelsBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
-                                      const Scenario& scenario);
+ComparisonImages imagesBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
+                                    const Scenario& scenario);
 
 /// Keeps the organism's shape at 0, every, 2·every, … and where record.at-cells asks, for a sequence of pictures.
 class FrameCollector {

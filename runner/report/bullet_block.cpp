@@ -9,7 +9,6 @@
 #include "mesh/measures.h"
 #include "page/html.h"
 #include "pictures/pictures.h"
-#include "report/tables.h"
 #include "simulation/measures.h"
 
 namespace morula {
@@ -146,20 +145,20 @@ std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
 
 std::string pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet,
                      const BulletShown& where) {
-  const auto panels = panelsBesideBullet(ours, bullet.shapes, scenario);
+  const ComparisonImages images = imagesBesideBullet(ours, bullet.shapes, scenario);
   const std::string when = "at time " + numberText(ours.clock.time, 6);
-  const auto picture = [&](std::size_t k, const std::string& what, const std::string& caption) {
-    return htmlPicture("image/png", pngFile(panels[k]), what, caption);
+  const auto picture = [&](const Image& image, const std::string& what, const std::string& caption) {
+    return htmlPicture("image/png", pngFile(image), what, caption);
   };
-  std::string html = "<div class=\"pictures\">\n<div" +
-                     std::string(where.swipe ? " id=\"beside-ours\"" : "") + ">" +
-                     picture(0, "our cells " + when, "ours, " + when) + "</div>\n<div" +
-                     (where.picture.empty() ? "" : " id=\"" + where.picture + "\"") + "><div" +
-                     (where.swipe ? " id=\"beside-bullet\"" : "") + ">" +
-                     picture(1, "Bullet's cells " + when, "Bullet's, " + when) + "</div></div>\n<div>" +
-                     picture(2, "a map of the distances of the surfaces",
-                             "how far each vertex of ours is from Bullet's surface") +
-                     "</div>\n</div>\n";
+  std::string html =
+      "<div class=\"pictures\">\n<div" + std::string(where.swipe ? " id=\"beside-ours\"" : "") + ">" +
+      picture(images.one, "our cells " + when, "ours, " + when) + "</div>\n<div" +
+      (where.picture.empty() ? "" : " id=\"" + where.picture + "\"") + "><div" +
+      (where.swipe ? " id=\"beside-bullet\"" : "") + ">" +
+      picture(images.other, "Bullet's cells " + when, "Bullet's, " + when) + "</div></div>\n<div>" +
+      picture(images.distance, "a map of the distances of the surfaces",
+              "how far each vertex of ours is from Bullet's surface") +
+      "</div>\n</div>\n";
   if (where.swipe)
     html +=
         "<div id=\"compare\" data-first=\"beside-ours\" data-second=\"beside-bullet\" data-names=\"ours | "
@@ -254,7 +253,7 @@ PageBlock bulletBlock(const std::vector<RunFacts>& runs) {
     asked += run.scenario.check.bullet && run.again;
     if (!run.bullet) continue;
     const std::string source = shellWord(sourceOf(run));
-    block.html += (runs.size() > 1 ? "<h3>" + shown(titleOf(run, runs)) + "</h3>\n" : "") +
+    block.html += (runs.size() > 1 ? "<h3>" + shown(titleOf(run)) + "</h3>\n" : "") +
                   besideBullet(run.scenario, run.again->simulation.world, *run.bullet, &run.checks,
                                {"picture-" + std::to_string(runs.size() + made), runs.size() == 1});
     if (made++ == 0)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "check/beside_golden.h"
 #include "report/explorer_data.h"
 #include "report/report.h"
 #include "report/words.h"
@@ -15,13 +16,18 @@ struct PagePart {
   std::string verdict;            // HTML
   std::vector<PageBlock> change;  // what stands before the pictures
   std::vector<PageBlock> blocks;
+  bool isAside = false;  // it belongs to another part; its blocks' titles say what they are of
 };
+
+/// Runs, with all that is known of them but their frames. Downloads take a tenth of `mostBytes`.
+PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes);
 
 /// A scenario that failed its check, run again to be looked at.
 struct FailedAgain {
   Scenario scenario;
   Simulation simulation;
   Frames frames;
+  std::optional<BesideGolden> beside = {};  // and the accepted result
 };
 
 struct CheckedScenario {

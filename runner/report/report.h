@@ -1,5 +1,5 @@
 #pragma once
-// One page of runs, of a check or of what else there is, from files to its bytes.
+// One page of runs, studies, checks or accuracy runs: from their files to the page's bytes.
 #include <filesystem>
 #include <string>
 #include <vector>
