@@ -15,7 +15,8 @@ namespace morula {
 
 namespace {
 
-constexpr std::size_t mostCells = 12;  // in the table of distances
+constexpr std::size_t mostCells = 12;    // in the table of distances
+constexpr double roundingRadii = 1e-11;  // [radii] ten thousand steps of doubles near 1 add up to less
 
 /// How far one cell of ours is from Bullet's, over its vertices.
 struct CellDistance {
@@ -129,6 +130,9 @@ std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
                                       [](const auto& a, const auto& b) { return a.largest < b.largest; });
   // Rounding alone makes no place.
   const auto place = [&](double x) { return std::abs(x) < 1e-9 * radius ? "0" : numberText(x, 3); };
+  if (worst->largest < roundingRadii * radius)
+    return "<p>The surfaces are nowhere farther apart than " + numberText(worst->largest / radius, 2) +
+           " radii of the egg, which is rounding: the map of distances shows nothing else.</p>\n";
   double squares = 0, count = 0;
   for (const CellDistance& d : all)
     squares += d.meanSquare * static_cast<double>(d.vertices), count += static_cast<double>(d.vertices);

@@ -48,9 +48,9 @@ std::vector<PageBlock> bulletBlocks(const std::vector<CheckedScenario>& checked)
   const auto held =
       static_cast<std::size_t>(std::count_if(checked.begin(), checked.end(), heldAgainstBullet));
   if (!blocks.empty() && held > blocks.size())
-    blocks.back().html += "<p class=\"note\">" + std::to_string(blocks.size()) + " of " +
+    blocks.back().html += "<p class=\"note\">Shown of " + std::to_string(blocks.size()) + " of " +
                           counted(held, "scenario") +
-                          " that were held against Bullet; morula report of a run shows any.</p>\n";
+                          " that were held against Bullet; morula report shows it of any run.</p>\n";
   return blocks;
 }
 
