@@ -129,6 +129,8 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   }
   for (auto& checked : checks) exploreChecked(checked, explored);
   if ((answer.signal = exploreRuns(runs, question, explored))) return answer;
+  if (runs.size() == 1 && (answer.signal = drawBeside(runs[0], question.execution, question.quiet)))
+    return answer;
   for (const std::string& file : sources.studies) {
     parts.push_back(studyPart(file));
     if (question.frames > 0 && (answer.signal = addOrganisms(parts.back(), file, question.quiet)))

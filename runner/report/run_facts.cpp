@@ -100,7 +100,13 @@ int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool qui
                         ? run.end.stateHash && run.end.stateHash->text() == facts.run.stateHash
                         : run.end.status == facts.run.status && run.end.failure == facts.run.failure;
   facts.again = std::make_unique<RunAgain>(RunAgain{std::move(run), std::move(taker.frames()), same});
-  if (!same || facts.run.status != RunStatus::done || facts.golden.empty() || facts.change.empty()) return 0;
+  return 0;
+}
+
+int drawBeside(RunFacts& facts, const Execution& how, bool quiet) {
+  if (!facts.again || !facts.again->same || facts.run.status != RunStatus::done || facts.golden.empty() ||
+      facts.change.empty())
+    return 0;
   try {
     facts.beside = drawBesideGolden(facts.scenario, facts.again->simulation.world,
                                     readGoldenFile(facts.golden), how, quiet);

@@ -36,7 +36,7 @@ struct RunFacts {
   std::string unusableGolden;             // why it cannot be read; ""
   std::unique_ptr<RunAgain> again;
   std::unique_ptr<BulletAgain> bullet = {};  // of a run made again whose scenario asks for it
-  std::optional<BesideGolden> beside = {};  // of a run that was made again and differs from its golden
+  std::optional<BesideGolden> beside = {};   // drawn by drawBeside
 };
 
 /// Reads what is stored. Throws FileError if the record was changed.
@@ -50,5 +50,9 @@ bool canRunAgain(const RunFacts& facts);
 
 /// Runs it again to where it ended, and keeps up to `frames` frames. Returns the signal that interrupted it, or 0.
 int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool quiet);
+
+/// Of a run that was made again, came to its stored end and differs from its golden: draws `beside`, which runs the golden's
+/// scenario. Returns the signal that interrupted it, or 0.
+int drawBeside(RunFacts& facts, const Execution& how, bool quiet);
 
 }  // namespace morula

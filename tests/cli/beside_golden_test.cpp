@@ -17,6 +17,9 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
+/// Whether a page says so; it is too long for a message.
+bool has(const std::string& page, const std::string& words) { return page.find(words) != page.npos; }
+
 const std::string pair =
     "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.25}\n"
     "physics: {mesh: {icosphere: 1}, drag: 5, contact: {}}\n";
@@ -61,10 +64,11 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
     CHECK(checked.code == 1);
     return readWhole(folder / "out/report.html");
   };
-  const std::string changed = replaced(pair, "stop:", genes + "  h20(p20|a0,B)\nstop:");
+  const std::string changed =
+      replaced(replaced(pair, "stop:", genes + "  h20(die|A)\nstop:"), "drag: 5", "drag: 8");
   const std::string without = pageOf(changed);
-  CHECK_THAT(without,
-             ContainsSubstring("spheres with the accepted volumes") && ContainsSubstring("git has no other"));
+  CHECK(has(without, "spheres with the accepted volumes"));
+  CHECK(has(without, "git has no other"));
 
   writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
   const auto git = [&](const std::string& words) {
@@ -76,10 +80,10 @@ TEST_CASE("a page of a failed check shows the golden's organism: from git, or el
     WARN("skipped: no git here");
     return;
   }
-  CHECK_THAT(pageOf(changed), ContainsSubstring("to the accepted state, bit for bit"));
+  CHECK(has(pageOf(changed), "to the accepted state, bit for bit"));
   // Also where the change has been committed since: the golden's own commit has its scenario.
   REQUIRE(git("commit -a -m second"));
-  CHECK_THAT(pageOf(changed), ContainsSubstring("to the accepted state, bit for bit"));
+  CHECK(has(pageOf(changed), "to the accepted state, bit for bit"));
 }
 
 TEST_CASE("compare tells how different two pictures look") {
@@ -118,7 +122,7 @@ TEST_CASE("compare tells how different two pictures look") {
   };
   fails(3, "60 x 40 and 30 x 40 pixels cannot be compared", {folder / "small.png"});
   fails(3, "README.md: not a PNG picture", {"README.md"});
-  fails(6, "no such file", {folder / "none.png"});
+  fails(6, "No such file", {folder / "none.png"});
   fails(2, "the other options are for a study", {folder / "other.png", "--csv"});
   fails(2, "one study or two pictures, not 3 files", {folder / "other.png", folder / "small.png"});
 }
