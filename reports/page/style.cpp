@@ -67,7 +67,8 @@ details { margin: .4rem 0; } summary { cursor: pointer; color: var(--accent); ov
 button, select, input { font: inherit; color: inherit; }
 :focus-visible { outline: 2px solid var(--accent); outline-offset: 1px; }
 .tools { display: flex; flex-wrap: wrap; gap: .35rem .9rem; align-items: center; margin-bottom: .6rem; font-size: .85rem; }
-.tools label { display: inline-flex; gap: .3rem; align-items: center; }
+.tools label { display: inline-flex; gap: .3rem; align-items: center; max-width: 100%; }
+.tools select { min-width: 0; max-width: 100%; }
 [hidden] { display: none !important; }
 .tools select, .tools button, #play, .links button { background: var(--paper); border: 1px solid var(--line); border-radius: 5px; padding: .15rem .5rem; cursor: pointer; }
 .tools input[type=range] { width: 6.5rem; accent-color: var(--accent); }
@@ -131,7 +132,7 @@ button, select, input { font: inherit; color: inherit; }
     --good-back: #fff; --bad-back: #fff; --warn-back: #fff; }
   body { font-size: 10pt; } header, main, footer { max-width: none; padding: 0; }
   section { border: 0; padding: 0; margin: .8rem 0; } #verdict { padding-left: .6rem; }
-  .wide, .large { overflow: visible; } td, th, thead th { overflow-wrap: anywhere; white-space: normal; } td { min-width: 2.5rem; }
+  .wide, .large { overflow: visible; } td, tbody th { overflow-wrap: anywhere; } thead th { white-space: normal; }
   .long { min-width: 0; } #compare { display: none; }
   .tools, .views, .clock, .tip, .downloads, .swipe-tools, #explorer .bar, #info { display: none !important; }
   .panes { display: block; } .tree { height: auto; overflow: visible; border: 0; } pre { max-height: none; }

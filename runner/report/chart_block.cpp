@@ -118,6 +118,7 @@ void addOfOneRun(const RunFacts& run, PageBlock& block) {
       Chart chart = seriesOf(run.results, parseMeasure(measure), run.scenario);
       Chart small = timeChart(titleOfMeasure(measure), unitOfMeasure(measure));
       small.lines = std::move(chart.lines);
+      small.legend = std::move(chart.legend);
       const auto labelled = std::count_if(small.lines.begin(), small.lines.end(), [](const ChartLine& line) {
         return !line.label.empty() || !line.pointLabels.empty();
       });

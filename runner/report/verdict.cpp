@@ -42,10 +42,14 @@ void judgeChecks(const RunFacts& facts, std::vector<Finding>& findings) {
     findings.push_back({Kind::good, others.size() == 1 ? "The check passes"
                                                        : "All " + counted(others.size(), "check") + " pass"});
   else if (facts.run.status == RunStatus::done)
-    findings.push_back({Kind::good, "Not checked: the database holds no check of this run"});
-  for (const CheckResult& r : insane)
-    findings.push_back({Kind::bad, "Not sane: " + shown(withNames(r.message.empty() ? r.check : r.message,
-                                                                  facts.scenario.names.function()))});
+    findings.push_back(
+        {Kind::note, "Not held against an accepted result: the database holds no such check of this run"});
+  for (const CheckResult& r : insane) {
+    std::string message = withNames(r.message.empty() ? r.check : r.message, facts.scenario.names.function());
+    if (const std::string known = "not sane at the end: "; message.starts_with(known))
+      message.erase(0, known.size());
+    findings.push_back({Kind::bad, "Not sane: " + failureHtml(message)});
+  }
   if (insane.empty() && !sanity.empty()) {
     if (facts.scenario.check.sane)
       findings.push_back({Kind::good, "Sane: no cell is crushed, torn or turned inside out"});
@@ -176,7 +180,7 @@ void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& find
   std::vector<std::pair<Finding, std::vector<std::string>>> found;  // with the titles of its runs
   for (const RunFacts* run : runs)
     for (Finding& f : findingsOf(*run)) {
-      if (f.kind == Kind::good) continue;
+      if (f.kind == Kind::good || f.kind == Kind::note) continue;
       const auto same = std::find_if(found.begin(), found.end(),
                                      [&](const auto& known) { return known.first.html == f.html; });
       const std::string title = "<b>" + shown(titleOf(*run)) + "</b>";

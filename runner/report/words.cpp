@@ -23,18 +23,20 @@ std::string shownBlock(std::string_view text, std::size_t mostBytes) {
 
 std::string findingsHtml(const std::vector<Finding>& findings) {
   std::string html = "<ul class=\"findings\">\n";
-  // The worst first; what is said once need not be said again.
-  for (const auto kind : {Finding::Kind::bad, Finding::Kind::warning, Finding::Kind::good})
-    for (const Finding& f : findings) {
-      if (f.kind != kind) continue;
-      const bool bad = kind == Finding::Kind::bad, warning = kind == Finding::Kind::warning;
-      const std::string name = bad ? "bad" : warning ? "warn" : "good";
-      html += "<li class=\"" + name + "\"><span class=\"mark " + name + "\">" +
-              (bad       ? "✗ Fault"
-               : warning ? "! Warning"
-                         : "✓") +
-              "</span>" + f.html + "</li>\n";
-    }
+  struct Look {
+    Finding::Kind kind;
+    const char *name, *mark;
+  };
+  static constexpr Look looks[] = {{Finding::Kind::bad, "bad", "✗ Fault"},
+                                   {Finding::Kind::warning, "warn", "! Warning"},
+                                   {Finding::Kind::note, "plain", "–"},
+                                   {Finding::Kind::good, "good", "✓"}};
+  // The worst first.
+  for (const Look& look : looks)
+    for (const Finding& f : findings)
+      if (f.kind == look.kind)
+        html += std::string("<li class=\"") + look.name + "\"><span class=\"mark " + look.name + "\">" +
+                look.mark + "</span>" + f.html + "</li>\n";
   return html + "</ul>\n";
 }
 

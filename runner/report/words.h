@@ -17,7 +17,7 @@ std::string shownBlock(std::string_view text, std::size_t mostBytes = 200'000);
 
 /// One thing that the verdict says.
 struct Finding {
-  enum class Kind { good, warning, bad };
+  enum class Kind { good, note, warning, bad };
   Kind kind;
   std::string html;
 };
