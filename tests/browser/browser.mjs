@@ -79,11 +79,11 @@ async function pixels(page, nth) {
   return (await page.$$("#explorer canvas"))[nth].screenshot({ encoding: "base64" });
 }
 
-/** A busy machine may draw late: it has two seconds. */
+/** A busy machine may draw late: it has ten seconds and more. */
 export async function changes(page, what, act, nth = 0) {
   const before = await pixels(page, nth);
   await act();
-  for (let turn = 0; turn < 20; ++turn) {
+  for (let turn = 0; turn < 100; ++turn) {
     if (before !== (await pixels(page, nth))) return;
     await pause(100);
   }

@@ -20,7 +20,7 @@ export class Eye {
 
   /** From a direction at all that lies within `size` [length] of the origin. */
   look(direction: readonly number[], size: number): void {
-    const { camera } = this, away = size / Math.sin((camera.fov * Math.PI) / 360) * 1.06 / Math.min(1, camera.aspect);
+    const { camera } = this, away = size / Math.sin((camera.fov * Math.PI) / 360) * 1.12 / Math.min(1, camera.aspect);
     this.controls.target.set(0, 0, 0);
     camera.position.set(direction[0], direction[1], direction[2]).setLength(away);
     camera.zoom = 1;

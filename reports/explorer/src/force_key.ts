@@ -59,13 +59,13 @@ export class ForceKey {
       for (const view of views) view.arrows.show([], 1);
       return;
     }
-    const all = views.map((view) => new ForcesOfRun(view.run, choice, this.colours, () => view.centres));
+    const all = views.map((view) => new ForcesOfRun(view.run, choice, this.colours, view.size, view.centres));
     const longest = Math.max(...all.map((of) => of.longest)), room = Math.min(...all.map((of) => of.room)), seen = new Set<string>();
     this.perForce = longest > 0 ? room / longest : 0;
     views.forEach((view, i) => {
       const arrows = this.perForce > 0 ? all[i].arrows(this.perForce, (at) => view.isThere(new Vector3(...at))) : [];
       arrows.forEach((arrow) => seen.add(arrow.kind));
-      view.arrows.show(arrows, 0.03 * room);
+      view.arrows.show(arrows, (all[i].ofVertices ? 0.06 : 0.035) * room);
       view.draw();
     });
     for (const [name, { none }] of this.chips) none.textContent = isWished(choice, name) && !seen.has(name) ? "– none" : "";

@@ -45,21 +45,22 @@ function* onCells(run: Run, frame: Frame, choice: Choice, centres: ArrayLike<num
     }
 }
 
-function size(force: readonly number[]): number { return Math.hypot(force[0], force[1], force[2]); }
+function strength(force: readonly number[]): number { return Math.hypot(force[0], force[1], force[2]); }
 
-/** What is shown of one run; `longest` [force], and `room` [length] for that one. */
+/** What is shown of one run; `longest` [force], and `room` [length] for that one. `size` [length]: how far from the origin all is. */
 export class ForcesOfRun {
   readonly forces: Forces[];
   readonly longest: number;
   readonly room: number;
   readonly ofVertices: boolean;
 
-  constructor(private readonly run: Run, private readonly choice: Choice, private readonly colours: Map<string, string>, centres: (frame: Frame) => ArrayLike<number>) {
+  constructor(private readonly run: Run, private readonly choice: Choice, private readonly colours: Map<string, string>, size: number, centres: ArrayLike<number>) {
     const frame = run.frame(run.frameNumber(choice.time)), cell = cellWithVertexForces(run, choice);
     this.ofVertices = cell >= 0;
-    this.forces = [...(cell >= 0 ? onVertices(run, frame, cell, choice) : onCells(run, frame, choice, centres(frame)))];
-    this.longest = this.forces.reduce((most, { force }) => Math.max(most, size(force) || 0), 0);
-    this.room = 0.8 * meanRadius(run, frame);
+    this.forces = [...(cell >= 0 ? onVertices(run, frame, cell, choice) : onCells(run, frame, choice, centres))];
+    this.longest = this.forces.reduce((most, { force }) => Math.max(most, strength(force) || 0), 0);
+    // From the middle of a cell, or out from its surface, where at most a tenth of the view is left.
+    this.room = this.ofVertices ? Math.min(0.3 * meanRadius(run, frame), 0.1 * size) : 0.8 * meanRadius(run, frame);
   }
 
   /** With `perForce` [length/force]. `isThere`: whether a point is not cut away. Of a selected cell, or its descendants, theirs alone. */
@@ -67,7 +68,7 @@ export class ForcesOfRun {
     const { selected } = this.choice, { run } = this, within = (n: number) => isWithin(run.cells[n]?.path ?? "", selected!);
     const some = selected !== null && this.forces.some(({ of }) => within(of.frame.cell[of.cell]));
     return this.forces
-      .filter(({ force, at, of }) => size(force) > shortest * this.longest && isThere(at) && (!some || within(of.frame.cell[of.cell])))
+      .filter(({ force, at, of }) => strength(force) > shortest * this.longest && isThere(at) && (!some || within(of.frame.cell[of.cell])))
       .map(({ at, force, kind }) => ({ kind, from: at, along: force.map((x) => x * perForce) as [number, number, number], colour: rgbOf(this.colours.get(kind)!) }));
   }
 }
