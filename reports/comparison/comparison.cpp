@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "drawing/palette.h"
 #include "mesh/distance.h"
 
 namespace morula {
@@ -20,7 +19,7 @@ OrganismPicture mapOf(const OrganismPicture& one, const OrganismPicture& other, 
     for (const double d : distances.back()) most = std::max(most, d);
   }
   for (std::size_t i = 0; i < map.cells.size(); ++i)
-    for (const double d : distances[i]) map.cells[i].colours.push_back(scaleColour(most > 0 ? d / most : 0));
+    for (const double d : distances[i]) map.cells[i].shares.push_back(most > 0 ? d / most : 0);
   map.title = "distance of the surfaces";
   map.caption = "at most " + numberText(most, 3) + " [length], " + numberText(most / eggRadius, 2) +
                 " radii of the egg";

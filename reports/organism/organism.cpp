@@ -36,9 +36,12 @@ void checkCells(const OrganismPicture& picture) {
                        " vertices; its faces in the picture need " + std::to_string(needed));
     if (!std::all_of(cell.vertices.begin(), cell.vertices.end(), finite))
       throw InputError(cellName(cell.path) + " has a vertex that is not finite and cannot be drawn");
-    if (!cell.colours.empty() && cell.colours.size() != cell.vertices.size())
-      throw InputError(cellName(cell.path) + " has " + std::to_string(cell.colours.size()) +
-                       " colours for its " + std::to_string(cell.vertices.size()) + " vertices");
+    if (!cell.shares.empty() && cell.shares.size() != cell.vertices.size())
+      throw InputError(cellName(cell.path) + " has " + std::to_string(cell.shares.size()) +
+                       " values of a map for its " + std::to_string(cell.vertices.size()) + " vertices");
+    if (!std::all_of(cell.shares.begin(), cell.shares.end(), [](double s) { return s >= 0 && s <= 1; }))
+      throw InputError("the values of a map on " + cellName(cell.path) +
+                       " must be shares of its scale, from 0 to 1");
     if (!(cell.opacity >= 0 && cell.opacity <= 1))
       throw InputError("the opacity of " + cellName(cell.path) + " must be 0 (not drawn) to 1 (solid)");
   }
