@@ -1,6 +1,7 @@
 #pragma once
 // The organism in three dimensions, drawn off-screen: no display, no window, no graphics card. Knows nothing
 // of the simulator: cells with vertices and colours are all that it needs.
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +96,8 @@ Framing fitFraming(const OrganismPicture& picture);
 
 /// One framing in which all of these pictures are whole. Throws InputError for none.
 Framing fitFraming(const std::vector<OrganismPicture>& sequence);
+/// The same of pictures that are made when they are needed, each twice.
+Framing fitFraming(std::size_t count, const std::function<OrganismPicture(std::size_t)>& picture);
 
 /// One framing in which the picture is whole from each of these sides: for an eye that goes around. Throws InputError
 /// for none.

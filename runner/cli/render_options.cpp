@@ -130,8 +130,6 @@ Motion motionOf(const RenderOptions& options) {
   if (motion.turntable && motion.frames)
     throw UsageError(
         "--turntable goes around one time, and --frames goes through times; leave out one of them");
-  if (motion.frames && !options.forces.empty())
-    throw UsageError("--forces are of one time; leave out --frames");
   motion.perSecond = positiveOption("--fps", options.perSecond);
   return motion;
 }

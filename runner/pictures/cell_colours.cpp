@@ -22,6 +22,8 @@ const CellMeasure* cellMeasure(std::string_view name) {
   return nullptr;
 }
 
+bool isDrawn(const CellShape& cell) { return cell.opacity > 0; }
+
 /// The ancestor that the clone is called by; a cell above it stands for itself.
 std::string founderOf(const std::string& path, int founders) {
   return path.substr(0, std::min(path.size(), std::size_t(founders)));
@@ -40,7 +42,8 @@ void colourByClone(std::vector<OrganismPicture>& pictures,
   const auto each = [&](auto act) {
     for (std::size_t p = 0; p < pictures.size(); ++p)
       for (std::size_t i = 0; i < values[p].size(); ++i)
-        act(pictures[p].cells[i], founderOf(pictures[p].cells[i].path, founders));
+        if (isDrawn(pictures[p].cells[i]))
+          act(pictures[p].cells[i], founderOf(pictures[p].cells[i].path, founders));
   };
   each([&](const CellShape&, const std::string& founder) { colours.emplace(founder, Colour{}); });
   std::size_t number = 0;
@@ -54,8 +57,9 @@ void colourByClone(std::vector<OrganismPicture>& pictures,
 void colourByGeneration(std::vector<OrganismPicture>& pictures,
                         const std::vector<std::vector<std::optional<double>>>& values) {
   std::set<int> generations;
-  for (const auto& cells : values)
-    for (const auto& value : cells) generations.insert(int(*value));
+  for (std::size_t p = 0; p < pictures.size(); ++p)
+    for (std::size_t i = 0; i < values[p].size(); ++i)
+      if (isDrawn(pictures[p].cells[i])) generations.insert(int(*values[p][i]));
   if (generations.empty()) return;
   const int first = *generations.begin(), last = *generations.rbegin();
   const auto colourOf = [&](int generation) {
@@ -74,9 +78,10 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
                      const CellMeasure& measure) {
   Range range;
   bool lacks = false;
-  for (const auto& cells : values)
-    for (const auto& value : cells)
-      if (value) range.see(*value);
+  for (std::size_t p = 0; p < pictures.size(); ++p)
+    for (std::size_t i = 0; i < values[p].size(); ++i)
+      if (!isDrawn(pictures[p].cells[i])) continue;
+      else if (const auto& value = values[p][i]) range.see(*value);
       else lacks = true;
   const std::string unit = measure.unit;
   std::string title = measure.name;

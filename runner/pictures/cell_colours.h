@@ -28,7 +28,8 @@ std::vector<std::optional<double>> colourValues(const World& world, const Colour
                                                 const Scenario& scenario);
 
 /// Colours the first cells of each picture by these values, which belong to them, and says in legend and colour bar what
-/// colours mean: the same in all of the pictures; the bar's ends are the least and the greatest value in any of them.
+/// colours mean: the same in all of the pictures; the bar's ends are the least and the greatest value of a cell that is
+/// drawn (opacity > 0) in any of them.
 /// Nothing for substances.
 void colourCells(std::vector<OrganismPicture>& pictures,
                  const std::vector<std::vector<std::optional<double>>>& values, const Colouring& colouring,

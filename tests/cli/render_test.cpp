@@ -82,6 +82,12 @@ TEST_CASE("render goes around and through time, as numbered pictures") {
   CHECK(end.out.find("time-0002.png") != std::string::npos);
   CHECK(readWhole(folder / "time-0000.png") != readWhole(folder / "time-0002.png"));
   CHECK(!fs::exists(folder / "time-0003.png"));
+  REQUIRE(launch({"render", four, "--time", "1.2", "--size", "100", "--frames", "3", "--forces", "all", "-o",
+                  folder / "force.png"})
+              .code == 0);
+  for (const char* number : {"1", "2"})
+    CHECK(readWhole(folder / ("force-000" + std::string(number) + ".png")) !=
+          readWhole(folder / ("time-000" + std::string(number) + ".png")));
 }
 
 TEST_CASE("render writes films where ffmpeg is, and says so where it is not") {
@@ -126,7 +132,6 @@ TEST_CASE("render refuses what it cannot draw, by the option's name") {
   refused({four, "--labels", "both"}, "--labels: 'both' is not known; needs name or path");
   refused({four, "--turntable", "1"}, "--turntable");
   refused({four, "--turntable", "3", "--frames", "3"}, "leave out one of them");
-  refused({four, "--frames", "3", "--forces", "all"}, "--forces are of one time");
   refused({four, "--style", "lineage", "--turntable", "3"}, "a lineage is one picture");
   refused({four, "--beside", four, "--style", "both"}, "--beside");
 }

@@ -231,6 +231,9 @@ TEST_CASE("one framing holds a whole sequence", "[organism]") {
   REQUIRE(both.distance > fitFraming(small).distance);
   REQUIRE(both.distance > fitFraming(moved).distance);
   REQUIRE(both.centre.x == Approx(2.25));
+  const Framing asMade = fitFraming(2, [&](std::size_t i) { return i == 0 ? small : moved; });
+  REQUIRE(asMade.distance == both.distance);
+  REQUIRE(asMade.centre == both.centre);
   // With a shell it is the shell that counts, so cells may come and go.
   small.shell = moved.shell = Vector{2, 2, 2};
   REQUIRE(fitFraming(small).distance == fitFraming(moved).distance);
