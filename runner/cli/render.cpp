@@ -158,6 +158,8 @@ int render(const RenderOptions& options, const PictureWishes& wishes, const Moti
   std::optional<PictureMaker> maker;
   std::optional<Times> times;
   auto shown = show(options.file, options, [&](const Scenario& scenario, std::optional<double> end) {
+    if (wishes.connections && scenario.scene.mechanics && !scenario.scene.mechanics->connections)
+      throw UsageError("--connections: no cells of " + scenario.scene.name + " connect; leave it out");
     maker.emplace(scenario, wishes);
     if (motion.frames && !end)
       throw UsageError("--frames: " + scenario.scene.name +
@@ -174,6 +176,9 @@ int render(const RenderOptions& options, const PictureWishes& wishes, const Moti
   if (options.style == "lineage") files = drawTree(shown.run->world, *shown.scenario, options, file);
   else {
     if (!motion.frames) maker->add(shown.run->world);
+    if (const auto pattern = maker->strangeOpacity())
+      throw UsageError("--opacity: no cell in the picture has a substance that fits '" + *pattern +
+                       "'; needs another name, or another --time");
     files = writeOrganism(maker->take(), options, motion, file);
   }
   told = {{"scenario", name}, {"time", shown.run->end.time}, {"pictures", files}};
@@ -186,12 +191,10 @@ int act(const RenderOptions& options) {
     throw UsageError("--style: '" + options.style +
                      "' is not known; needs solid, wireframe, both or lineage");
   const bool isTree = options.style == "lineage";
+  if (isTree) checkTreeOptions(options);
   const PictureWishes wishes = wishesOf(options);
   const Motion motion = motionOf(options);
-  if (isTree && motion.any())
-    throw UsageError("--style: a lineage is one picture; leave out --turntable and --frames");
-  if (!options.beside.empty() &&
-      (isTree || options.style == "both" || motion.any() || !wishes.forces.empty()))
+  if (!options.beside.empty() && (options.style == "both" || motion.any() || !wishes.forces.empty()))
     throw UsageError(
         "--beside shows one moment of solid cells; leave out --style, --forces, --turntable and --frames");
   checkOutput(options, motion);

@@ -1,12 +1,12 @@
 #include "pictures/cell_colours.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
-#include "drawing/axis.h"
 #include "drawing/palette.h"
 #include "simulation/measures.h"
 
@@ -83,6 +83,7 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
       if (!isDrawn(pictures[p].cells[i])) continue;
       else if (const auto& value = values[p][i]) range.see(*value);
       else lacks = true;
+  range = withoutRounding(range);
   const std::string unit = measure.unit;
   std::string title = measure.name;
   std::replace(title.begin(), title.end(), '_', ' ');
@@ -100,6 +101,13 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
 }
 
 }  // namespace
+
+Range withoutRounding(Range range) {
+  constexpr double rounding = 1e-9;  // far more than sums of some thousand terms are off by
+  const double most = std::max(std::abs(range.low), std::abs(range.high));
+  if (range.low < range.high && range.high - range.low <= rounding * most) range.high = range.low;
+  return range;
+}
 
 Colouring parseColouring(std::string_view text) {
   using By = Colouring::By;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "drawing/axis.h"
 #include "organism/organism.h"
 #include "scenario/scenario.h"
 #include "simulation/world.h"
@@ -21,6 +22,9 @@ struct Colouring {
 /// "substance", "clone", "clone:3", "generation" or the name of a measure of cells. Throws InputError with what it
 /// may be, and the measure that was probably meant.
 Colouring parseColouring(std::string_view text);
+
+/// The ends of a colour bar for this range: one value where the ends differ by rounding alone.
+Range withoutRounding(Range range);
 
 /// What each cell's colour is found from, in the order of the world's cells: the measure's value, absent where it is
 /// not measured; the generation; nothing for the others.

@@ -41,11 +41,16 @@ void addConnections(OrganismPicture& picture, const World& world) {
   }
 }
 
-void setOpacities(OrganismPicture& picture, const World& world, const std::vector<CellOpacity>& opacities) {
+void setOpacities(OrganismPicture& picture, const World& world, const std::vector<CellOpacity>& opacities,
+                  std::vector<bool>& fit) {
   for (std::size_t i = 0; i < world.cells.path.size(); ++i)
-    for (const CellOpacity& wish : opacities)
-      if (wish.pattern == "*" || fitsAny(wish.pattern, world.biology->describe(world.cells.state[i])))
-        picture.cells[i].opacity = wish.opacity;
+    for (std::size_t o = 0; o < opacities.size(); ++o) {
+      const CellOpacity& wish = opacities[o];
+      if (wish.pattern != "*" && !fitsAny(wish.pattern, world.biology->describe(world.cells.state[i])))
+        continue;
+      picture.cells[i].opacity = wish.opacity;
+      fit[o] = true;
+    }
 }
 
 /// What the colours of the cells that are drawn mean.
@@ -102,7 +107,7 @@ OrganismPicture Pictures::operator[](std::size_t i) const {
 }
 
 PictureMaker::PictureMaker(const Scenario& scenario, PictureWishes wishes)
-    : scenario_(scenario), wishes_(std::move(wishes)) {
+    : scenario_(scenario), wishes_(std::move(wishes)), opacityFits_(wishes_.opacities.size()) {
   if (wishes_.forces.empty()) return;
   checkHasForces(scenario.scene.mechanics->physics);
   scratch_ = makeWorld(scenario.scene);
@@ -116,7 +121,7 @@ void PictureMaker::add(const World& world) {
   picture.transparent = wishes_.transparent;
   picture.clip = wishes_.clip;
   picture.instruments.axes = wishes_.axes, picture.instruments.scaleBar = wishes_.scaleBar;
-  setOpacities(picture, world, wishes_.opacities);
+  setOpacities(picture, world, wishes_.opacities, opacityFits_);
   picture.legend = legendOf(picture, world, scenario_);
   if (wishes_.labels != Labels::none) addLabels(picture, world, scenario_, wishes_.labels);
   values_.push_back(colourValues(world, wishes_.colouring, scenario_));
@@ -144,7 +149,8 @@ void PictureMaker::scaleForces() {
     for (const ForceKind kind : wishes_.forces)
       if (const double most = longestOf(made_.forces_[i], kind); most > 0)
         scale = std::min(scale, 0.8 * meanRadius(made_.pictures_[i], made_.forces_[i].size()) / most);
-  made_.lengthPerForce_ = std::isfinite(scale) ? scale : 1;
+  if (!std::isfinite(scale)) return;  // there are none
+  made_.lengthPerForce_ = scale;
   for (OrganismPicture& picture : made_.pictures_)
     picture.instruments.arrowKey = ArrowKey{made_.lengthPerForce_, "[force]", quietInk};
 }
@@ -168,6 +174,12 @@ void PictureMaker::finishLegends() {
       marks.push_back({forceColour(kind), std::string(nameOf(kind)) + " force"});
   for (OrganismPicture& picture : made_.pictures_)
     picture.legend.insert(picture.legend.end(), marks.begin(), marks.end());
+}
+
+std::optional<std::string> PictureMaker::strangeOpacity() const {
+  for (std::size_t o = 0; o < opacityFits_.size(); ++o)
+    if (!opacityFits_[o] && wishes_.opacities[o].pattern != "*") return wishes_.opacities[o].pattern;
+  return std::nullopt;
 }
 
 Pictures PictureMaker::take() {

@@ -53,6 +53,8 @@ class PictureMaker {
 
   /// A picture of the world as it is now.
   void add(const World& world);
+  /// The pattern of an opacity that fits no substance of any cell so far, if there is one.
+  std::optional<std::string> strangeOpacity() const;
   /// All of them, in the order in which they were added.
   Pictures take();
 
@@ -64,7 +66,8 @@ class PictureMaker {
   PictureWishes wishes_;
   Pictures made_;
   std::vector<std::vector<std::optional<double>>> values_;
-  std::optional<World> scratch_;  // where forces are evaluated
+  std::vector<bool> opacityFits_;  // [of wishes_.opacities] a cell so far
+  std::optional<World> scratch_;   // where forces are evaluated
 };
 
 /// Of arrows for a kind of force.
