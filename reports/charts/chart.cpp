@@ -121,22 +121,24 @@ class Shapes {
     for (const ChartLine& line : chart.lines)
       if (std::find(colours_.begin(), colours_.end(), line.colour) == colours_.end())
         colours_.push_back(line.colour);
+    shown_ = chart.dots || chart.lines.size() <= mostLines;
   }
   Marker of(Colour colour) const {
     return seriesMarker(std::size_t(std::find(colours_.begin(), colours_.end(), colour) - colours_.begin()));
   }
-  bool tellApart() const { return colours_.size() > 1; }
+  bool tellApart() const { return shown_ && colours_.size() > 1; }
 
  private:
+  static constexpr std::size_t mostLines = 200;  // without dots: beyond, marks would hide the lines
   std::vector<Colour> colours_;
+  bool shown_ = false;
 };
 
 /// Of lines without dots: a mark now and then, at other places than on the line before.
 void drawSparseMarks(Drawing& drawing, const std::vector<std::vector<Spot>>& lines, const Chart& chart,
                      const Shapes& shapes) {
-  constexpr std::size_t mostLines = 200;  // beyond, marks would hide the lines
-  constexpr double apart = 130;           // [pixel]
-  if (!shapes.tellApart() || lines.size() > mostLines) return;
+  constexpr double apart = 130;  // [pixel]
+  if (!shapes.tellApart()) return;
   for (std::size_t l = 0; l < lines.size(); ++l) {
     double left = apart * (0.25 + 0.5 * double(l % 7) / 7);  // [pixel] to the next mark
     bool any = false;
