@@ -114,8 +114,50 @@ class PointLabels {
   std::vector<Box> taken_, lines_;
 };
 
+/// Which shape goes with a colour.
+class Shapes {
+ public:
+  explicit Shapes(const Chart& chart) {
+    for (const ChartLine& line : chart.lines)
+      if (std::find(colours_.begin(), colours_.end(), line.colour) == colours_.end())
+        colours_.push_back(line.colour);
+    shown_ = chart.dots || chart.lines.size() <= mostLines;
+  }
+  Marker of(Colour colour) const {
+    return seriesMarker(std::size_t(std::find(colours_.begin(), colours_.end(), colour) - colours_.begin()));
+  }
+  bool tellApart() const { return shown_ && colours_.size() > 1; }
+
+ private:
+  static constexpr std::size_t mostLines = 200;  // without dots: beyond, marks would hide the lines
+  std::vector<Colour> colours_;
+  bool shown_ = false;
+};
+
+/// Of lines without dots: a mark now and then, at other places than on the line before.
+void drawSparseMarks(Drawing& drawing, const std::vector<std::vector<Spot>>& lines, const Chart& chart,
+                     const Shapes& shapes) {
+  constexpr double apart = 130;  // [pixel]
+  if (!shapes.tellApart()) return;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    double left = apart * (0.25 + 0.5 * double(l % 7) / 7);  // [pixel] to the next mark
+    bool any = false;
+    const auto mark = [&](Spot at) {
+      drawMarker(drawing, at, 4, chart.lines[l].colour, shapes.of(chart.lines[l].colour));
+      any = true;
+    };
+    for (std::size_t i = 1; i < lines[l].size(); ++i) {
+      left -= std::hypot(lines[l][i].x - lines[l][i - 1].x, lines[l][i].y - lines[l][i - 1].y);
+      if (left > 0) continue;
+      mark(lines[l][i]);
+      left = apart;
+    }
+    if (!any && !lines[l].empty()) mark(lines[l].back());
+  }
+}
+
 /// Labels beside the ends of their lines, moved apart where they would touch.
-void drawLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart) {
+void drawLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart, const Shapes& shapes) {
   struct Label {
     const ChartLine* line;
     double y;
@@ -130,28 +172,37 @@ void drawLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart) {
     for (std::size_t i = 1; i < labels.size(); ++i)
       if (const double missing = pitch - (labels[i].y - labels[i - 1].y); missing > 0)
         labels[i - 1].y -= 0.5 * missing, labels[i].y += 0.5 * missing;
-  for (const Label& label : labels)
-    drawing.text({sheet.frame.right + 0.8 * size, label.y + 0.36 * size}, label.line->label,
-                 {.size = size, .colour = label.line->colour});
+  for (const Label& label : labels) {
+    const Colour colour = label.line->colour;
+    if (shapes.tellApart())
+      drawMarker(drawing, {sheet.frame.right + 0.85 * size, label.y}, 0.3 * size, colour, shapes.of(colour));
+    drawing.text({sheet.frame.right + (shapes.tellApart() ? 1.5 : 0.8) * size, label.y + 0.36 * size},
+                 label.line->label, {.size = size, .colour = colour});
+  }
 }
 
 }  // namespace
 
 Drawing drawChart(const Chart& chart) {
-  const Annotations words{chart.title, chart.caption, chart.legend};
+  const Shapes shapes(chart);
+  Annotations words{chart.title, chart.caption, chart.legend};
+  if (shapes.tellApart())
+    for (LegendEntry& entry : words.legend) entry.marker = shapes.of(entry.colour);
   Drawing drawing(chart.width, chart.height);
   annotate(drawing, words);
   if (allPoints(chart).empty()) return drawing;
   const Sheet sheet = makeSheet(chart, words);
   drawLevelAxis(drawing, sheet.frame, sheet.x, chart.xLabel);
   drawUprightAxis(drawing, sheet.frame, sheet.y, chart.yLabel);
+  std::vector<std::vector<Spot>> places;
   for (const ChartLine& line : chart.lines) {
-    std::vector<Spot> places;
-    for (const Spot& p : line.points) places.push_back(sheet.place(p));
-    drawing.line(places, {.width = 2.2, .colour = line.colour, .dashed = line.dashed});
-    for (const Spot& p : places)
-      if (chart.dots) drawing.disc(p, 3.6, line.colour);
+    places.emplace_back();
+    for (const Spot& p : line.points) places.back().push_back(sheet.place(p));
+    drawing.line(places.back(), {.width = 2.2, .colour = line.colour, .dashed = line.dashed});
+    for (const Spot& p : places.back())
+      if (chart.dots) drawMarker(drawing, p, 3.6, line.colour, shapes.of(line.colour));
   }
+  if (!chart.dots) drawSparseMarks(drawing, places, chart, shapes);
   for (const ChartMark& mark : chart.marks) {
     drawing.disc(sheet.place(mark.at), 4.4, mark.colour);
     drawing.disc(sheet.place(mark.at), 2.8, paper);
@@ -161,7 +212,7 @@ Drawing drawChart(const Chart& chart) {
     for (std::size_t i = 0; i < line.pointLabels.size(); ++i)
       labels.add(line.points[i], line.pointLabels[i], line.colour);
   for (const ChartMark& mark : chart.marks) labels.add(mark.at, mark.label, mark.colour);
-  drawLabels(drawing, sheet, chart);
+  drawLabels(drawing, sheet, chart, shapes);
   return drawing;
 }
 

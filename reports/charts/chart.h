@@ -29,11 +29,12 @@ struct Chart {
   std::vector<ChartMark> marks;
   Axis::Scale xScale = Axis::Scale::powersOfTwo, yScale = Axis::Scale::decades;
   std::vector<LegendEntry> legend = {};  // where lines share colours
-  bool dots = true;                      // at the points of lines
+  bool dots = true;                      // at all points of lines; else at a few
   int width = 1100, height = 760;        // [pixel]
 };
 
-/// Each line's label stands at its right end. Without points: the words alone.
+/// Each line's label stands at its right end. Colours have shapes of their own at the points of lines and in the legend,
+/// for print in grey: by the order in which lines bring the colours. Without points: the words alone.
 Drawing drawChart(const Chart& chart);
 
 }  // namespace morula

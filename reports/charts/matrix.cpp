@@ -13,7 +13,8 @@ namespace morula {
 
 namespace {
 
-constexpr double leastText = 6;  // [pixel] smaller letters cannot be read
+constexpr double leastText = 6;    // [pixel] smaller letters cannot be read
+constexpr double leastFramed = 5;  // [pixel] a frame around less would hide the colour
 
 }  // namespace
 
@@ -54,10 +55,17 @@ Drawing drawMatrix(const MatrixPicture& asked) {
                {0xf0, 0xf0, 0xec});
   for (std::size_t row = 0; row < n; ++row)
     for (std::size_t column = 0; column < n; ++column)
-      if (const auto& value = picture.values[row * n + column])
+      if (const auto& value = picture.values[row * n + column]) {
+        // In grey the scale's brightest colours are as light as the ground: what is there has a frame, and a gap around it.
+        const double gap = side >= leastFramed ? 0.06 * side : 0, own = side - 2 * gap;
+        const double x = corner.x + side * double(column) + gap, y = corner.y + side * double(row) + gap;
         drawing.box(
-            {corner.x + side * double(column), corner.y + side * double(row)}, side, side,
+            {x, y}, own, own,
             scaleColour(range.low < range.high ? (*value - range.low) / (range.high - range.low) : 0));
+        if (side >= leastFramed)
+          drawing.line({{x, y}, {x + own, y}, {x + own, y + own}, {x, y + own}, {x, y}},
+                       {.width = side < 12 ? 0.5 : 1, .colour = quietInk});
+      }
   for (std::size_t i = 0; named && i < n; ++i) {
     const double middle = side * (double(i) + 0.5) + 0.36 * text;
     TextStyle style{.size = text, .colour = ink, .anchor = Anchor::right};

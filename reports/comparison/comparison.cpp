@@ -7,7 +7,6 @@
 #include "base/cell_path.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "drawing/palette.h"
 #include "mesh/distance.h"
 #include "mesh/measures.h"
 
@@ -62,7 +61,7 @@ OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, 
   }
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     map.cells[i].colour = neutralGrey;
-    for (const double d : distances[i]) map.cells[i].colours.push_back(scaleColour(most > 0 ? d / most : 0));
+    for (const double d : distances[i]) map.cells[i].shares.push_back(most > 0 ? d / most : 0);
   }
   map.title = what.ofCentres ? "how far the centroids have moved" : "distance of the surfaces";
   map.caption = most > 0 ? "at most " + numberText(most, 3) + " [length], " +

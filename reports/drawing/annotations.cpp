@@ -71,7 +71,12 @@ void annotate(Drawing& drawing, const Annotations& annotations, double textSize)
     const double x = left + places[i].x;
     const double baseline = drawing.height() - bands.bottom + (places[i].row + 1) * 1.6 * size;
     if (baseline > drawing.height()) break;
-    drawing.box({x, baseline - 0.78 * size}, swatch(size), swatch(size), annotations.legend[i].colour);
+    const LegendEntry& entry = annotations.legend[i];
+    if (entry.marker == Marker::square)
+      drawing.box({x, baseline - 0.78 * size}, swatch(size), swatch(size), entry.colour);
+    else
+      drawMarker(drawing, {x + 0.5 * swatch(size), baseline - 0.36 * size}, 0.38 * size, entry.colour,
+                 entry.marker);
     drawing.text({x + swatch(size) + 0.45 * size, baseline}, legendText(annotations.legend[i], size, room),
                  {.size = size, .colour = quietInk});
   }

@@ -3,13 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "drawing/drawing.h"
+#include "drawing/marker.h"
 
 namespace morula {
 
 struct LegendEntry {
   Colour colour;
   std::string label;
+  Marker marker = Marker::square;
 };
 
 struct Annotations {

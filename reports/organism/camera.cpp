@@ -31,23 +31,32 @@ Aperture apertureOf(int width, int height) {
   return {halfAngle * width / smaller, halfAngle * height / smaller};
 }
 
-Framing frame(const std::vector<Point>& points, const EyeAxes& axes, const Aperture& aperture) {
-  if (points.empty()) return {};
-  Vector low = axes.of(points.front()), high = low;
-  for (const Point& point : points) {
-    const Vector p = axes.of(point);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const Vector middle = (low + high) * 0.5;
+void FramingFinder::seeFirst(const Point& point) {
+  const Vector p = axes_.of(point);
+  if (!any_) low_ = high_ = p;
+  any_ = true;
+  low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+  high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+}
+
+void FramingFinder::seeAgain(const Point& point) {
   // A point at (x, y, z) from the middle is seen if |x| <= aperture · (distance − z).
-  double distance = 0;
-  for (const Point& point : points) {
-    const Vector p = axes.of(point) - middle;
-    distance = std::max(
-        {distance, std::abs(p.x) * margin / aperture.x + p.z, std::abs(p.y) * margin / aperture.y + p.z});
-  }
-  return {axes.x * middle.x + axes.y * middle.y + axes.z * middle.z, distance > 0 ? distance : 1};
+  const Vector p = axes_.of(point) - middle();
+  distance_ = std::max(
+      {distance_, std::abs(p.x) * margin / aperture_.x + p.z, std::abs(p.y) * margin / aperture_.y + p.z});
+}
+
+Framing FramingFinder::framing() const {
+  if (!any_) return {};
+  const Vector m = middle();
+  return {axes_.x * m.x + axes_.y * m.y + axes_.z * m.z, distance_ > 0 ? distance_ : 1};
+}
+
+Framing frame(const std::vector<Point>& points, const EyeAxes& axes, const Aperture& aperture) {
+  FramingFinder finder(axes, aperture);
+  for (const Point& point : points) finder.seeFirst(point);
+  for (const Point& point : points) finder.seeAgain(point);
+  return finder.framing();
 }
 
 double distanceFor(const std::vector<Point>& points, const Point& centre, const EyeAxes& axes,

@@ -25,6 +25,24 @@ struct Aperture {
 };
 Aperture apertureOf(int width, int height);
 
+/// Finds the nearest framing of points that are too many to be kept: all are seen twice, in any order.
+class FramingFinder {
+ public:
+  FramingFinder(const EyeAxes& axes, const Aperture& aperture) : axes_(axes), aperture_(aperture) {}
+  void seeFirst(const Point& point);  // all points, then
+  void seeAgain(const Point& point);  // all points once more
+  Framing framing() const;            // as frame() of these points
+
+ private:
+  Vector middle() const { return (low_ + high_) * 0.5; }
+
+  EyeAxes axes_;
+  Aperture aperture_;
+  bool any_ = false;
+  Vector low_, high_;
+  double distance_ = 0;
+};
+
 /// The nearest framing from which all points are seen, with a margin, the box around them in the middle.
 /// Points at one place only (or none) give distance 1.
 Framing frame(const std::vector<Point>& points, const EyeAxes& axes, const Aperture& aperture);

@@ -7,8 +7,8 @@
 namespace morula {
 using namespace shader;
 
-std::string cellVertexShader() {
-  return std::string(version) + R"(
+std::string cellVertexShader(bool mapped) {
+  return std::string(version) + (mapped ? "#define MAP\n" : "") + R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 direction;
 layout(location = 2) in vec3 corner;   // barycentric in the mesh's face
@@ -18,36 +18,55 @@ uniform mat4 projection;
 out vec3 eyeNormal, eyePosition, faceCorner;
 flat out vec4 cellPigment;
 flat out uint cellOwner;
+#ifdef MAP
+layout(location = 5) in float share;  // below 0: the cell has one colour
+out float mapShare;
+#endif
 void main() {
   eyePosition = position;
   eyeNormal = direction;
   faceCorner = corner;
   cellPigment = pigment;
   cellOwner = cell;
+#ifdef MAP
+  mapShare = share;
+#endif
   gl_Position = projection * vec4(position, 1.0);
 }
 )";
 }
 
-std::string cellFragmentShader(CellPass pass) {
-  const char* parts[] = {"", "#define PEEL\n", "#define CLIP\n", "#define PEEL\n#define CLIP\n",
-                         "#define CLIP\n#define CUT\n"};
-  return std::string(version) + parts[std::size_t(pass)] + common + R"(
+std::string cellFragmentShader(const CellProgram& program) {
+  const bool lists = program.pass == CellPass::count || program.pass == CellPass::list;
+  std::string parts = lists ? "#define LIST\n" : "";
+  if (program.pass == CellPass::count) parts += "#define COUNT\n";
+  if (program.pass == CellPass::cut) parts += "#define CUT\n";
+  if (program.clipped) parts += "#define CLIP\n";
+  if (program.mapped) parts += "#define MAP\n";
+  return std::string(version) + parts + common + R"(
 in vec3 eyeNormal, eyePosition, faceCorner;
 flat in vec4 cellPigment;
 flat in uint cellOwner;
+#ifdef LIST
+layout(early_fragment_tests) in;  // solid cells hide what is behind them
+layout(std430, binding = 0) buffer Cursors { uint cursors[]; };  // of each sample of the rows that are drawn
+layout(std430, binding = 1) buffer Fragments { uvec4 fragments[]; };
+uniform int firstRow;
+#else
 layout(location = 0) out vec4 light;
 layout(location = 1) out uint owner;
 layout(location = 2) out vec4 shape;  // normal, depth
+#endif
 uniform int wireframe;
 uniform float wireWidth;  // [sample]
 uniform vec3 paperLight;
-#ifdef PEEL
-uniform sampler2D opaqueDepth, lastDepth;
-#endif
 #ifdef CLIP
 uniform vec4 clip;  // in eye space: what has dot(clip.xyz, place) > clip.w is cut away
 uniform mat4 projection;
+#endif
+#ifdef MAP
+in float mapShare;
+uniform sampler2D scale;  // its colours in linear light, from the least share to the greatest
 #endif
 
 const vec3 keyLight = normalize(vec3(-0.55, 0.75, 0.70));
@@ -81,30 +100,46 @@ float wire() {
   return clamp(0.5 * wireWidth + 0.5 - nearest, 0.0, 1.0) * clamp(height / (4.0 * wireWidth), 0.25, 1.0);
 }
 
-void main() {
-#ifdef PEEL
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  float z = gl_FragCoord.z;
-  if (z >= texelFetch(opaqueDepth, at, 0).r || z <= texelFetch(lastDepth, at, 0).r) discard;
+vec3 pigmentHere() {
+#ifdef MAP
+  int last = textureSize(scale, 0).x - 1;
+  if (mapShare > -0.5) return texelFetch(scale, ivec2(clamp(int(mapShare * float(last) + 0.5), 0, last), 0), 0).rgb;
 #endif
+  return cellPigment.rgb;
+}
+
+void main() {
 #ifdef CLIP
   if (dot(clip.xyz, eyePosition) > clip.w) discard;
 #endif
+#ifdef LIST
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  uint place = atomicAdd(cursors[(at.y - firstRow) * size.x + at.x], 1u);
+#endif
+#ifndef COUNT
   vec3 n = normalize(eyeNormal);
   vec3 v = normalize(vec3(0.0, 0.0, eyeDistance) - eyePosition);
-  vec3 pigment = cellPigment.rgb;
-  float opacity = cellPigment.a;
+  vec3 pigment = pigmentHere();
+  vec4 seen;
   if (wireframe == 0) {
-    light = vec4(lit(pigment, n, v), opacity);
+    seen = vec4(lit(pigment, n, v), cellPigment.a);
   } else {
     float facing = max(0.0, dot(n, v));
     float lines = wire();
     vec3 fill = mix(paperLight, pigment, 0.16) * (0.82 + 0.18 * facing);
     vec3 ink = pigment * (0.40 + 0.35 * facing);
-    light = vec4(mix(fill, ink, lines), mix(opacity, 1.0, lines));
+    seen = vec4(mix(fill, ink, lines), mix(cellPigment.a, 1.0, lines));
   }
+#ifdef LIST
+  // Light may be a little more than 1, and never reaches 2.
+  fragments[place] = uvec4(floatBitsToUint(gl_FragCoord.z), cellOwner, packUnorm2x16(0.5 * seen.rg),
+                           packUnorm2x16(vec2(0.5 * seen.b, seen.a)));
+#else
+  light = seen;
   shape = vec4(n, eyePosition.z);
   owner = cellOwner;
+#endif
+#endif
 #ifdef CUT
   // From the pixel alone, so that cells that overlap have one depth there, to the bit.
   vec2 ray = (2.0 * gl_FragCoord.xy / vec2(size) - 1.0) * aperture;
@@ -113,8 +148,8 @@ void main() {
   vec3 place = vec3(ray * (eyeDistance - z), z);
   light = vec4(lit(pigment, clip.xyz, v), 1.0);
   shape = vec4(clip.xyz, place.z);
-  vec4 seen = projection * vec4(place, 1.0);
-  gl_FragDepth = 0.5 + 0.5 * seen.z / seen.w;
+  vec4 shown = projection * vec4(place, 1.0);
+  gl_FragDepth = 0.5 + 0.5 * shown.z / shown.w;
 #endif
 }
 )";

@@ -55,14 +55,14 @@ OffscreenContext::OffscreenContext() : handle_(new Handle) {
                             OSMESA_PROFILE,
                             OSMESA_CORE_PROFILE,
                             OSMESA_CONTEXT_MAJOR_VERSION,
-                            3,
+                            4,
                             OSMESA_CONTEXT_MINOR_VERSION,
                             3,
                             0};
   handle_->context = OSMesaCreateContextAttribs(attributes, nullptr);
   if (!handle_->context) {
     delete handle_;
-    throw BugError("OSMesa gives no OpenGL 3.3 context");
+    throw BugError("OSMesa gives no OpenGL 4.3 context");
   }
   makeCurrent();
 }

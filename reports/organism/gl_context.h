@@ -7,7 +7,7 @@
 
 namespace morula {
 
-/// An OpenGL 3.3 core context without a window, current on the thread that made it. It draws into framebuffer
+/// An OpenGL 4.3 core context without a window, current on the thread that made it. It draws into framebuffer
 /// objects only. Throws BugError if the library cannot give one.
 class OffscreenContext {
  public:

@@ -78,7 +78,7 @@ void Program::setMatrix(const char* name, const float* columns16) const {
   glUniformMatrix4fv(glGetUniformLocation(program_, name), 1, GL_FALSE, columns16);
 }
 
-Texture::Texture(int width, int height, GLenum internalFormat) {
+Texture::Texture(int width, int height, GLenum internalFormat) : width_(width) {
   glGenTextures(1, &texture_);
   glBindTexture(GL_TEXTURE_2D, texture_);
   GLenum format = GL_RGBA, type = GL_FLOAT;
@@ -98,6 +98,12 @@ Texture::~Texture() { glDeleteTextures(1, &texture_); }
 void Texture::bind(int unit) const {
   glActiveTexture(GL_TEXTURE0 + unit);
   glBindTexture(GL_TEXTURE_2D, texture_);
+}
+
+void Texture::setRows(int first, int rows, const float* texels) const {
+  bind(15);  // where no shader looks, so that what is bound for one stays so
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first, width_, rows, GL_RGBA, GL_FLOAT, texels);
 }
 
 Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth,
@@ -160,6 +166,17 @@ void VertexBuffer::drawTriangles(std::size_t firstCorner, std::size_t corners) c
     glDrawElements(GL_TRIANGLES, GLsizei(corners), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(4 * firstCorner));
   else glDrawArrays(GL_TRIANGLES, GLint(firstCorner), GLsizei(corners));
+}
+
+void VertexBuffer::drawTriangles(const std::vector<std::pair<std::size_t, std::size_t>>& parts) const {
+  glBindVertexArray(array_);
+  std::vector<GLsizei> counts;
+  std::vector<const void*> offsets;
+  for (const auto& [first, corners] : parts) {
+    counts.push_back(GLsizei(corners));
+    offsets.push_back(reinterpret_cast<const void*>(4 * first));
+  }
+  glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(), GLsizei(parts.size()));
 }
 
 }  // namespace morula

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "organism/gl_context.h"
@@ -41,9 +42,12 @@ class Texture {
   Texture& operator=(const Texture&) = delete;
   GLuint id() const { return texture_; }
   void bind(int unit) const;
+  /// Of a texture of GL_RGBA32F: these rows, from below, four numbers to a texel.
+  void setRows(int first, int rows, const float* texels) const;
 
  private:
   GLuint texture_;
+  int width_;
 };
 
 /// Draws into textures: some colours, up to the first that is null, and perhaps a depth, which may hold a stencil, too.
@@ -78,6 +82,8 @@ class VertexBuffer {
   VertexBuffer(const VertexBuffer&) = delete;
   VertexBuffer& operator=(const VertexBuffer&) = delete;
   void drawTriangles(std::size_t firstCorner, std::size_t corners) const;
+  /// Several parts of the indices, one after the other: first corner and number of corners.
+  void drawTriangles(const std::vector<std::pair<std::size_t, std::size_t>>& parts) const;
 
  private:
   GLuint buffer_ = 0, array_ = 0, indices_ = 0;

@@ -36,9 +36,12 @@ void checkCells(const OrganismPicture& picture) {
                        " vertices; its faces in the picture need " + std::to_string(needed));
     if (!std::all_of(cell.vertices.begin(), cell.vertices.end(), finite))
       throw InputError(cellName(cell.path) + " has a vertex that is not finite and cannot be drawn");
-    if (!cell.colours.empty() && cell.colours.size() != cell.vertices.size())
-      throw InputError(cellName(cell.path) + " has " + std::to_string(cell.colours.size()) +
-                       " colours for its " + std::to_string(cell.vertices.size()) + " vertices");
+    if (!cell.shares.empty() && cell.shares.size() != cell.vertices.size())
+      throw InputError(cellName(cell.path) + " has " + std::to_string(cell.shares.size()) +
+                       " values of a map for its " + std::to_string(cell.vertices.size()) + " vertices");
+    if (!std::all_of(cell.shares.begin(), cell.shares.end(), [](double s) { return s >= 0 && s <= 1; }))
+      throw InputError("the values of a map on " + cellName(cell.path) +
+                       " must be shares of its scale, from 0 to 1");
     if (!(cell.opacity >= 0 && cell.opacity <= 1))
       throw InputError("the opacity of " + cellName(cell.path) + " must be 0 (not drawn) to 1 (solid)");
   }
@@ -116,6 +119,10 @@ Framing framingOf(const std::vector<Point>& points, const OrganismPicture& pictu
   return frame(points, eyeAxes(picture.camera), apertureOf(picture.width, sceneHeight(picture, width)));
 }
 
+FramingFinder finderFor(const OrganismPicture& picture) {
+  return {eyeAxes(picture.camera), apertureOf(picture.width, sceneHeight(picture, picture.width))};
+}
+
 /// The labels of cells that are seen at all: translucent ones, which own no pixels, at their middles.
 std::vector<LabelWish> labelsOf(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing,
                                 const Aperture& aperture, const LabelGround& ground) {
@@ -189,13 +196,28 @@ Framing fitFraming(const OrganismPicture& picture) {
 
 Framing fitFraming(const std::vector<OrganismPicture>& sequence) {
   if (sequence.empty()) throw InputError("a framing needs at least one picture");
-  std::vector<Point> points;
-  for (const OrganismPicture& picture : sequence) {
-    check(picture);
-    const std::vector<Point> more = extent(picture);
-    points.insert(points.end(), more.begin(), more.end());
+  for (const OrganismPicture& picture : sequence) check(picture);
+  const OrganismPicture& first = sequence.front();
+  FramingFinder finder = finderFor(first);
+  for (const OrganismPicture& picture : sequence)
+    for (const Point& p : extent(picture)) finder.seeFirst(p);
+  for (const OrganismPicture& picture : sequence)
+    for (const Point& p : extent(picture)) finder.seeAgain(p);
+  return finder.framing();
+}
+
+Framing fitFraming(std::size_t count, const std::function<OrganismPicture(std::size_t)>& picture) {
+  if (count == 0) throw InputError("a framing needs at least one picture");
+  std::optional<FramingFinder> finder;
+  for (std::size_t i = 0; i < count; ++i) {
+    const OrganismPicture one = picture(i);
+    check(one);
+    if (!finder) finder = finderFor(one);
+    for (const Point& p : extent(one)) finder->seeFirst(p);
   }
-  return framingOf(points, sequence.front(), sequence.front().width);
+  for (std::size_t i = 0; i < count; ++i)
+    for (const Point& p : extent(picture(i))) finder->seeAgain(p);
+  return finder->framing();
 }
 
 Framing commonFraming(const OrganismPicture& picture, const std::vector<Camera>& cameras) {

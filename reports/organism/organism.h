@@ -1,6 +1,7 @@
 #pragma once
 // The organism in three dimensions, drawn off-screen: no display, no window, no graphics card. Knows nothing
 // of the simulator: cells with vertices and colours are all that it needs.
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,9 +17,10 @@ struct CellShape {
   std::string path;             // the lineage path; only used in messages
   std::vector<Point> vertices;  // [length] in the order that its faces count them
   Colour colour = neutralGrey;
-  double opacity = 1;             // 0 (not drawn) to 1 (solid); lower: what is behind shines through
-  std::vector<Face> faces{};      // its own mesh; empty: the picture's
-  std::vector<Colour> colours{};  // of its vertices, for maps of something; empty: all have its colour
+  double opacity = 1;            // 0 (not drawn) to 1 (solid); lower: what is behind shines through
+  std::vector<Face> faces{};     // its own mesh; empty: the picture's
+  std::vector<double> shares{};  // of its vertices, for maps of something: 0 to 1 on the scale of
+                                 // drawing/palette.h; empty: all have its colour
 };
 
 /// A straight line in space, for forces, normals and connections.
@@ -82,7 +84,7 @@ inline const std::vector<Face>& facesOf(const OrganismPicture& picture, const Ce
 
 /// Draws the picture; equal input gives equal pixels. No cells (an empty organism) give the background, shell
 /// and texts. Throws InputError for sizes and opacities out of range, a cell whose vertex count does not fit
-/// its faces or colours, a camera without a direction, and coordinates that are not finite.
+/// its faces or shares, shares out of range, a camera without a direction, and coordinates that are not finite.
 Image drawOrganism(const OrganismPicture& picture, Style style = Style::solid);
 
 /// Solid and wireframe side by side, 2·width × height.
@@ -94,6 +96,8 @@ Framing fitFraming(const OrganismPicture& picture);
 
 /// One framing in which all of these pictures are whole. Throws InputError for none.
 Framing fitFraming(const std::vector<OrganismPicture>& sequence);
+/// The same of pictures that are made when they are needed, each twice.
+Framing fitFraming(std::size_t count, const std::function<OrganismPicture(std::size_t)>& picture);
 
 /// One framing in which the picture is whole from each of these sides: for an eye that goes around. Throws InputError
 /// for none.

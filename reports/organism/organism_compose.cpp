@@ -1,11 +1,8 @@
-// The last passes of OrganismRenderer: translucent cells, and everything together.
+// The last pass of OrganismRenderer: everything together.
 #include "organism/organism_passes.h"
 
 namespace morula {
 namespace {
-
-constexpr int maxLayers =
-    256;  // of translucent surfaces, one behind the other; it ends with the last that is there
 
 /// How the shader gets from eye space to the world in units of the shell's semi-axes, and with normals of
 /// that unit sphere back, whose inverse transpose has the same factors.
@@ -43,55 +40,6 @@ Image readBack(int width, int height, bool transparent) {
 
 }  // namespace
 
-bool OrganismRenderer::drawVeils(const Frame& frame) {
-  const std::size_t count = frame.surface.corners.size() - frame.surface.solid;
-  if (count == 0) return false;
-  // Depth peeling [Everitt 2001]: each turn draws the nearest surfaces behind those of the last turn, so
-  // whatever the cells' order and however they interpenetrate, each sample meets its surfaces from front to
-  // back.
-  if (!targets_->veils)
-    targets_->veils = std::make_unique<Targets::Veils>(frame.gridWidth(), frame.gridHeight());
-  Targets::Veils& veils = *targets_->veils;
-  const float none[4] = {0, 0, 0, 0}, zero = 0;
-  veils.framebuffer.bind();
-  glClearBufferfv(GL_COLOR, 0, none);
-  veils.second.framebuffer.bind();
-  glClearBufferfv(GL_DEPTH, 0, &zero);  // the first layer lies behind nothing
-  GLuint query = 0;
-  glGenQueries(1, &query);
-  for (int turn = 0; turn < maxLayers; ++turn) {
-    const Targets::Layer &here = turn % 2 ? veils.second : veils.first,
-                         &last = turn % 2 ? veils.first : veils.second;
-    here.framebuffer.bind();
-    glViewport(0, 0, frame.gridWidth(), frame.gridHeight());
-    clearLayer(float(frame.framing.distance));
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
-    frame.peel->use();
-    frame.peel->set("opaqueDepth", 0);
-    frame.peel->set("lastDepth", 1);
-    targets_->solid.depth.bind(0);
-    last.depth.bind(1);
-    glBeginQuery(GL_SAMPLES_PASSED, query);
-    frame.cells->drawTriangles(frame.surface.solid, count);
-    glEndQuery(GL_SAMPLES_PASSED);
-    GLuint passed = 0;
-    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
-    if (passed == 0) break;
-    frame.describe(programs_->layer);
-    programs_->layer.set("lights", 0);
-    programs_->layer.set("owners", 1);
-    here.lights.bind(0);
-    here.owners.bind(1);
-    glEnable(GL_BLEND);  // under: only what the layers before let through
-    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    fillScreen(veils.framebuffer, frame.gridWidth(), frame.gridHeight());
-    glDisable(GL_BLEND);
-  }
-  glDeleteQueries(1, &query);
-  return true;
-}
-
 Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
   const Program& program = programs_->resolve;
   frame.describe(program);
@@ -106,10 +54,10 @@ Image OrganismRenderer::resolve(const Frame& frame, bool veiled) {
   program.set("veiled", veiled ? 1 : 0);
   program.set("shelled", frame.picture.shell ? 1 : 0);
   targets_->solid.lights.bind(0);
-  targets_->solid.shapes->bind(1);
+  targets_->solid.shapes.bind(1);
   targets_->solid.owners.bind(2);
   targets_->firstVisible.bind(3);
-  if (veiled) targets_->veils->sum.bind(4);
+  if (veiled) targets_->veils->bind(4);
   if (frame.picture.shell)
     setShell(program, *frame.picture.shell * shellThickness, frame.axes, frame.framing.centre);
   fillScreen(targets_->resultBuffer, frame.width, frame.height);

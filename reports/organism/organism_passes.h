@@ -2,6 +2,7 @@
 // What the passes of OrganismRenderer share; for its own files only.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 
 #include "organism/camera.h"
@@ -13,47 +14,32 @@
 namespace morula {
 
 struct OrganismRenderer::Programs {
-  Program cell{cellVertexShader(), cellFragmentShader(CellPass::whole)};
-  Program peel{cellVertexShader(), cellFragmentShader(CellPass::peel)};
-  struct Clipped {  // made for the first picture with a clip plane
-    Program cell{cellVertexShader(), cellFragmentShader(CellPass::clipped)};
-    Program peel{cellVertexShader(), cellFragmentShader(CellPass::clippedPeel)};
-    Program cut{cellVertexShader(), cellFragmentShader(CellPass::cut)};
-  };
-  std::unique_ptr<Clipped> clipped;
+  std::map<CellProgram, std::unique_ptr<Program>> cells;  // those that were needed so far
   Program line{lineVertexShader(), lineFragmentShader()};
   Program occlusion{screenVertexShader(), occlusionShader()};
   Program blur{screenVertexShader(), occlusionBlurShader()};
-  Program layer{screenVertexShader(), layerShader()};
   Program resolve{screenVertexShader(), resolveShader()};
+  std::unique_ptr<Texture> scale;          // of maps
   VertexBuffer screen{nullptr, 0, 0, {}};  // the shader knows its three corners by number
 };
 
 /// Everything that is as large as the picture or its sample grid.
 struct OrganismRenderer::Targets {
-  struct Layer {  // what the cells' shader writes; a veil needs no shapes, as it gets no ambient occlusion
-    Texture lights, owners, depth;
-    std::unique_ptr<Texture> shapes;
+  struct Layer {  // what the cells' shader writes
+    Texture lights, owners, depth, shapes;
     Framebuffer framebuffer;
-    Layer(int w, int h, bool shaped, bool counted = false)
+    Layer(int w, int h, bool counted)
         : lights(w, h, GL_RGBA32F),
           owners(w, h, GL_R32UI),
           depth(w, h, counted ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F),
-          shapes(shaped ? std::make_unique<Texture>(w, h, GL_RGBA32F) : nullptr),
-          framebuffer({&lights, &owners, shapes.get()}, &depth, counted) {}
-  };
-  struct Veils {  // only with translucent cells
-    Layer first, second;
-    Texture sum;
-    Framebuffer framebuffer;
-    Veils(int w, int h)
-        : first(w, h, false), second(w, h, false), sum(w, h, GL_RGBA32F), framebuffer({&sum}, nullptr) {}
+          shapes(w, h, GL_RGBA32F),
+          framebuffer({&lights, &owners, &shapes}, &depth, counted) {}
   };
 
   int width, height, samples;
   bool counted;  // surfaces before each sample can be, for a clip plane
   Layer solid;
-  std::unique_ptr<Veils> veils;
+  std::unique_ptr<Texture> veils;  // light and opacity of translucent cells
   Texture firstVisible, secondVisible, result;
   Framebuffer firstVisibleBuffer, secondVisibleBuffer, resultBuffer;
 
@@ -62,7 +48,7 @@ struct OrganismRenderer::Targets {
         height(h),
         samples(s),
         counted(clip),
-        solid(w * s, h * s, true, clip),
+        solid(w * s, h * s, clip),
         firstVisible(w, h, GL_R32F),
         secondVisible(w, h, GL_R32F),
         result(w, h, GL_RGBA8),
@@ -83,11 +69,11 @@ struct OrganismRenderer::Frame {
   float pixel;  // [sample] the unit of line widths: a pixel of a 900-pixel picture
   Surface surface;
   const VertexBuffer* cells = nullptr;
-  std::array<float, 4> clip{};                     // as the shaders take it; 0: nothing is cut away
-  const Program *cell = nullptr, *peel = nullptr;  // of the cells
+  std::array<float, 4> clip{};  // as the shaders take it; 0: nothing is cut away
 
   int gridWidth() const { return width * samples; }
   int gridHeight() const { return height * samples; }
+  int outlineReach() const { return std::max(1, int(0.5f * pixel + 0.5f)); }  // [sample]
 
   /// What every shader knows.
   void describe(const Program& program) const {
@@ -96,7 +82,7 @@ struct OrganismRenderer::Frame {
     program.set("aperture", float(aperture.x), float(aperture.y));
     program.set("eyeDistance", float(framing.distance));
     program.set("samples", samples);
-    program.set("outlineReach", std::max(1, int(0.5f * pixel + 0.5f)));
+    program.set("outlineReach", outlineReach());
     program.setMatrix("projection", matrix.data());
     program.set("clip", clip[0], clip[1], clip[2], clip[3]);
   }

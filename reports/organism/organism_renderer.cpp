@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "drawing/palette.h"
 #include "organism/organism_passes.h"
 
 namespace morula {
@@ -113,20 +114,18 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
               .aperture = aperture,
               .matrix = projection(aperture, framing.distance, nearest, farthest),
               .pixel = float(picture.samples * std::max(1.0, std::min(width, height) / 900.0)),
-              .surface = makeSurface(picture, axes, framing)};
+              .surface = makeSurface(picture, axes, framing, style == Style::wireframe)};
   const VertexBuffer cells(frame.surface.vertices.data(),
                            frame.surface.vertices.size() * sizeof(SurfaceVertex), sizeof(SurfaceVertex),
                            {{3, GL_FLOAT, false, false, offsetof(SurfaceVertex, position)},
                             {3, GL_FLOAT, false, false, offsetof(SurfaceVertex, normal)},
                             {3, GL_FLOAT, false, false, offsetof(SurfaceVertex, corner)},
                             {4, GL_UNSIGNED_SHORT, false, true, offsetof(SurfaceVertex, light)},
-                            {1, GL_UNSIGNED_INT, true, false, offsetof(SurfaceVertex, owner)}},
+                            {1, GL_UNSIGNED_INT, true, false, offsetof(SurfaceVertex, owner)},
+                            {1, GL_FLOAT, false, false, offsetof(SurfaceVertex, share)}},
                            frame.surface.corners);
   frame.cells = &cells;
-  frame.cell = &programs_->cell, frame.peel = &programs_->peel;
   if (picture.clip) {
-    if (!programs_->clipped) programs_->clipped = std::make_unique<Programs::Clipped>();
-    frame.cell = &programs_->clipped->cell, frame.peel = &programs_->clipped->peel;
     const double length = norm(picture.clip->normal);
     const Vector normal = axes.of(picture.clip->normal / length);
     const double beyond = picture.clip->offset / length - dot(framing.centre, picture.clip->normal / length);
@@ -153,6 +152,30 @@ void OrganismRenderer::fillScreen(const Framebuffer& target, int width, int heig
   programs_->screen.drawTriangles(0, 3);
 }
 
+const Program& OrganismRenderer::cellProgram(const Frame& frame, CellPass pass) {
+  const CellProgram kind{pass, frame.picture.clip.has_value(), frame.surface.mapped};
+  auto& program = programs_->cells[kind];
+  if (!program) program = std::make_unique<Program>(cellVertexShader(kind.mapped), cellFragmentShader(kind));
+  frame.describe(*program);
+  program->set("wireframe", frame.style == Style::wireframe ? 1 : 0);
+  program->set("wireWidth", 1.0f * frame.pixel);
+  setPaper(*program);
+  if (!kind.mapped) return *program;
+  if (!programs_->scale) {
+    std::vector<float> colours;
+    for (int i = 0; i < scaleSteps; ++i) {
+      const Colour c = scaleColour(double(i) / (scaleSteps - 1));
+      for (const double light : {linearLight(c.r), linearLight(c.g), linearLight(c.b), 1.0})
+        colours.push_back(float(light));
+    }
+    programs_->scale = std::make_unique<Texture>(scaleSteps, 1, GL_RGBA32F);
+    programs_->scale->setRows(0, 1, colours.data());
+  }
+  programs_->scale->bind(0);
+  program->set("scale", 0);
+  return *program;
+}
+
 void OrganismRenderer::drawSolid(const Frame& frame) {
   targets_->solid.framebuffer.bind();
   glViewport(0, 0, frame.gridWidth(), frame.gridHeight());
@@ -164,12 +187,7 @@ void OrganismRenderer::drawSolid(const Frame& frame) {
   if (frame.picture.clip)
     glDisable(GL_CULL_FACE);  // the insides of cut cells, where the shader draws the cut
   else glEnable(GL_CULL_FACE);
-  for (const Program* program : {frame.peel, frame.cell}) {
-    frame.describe(*program);
-    program->set("wireframe", frame.style == Style::wireframe ? 1 : 0);
-    program->set("wireWidth", 1.0f * frame.pixel);
-    setPaper(*program);
-  }
+  cellProgram(frame, CellPass::whole);
   if (frame.surface.solid > 0) frame.cells->drawTriangles(0, frame.surface.solid);
 }
 
@@ -192,17 +210,13 @@ void OrganismRenderer::drawCuts(const Frame& frame) {
   }
   // Where cells overlap the smaller one is seen: a cell in a cell.
   std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.size > b.size; });
-  Program& cut = programs_->clipped->cut;
-  frame.describe(cut);
-  cut.set("wireframe", frame.style == Style::wireframe ? 1 : 0);
-  cut.set("wireWidth", 1.0f * frame.pixel);
-  setPaper(cut);
+  const Program &cell = cellProgram(frame, CellPass::whole), &cut = cellProgram(frame, CellPass::cut);
   const GLint zero = 0;
   glClearBufferiv(GL_STENCIL, 0, &zero);
   glEnable(GL_STENCIL_TEST);
   // The ray that meets the plane inside a cell leaves it once more often than it comes in behind the plane.
   const auto count = [&](const Cut& what, GLenum front, GLenum back) {
-    frame.cell->use();
+    cell.use();
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -282,7 +296,7 @@ void OrganismRenderer::findOcclusion(const Frame& frame) {
   setSpiral(programs_->occlusion);
   programs_->occlusion.set("shapes", 0);
   programs_->occlusion.set("owners", 1);
-  targets_->solid.shapes->bind(0);
+  targets_->solid.shapes.bind(0);
   targets_->solid.owners.bind(1);
   fillScreen(targets_->firstVisibleBuffer, frame.width, frame.height);
   // Twice: along an edge the first pass lacks half of the pattern that it should even out.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "organism/organism.h"
+#include "organism/shaders.h"
 
 namespace morula {
 
@@ -31,6 +32,8 @@ class OrganismRenderer {
   struct Programs;
   struct Targets;
   struct Frame;
+  /// For this pass over the cells, in use and told what the frame is.
+  const class Program& cellProgram(const Frame& frame, CellPass pass);
   void fillScreen(const class Framebuffer& target, int width, int height);
   void drawSolid(const Frame& frame);
   void drawCuts(const Frame& frame);

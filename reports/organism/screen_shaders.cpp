@@ -98,23 +98,6 @@ void main() {
 )";
 }
 
-std::string layerShader() {
-  return std::string(version) + common + outlines + R"(
-uniform sampler2D lights;
-layout(location = 0) out vec4 veil;
-void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  uint own = texelFetch(owners, at, 0).r;
-  veil = vec4(0.0);
-  if (own == 0u) return;
-  vec4 light = texelFetch(lights, at, 0);
-  float shade = outlineShade(at, own, true);
-  float cover = mix(1.0, light.a, shade);  // outlines stay visible on faint cells
-  veil = vec4(light.rgb * shade * cover, cover);
-}
-)";
-}
-
 std::string resolveShader() {
   return std::string(version) + common + outlines + R"(
 uniform sampler2D lights, shapes, visibles, veils;

@@ -3,7 +3,7 @@
 
 namespace morula::shader {
 
-inline constexpr char version[] = "#version 330 core\n";
+inline constexpr char version[] = "#version 430 core\n";
 
 // Owners: 0 nothing, 1 and up a cell, lineOwner a line mark.
 inline constexpr char common[] = R"(

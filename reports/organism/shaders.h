@@ -2,16 +2,24 @@
 // The programs that run per vertex and per pixel, as GLSL text. Space is eye space relative to the framing's
 // centre: x right, y up, z to the eye, the eye itself at z = eyeDistance. Light is linear until the last
 // pass.
+#include <compare>
 #include <string>
 
 namespace morula {
 
-/// Surfaces of cells: lit colour, normal and depth, and which cell it is, for each sample. A layer of `peel`
-/// is the nearest surface behind the one before it. `clipped`: what lies beyond a plane is cut away. `cut`: instead of
-/// the surface itself, the plane before it is drawn.
-enum class CellPass { whole, peel, clipped, clippedPeel, cut };
-std::string cellVertexShader();
-std::string cellFragmentShader(CellPass pass);
+/// Surfaces of cells: lit colour, normal and depth, and which cell it is, for each sample. `cut`: instead of the surface
+/// itself, the clip plane before it. `count` and `list`: how many translucent surfaces each sample meets, and their list
+/// (veil_lists.h).
+enum class CellPass { whole, cut, count, list };
+struct CellProgram {
+  CellPass pass = CellPass::whole;
+  bool clipped = false;  // what lies beyond a plane is cut away
+  bool mapped = false;   // some cells have a colour that changes from vertex to vertex
+  friend auto operator<=>(const CellProgram&, const CellProgram&) = default;
+};
+std::string cellVertexShader(bool mapped);
+std::string cellFragmentShader(const CellProgram& program);
+inline constexpr int scaleSteps = 1024;  // colours of the scale for maps that the cells' shader is given
 
 /// Line marks as flat ribbons that face the eye.
 std::string lineVertexShader();
@@ -21,7 +29,6 @@ std::string lineFragmentShader();
 std::string screenVertexShader();
 std::string occlusionShader();      // how much of the sky a pixel's surface sees, from depths around it
 std::string occlusionBlurShader();  // evens out that pattern inside each cell
-std::string layerShader();          // one translucent layer, under those before it
 std::string resolveShader();        // outlines, shading, shell, mean of the samples, sRGB
 
 }  // namespace morula

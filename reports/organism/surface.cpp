@@ -55,45 +55,68 @@ struct FaceInEye {
 
 std::uint16_t asUint16(double value) { return std::uint16_t(std::clamp(value, 0.0, 1.0) * 65535 + 0.5); }
 
-Vector lightOf(Colour c) { return {linearLight(c.r), linearLight(c.g), linearLight(c.b)}; }
+/// One cell on its way to the surface.
+class CellSurface {
+ public:
+  CellSurface(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes,
+              const Point& centre)
+      : to_(to), cell_(picture.cells[number]), faces_(facesOf(picture, cell_)) {
+    normals_ = vertexNormals(cell_.vertices, faces_);
+    positions_.reserve(cell_.vertices.size());
+    for (const Point& vertex : cell_.vertices) positions_.push_back(axes.of(vertex - centre));
+    for (Vector& normal : normals_) normal = axes.of(normal);
+    vertex_.owner = std::uint32_t(number + 1);
+    const double light[4] = {linearLight(cell_.colour.r), linearLight(cell_.colour.g),
+                             linearLight(cell_.colour.b), cell_.opacity};
+    std::transform(light, light + 4, vertex_.light, asUint16);
+    vertex_.share = -1;
+    if (!cell_.shares.empty()) to.mapped = true;
+  }
 
-void addCell(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes,
-             const Point& centre, const Split& split) {
-  const CellShape& cell = picture.cells[number];
-  std::vector<Vector> normals = vertexNormals(cell.vertices, facesOf(picture, cell));
-  std::vector<Vector> positions;
-  positions.reserve(cell.vertices.size());
-  for (const Point& vertex : cell.vertices) positions.push_back(axes.of(vertex - centre));
-  for (Vector& normal : normals) normal = axes.of(normal);
-  SurfaceVertex vertex{};
-  vertex.owner = std::uint32_t(number + 1);
-  const auto setLight = [&](const Vector& l) {
-    const double light[4] = {l.x, l.y, l.z, cell.opacity};
-    std::transform(light, light + 4, vertex.light, asUint16);
-  };
-  setLight(lightOf(cell.colour));
-  std::vector<Vector> lights;
-  for (const Colour& colour : cell.colours) lights.push_back(lightOf(colour));
-  for (const Face& face : facesOf(picture, cell)) {
-    FaceInEye corners;
-    for (int i = 0; i < 3; ++i)
-      corners.position[i] = positions[face[i]], corners.normal[i] = normals[face[i]];
-    for (const std::uint32_t corner : split.corners)
-      to.corners.push_back(std::uint32_t(to.vertices.size()) + corner);
-    for (const Weights& w : split.points) {
-      const Vector p = corners.curved(w);
-      const Vector n = corners.normal[0] * w[0] + corners.normal[1] * w[1] + corners.normal[2] * w[2];
-      if (!lights.empty()) setLight(lights[face[0]] * w[0] + lights[face[1]] * w[1] + lights[face[2]] * w[2]);
-      const double values[9] = {p.x, p.y, p.z, n.x, n.y, n.z, w[0], w[1], w[2]};
-      for (int i = 0; i < 3; ++i) {
-        vertex.position[i] = float(values[i]);
-        vertex.normal[i] = float(values[3 + i]);
-        vertex.corner[i] = float(values[6 + i]);
+  /// Each face with vertices of its own.
+  void addSplit(const Split& split) {
+    for (const Face& face : faces_) {
+      FaceInEye corners;
+      for (int i = 0; i < 3; ++i)
+        corners.position[i] = positions_[face[i]], corners.normal[i] = normals_[face[i]];
+      for (const std::uint32_t corner : split.corners)
+        to_.corners.push_back(std::uint32_t(to_.vertices.size()) + corner);
+      for (const Weights& w : split.points) {
+        const Vector n = corners.normal[0] * w[0] + corners.normal[1] * w[1] + corners.normal[2] * w[2];
+        for (int i = 0; i < 3; ++i) vertex_.corner[i] = float(w[i]);
+        if (!cell_.shares.empty())
+          vertex_.share = float(cell_.shares[face[0]] * w[0] + cell_.shares[face[1]] * w[1] +
+                                cell_.shares[face[2]] * w[2]);
+        add(corners.curved(w), n);
       }
-      to.vertices.push_back(vertex);
     }
   }
-}
+
+  /// Faces as they are.
+  void addShared() {
+    const auto first = std::uint32_t(to_.vertices.size());
+    for (const Face& face : faces_)
+      for (const auto corner : face) to_.corners.push_back(first + std::uint32_t(corner));
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+      if (!cell_.shares.empty()) vertex_.share = float(cell_.shares[i]);
+      add(positions_[i], normals_[i]);
+    }
+  }
+
+ private:
+  void add(const Vector& p, const Vector& n) {
+    const double values[6] = {p.x, p.y, p.z, n.x, n.y, n.z};
+    for (int i = 0; i < 3; ++i)
+      vertex_.position[i] = float(values[i]), vertex_.normal[i] = float(values[3 + i]);
+    to_.vertices.push_back(vertex_);
+  }
+
+  Surface& to_;
+  const CellShape& cell_;
+  const std::vector<Face>& faces_;
+  std::vector<Vector> positions_, normals_;
+  SurfaceVertex vertex_{};
+};
 
 }  // namespace
 
@@ -114,19 +137,24 @@ std::vector<Vector> vertexNormals(const std::vector<Point>& vertices, const std:
   return normals;
 }
 
-Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing) {
+Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing,
+                    bool withEdges) {
   std::size_t faces = 0;
   for (const CellShape& cell : picture.cells) faces += facesOf(picture, cell).size();
-  const Split split = splitFace(splitsFor(faces));
+  const int splits = splitsFor(faces);
+  const Split split = splitFace(splits);
+  const bool shares = splits == 1 && !withEdges;
   Surface surface;
-  surface.vertices.reserve(faces * split.points.size());
+  if (!shares) surface.vertices.reserve(faces * split.points.size());
   surface.corners.reserve(faces * split.corners.size());
   for (const bool solid : {true, false}) {
     for (std::size_t i = 0; i < picture.cells.size(); ++i) {
       const double opacity = picture.cells[i].opacity;
       if (!(opacity > 0 && (opacity >= 1) == solid)) continue;
       const std::size_t first = surface.corners.size();
-      addCell(surface, picture, i, axes, framing.centre, split);
+      CellSurface cell(surface, picture, i, axes, framing.centre);
+      if (shares) cell.addShared();
+      else cell.addSplit(split);
       surface.cells.push_back({i, first, surface.corners.size() - first});
     }
     if (solid) surface.solid = surface.corners.size();

@@ -15,6 +15,7 @@ struct SurfaceVertex {
   float corner[3];         // barycentric in the face of the mesh, so that its edges can be drawn
   std::uint16_t light[4];  // linear colour and opacity, 65535 is 1
   std::uint32_t owner;     // the cell's number, from 1
+  float share;             // where its colour lies on the scale of maps, 0 to 1; −1: `light` is its colour
 };
 
 /// Where one cell's triangles stand among the corners.
@@ -27,11 +28,14 @@ struct Surface {
   std::vector<std::uint32_t> corners;  // three vertices to a triangle, solid cells first
   std::size_t solid = 0;               // corners of solid cells
   std::vector<CellCorners> cells;      // of those that are drawn
+  bool mapped = false;                 // whether any cell is a map
 };
 
 /// Bends each face between its vertices by Phong tessellation [Boubekeur & Alexa 2008], so that silhouettes
 /// are round although the mesh is coarse; the mesh's own vertices stay where they are. The more faces there
-/// are, the less each is split, because it is then small in the picture.
-Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing);
+/// are, the less each is split, because it is then small in the picture. Without edges `corner` is not set, and faces
+/// that are not split share their vertices.
+Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing,
+                    bool withEdges = true);
 
 }  // namespace morula

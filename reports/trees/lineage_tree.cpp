@@ -138,7 +138,10 @@ Drawing drawLineage(const TreePicture& asked) {
   TreePicture picture = asked;
   const TreeLayout layout = layoutTree(picture.nodes);
   settleSize(picture, layout);
-  const Annotations words{picture.title, picture.caption, picture.legend};
+  Annotations words{picture.title, picture.caption, picture.legend};
+  const auto died = [](const LineageNode& node) { return node.fate == Fate::died; };
+  if (std::any_of(picture.nodes.begin(), picture.nodes.end(), died))
+    words.legend.push_back({ink, "died", Marker::cross});
   Drawing drawing(picture.width, picture.height);
   annotate(drawing, words);
   if (layout.places.empty()) return drawing;

@@ -48,15 +48,19 @@ Image imageOf(const OrganismPicture& picture, const std::string& style) {
   return drawOrganism(picture, style == "wireframe" ? Style::wireframe : Style::solid);
 }
 
-std::vector<std::string> writeOrganism(std::vector<OrganismPicture> pictures, const RenderOptions& options,
+std::vector<std::string> writeOrganism(const Pictures& pictures, const RenderOptions& options,
                                        const Motion& motion, const std::string& file) {
-  std::vector<Camera> turns;
-  if (motion.turntable) turns = turntable(pictures.front(), motion.turntable);
-  const std::size_t count = turns.empty() ? pictures.size() : turns.size();
+  std::optional<OrganismPicture> turned;
+  std::vector<Camera> cameras;
+  if (motion.turntable) {
+    turned = pictures[0];
+    cameras = turntable(*turned, motion.turntable);
+  }
+  const std::size_t count = turned ? cameras.size() : pictures.size();
   const auto draw = [&](std::size_t i) {
-    if (turns.empty()) return imageOf(pictures[i], options.style);
-    pictures.front().camera = turns[i];
-    return imageOf(pictures.front(), options.style);
+    if (!turned) return imageOf(pictures[i], options.style);
+    turned->camera = cameras[i];
+    return imageOf(*turned, options.style);
   };
   if (isFilmName(file)) {
     writeFilm(count, draw, motion.perSecond, file);
@@ -130,7 +134,7 @@ int compare(const RenderOptions& options, const PictureWishes& wishes, Json& tol
     if (shown.code != fine) return shown.code;
     PictureMaker maker(*shown.scenario, wishes);
     maker.add(shown.run->world);
-    pictures.push_back(maker.take().front());
+    pictures.push_back(maker.take()[0]);
     pictures.back().title += ": " + file;
     if (pictures.size() == 1) radius = shown.scenario->scene.mechanics->physics.cell.radius;
   }
@@ -154,6 +158,8 @@ int render(const RenderOptions& options, const PictureWishes& wishes, const Moti
   std::optional<PictureMaker> maker;
   std::optional<Times> times;
   auto shown = show(options.file, options, [&](const Scenario& scenario, std::optional<double> end) {
+    if (wishes.connections && scenario.scene.mechanics && !scenario.scene.mechanics->connections)
+      throw UsageError("--connections: no cells of " + scenario.scene.name + " connect; leave it out");
     maker.emplace(scenario, wishes);
     if (motion.frames && !end)
       throw UsageError("--frames: " + scenario.scene.name +
@@ -169,10 +175,10 @@ int render(const RenderOptions& options, const PictureWishes& wishes, const Moti
   std::vector<std::string> files;
   if (options.style == "lineage") files = drawTree(shown.run->world, *shown.scenario, options, file);
   else {
-    if (!motion.frames) {
-      maker->add(shown.run->world);
-      maker->addForces(shown.run->world);
-    }
+    if (!motion.frames) maker->add(shown.run->world);
+    if (const auto pattern = maker->strangeOpacity())
+      throw UsageError("--opacity: no cell in the picture has a substance that fits '" + *pattern +
+                       "'; needs another name, or another --time");
     files = writeOrganism(maker->take(), options, motion, file);
   }
   told = {{"scenario", name}, {"time", shown.run->end.time}, {"pictures", files}};
@@ -185,12 +191,10 @@ int act(const RenderOptions& options) {
     throw UsageError("--style: '" + options.style +
                      "' is not known; needs solid, wireframe, both or lineage");
   const bool isTree = options.style == "lineage";
+  if (isTree) checkTreeOptions(options);
   const PictureWishes wishes = wishesOf(options);
   const Motion motion = motionOf(options);
-  if (isTree && motion.any())
-    throw UsageError("--style: a lineage is one picture; leave out --turntable and --frames");
-  if (!options.beside.empty() &&
-      (isTree || options.style == "both" || motion.any() || !wishes.forces.empty()))
+  if (!options.beside.empty() && (options.style == "both" || motion.any() || !wishes.forces.empty()))
     throw UsageError(
         "--beside shows one moment of solid cells; leave out --style, --forces, --turntable and --frames");
   checkOutput(options, motion);

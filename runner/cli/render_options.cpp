@@ -1,5 +1,7 @@
 #include "cli/render_options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -83,7 +85,27 @@ auto named(const std::string& option, Act act) {
   } catch (const InputError& error) { throw UsageError(option + ": " + error.what()); }
 }
 
+constexpr double mostSamples = 50e6;  // as in organism.h
+
 }  // namespace
+
+void checkTreeOptions(const RenderOptions& o) {
+  const std::pair<const char*, bool> ofBodies[] = {
+      {"--view", !o.view.empty()},           {"--supersample", o.supersample != "2"},
+      {"--colour", o.colour != "substance"}, {"--opacity", !o.opacity.empty()},
+      {"--clip", !o.clip.empty()},           {"--labels", !o.labels.empty()},
+      {"--forces", !o.forces.empty()},       {"--normals", o.normals},
+      {"--connections", o.connections},      {"--axes", o.axes},
+      {"--scale-bar", o.scaleBar},           {"--transparent", o.transparent},
+      {"--turntable", !o.turntable.empty()}, {"--frames", !o.frames.empty()},
+      {"--fps", !o.perSecond.empty()},       {"--beside", !o.beside.empty()},
+  };
+  for (const auto& [name, given] : ofBodies)
+    if (given)
+      throw UsageError(std::string(name) +
+                       " is of cells in space, and --style lineage is a tree; leave out one of them"
+                       " (morula lineage -o has labels and colours of trees)");
+}
 
 PictureSize sizeOption(const RenderOptions& options) {
   const auto sides = parts(options.size, 'x');
@@ -101,6 +123,12 @@ PictureWishes wishesOf(const RenderOptions& options) {
   const PictureSize size = sizeOption(options);
   wishes.width = size.width, wishes.height = size.height;
   wishes.samples = static_cast<int>(naturalOption("--supersample", options.supersample, 1, 4));
+  if (const double samples = 1.0 * size.width * size.height * wishes.samples * wishes.samples;
+      options.style != "lineage" && samples > mostSamples)
+    throw UsageError(fmt::format(
+        "--size: {}x{} pixels with --supersample {} take too much memory; width · height · samples² must "
+        "not exceed {:.0f}",
+        size.width, size.height, wishes.samples, mostSamples));
   if (!options.view.empty()) wishes.camera = named("--view", [&] { return parseView(options.view); });
   wishes.colouring = named("--colour", [&] { return parseColouring(options.colour); });
   if (!options.clip.empty()) wishes.clip = clipOption(options.clip);
@@ -130,9 +158,12 @@ Motion motionOf(const RenderOptions& options) {
   if (motion.turntable && motion.frames)
     throw UsageError(
         "--turntable goes around one time, and --frames goes through times; leave out one of them");
-  if (motion.frames && !options.forces.empty())
-    throw UsageError("--forces are of one time; leave out --frames");
+  if (options.perSecond.empty()) return motion;
+  if (!isFilmName(options.output))
+    throw UsageError("--fps is of a film; leave it out, or give -o a name that ends in .mp4, .webm or .gif");
   motion.perSecond = positiveOption("--fps", options.perSecond);
+  if (!(motion.perSecond >= 0.1 && motion.perSecond <= 1000))
+    throw UsageError("--fps: " + options.perSecond + " is out of range; needs a number from 0.1 to 1000");
   return motion;
 }
 
@@ -178,7 +209,7 @@ void add(Verb& verb, RenderOptions& options) {
   verb.takes("--transparent", options.transparent, "No paper behind the cells");
   verb.takes("--turntable", options.turntable, "N", "N pictures from all around");
   verb.takes("--frames", options.frames, "N", "N pictures, evenly from the start to the end, or to --time");
-  verb.takes("--fps", options.perSecond, "N", "Of a film: pictures in a second");
+  verb.takes("--fps", options.perSecond, "N", "Of a film: pictures in a second; default: 25");
   verb.takes("--beside", options.beside, "FILE",
              "Another scenario or database: both side by side, and how far their surfaces are apart");
   verb.takes("-o,--output", options.output, "FILE",

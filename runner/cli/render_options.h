@@ -11,7 +11,7 @@ namespace morula::cli {
 struct RenderOptions {
   std::string file, run, time, style = "solid", view, size = "900", supersample = "2", colour = "substance",
                                clip, labels;
-  std::string turntable, frames, perSecond = "25", beside, output;
+  std::string turntable, frames, perSecond, beside, output;
   std::vector<std::string> opacity, forces;
   bool transparent = false, normals = false, connections = false, axes = false, scaleBar = false;
   InputOptions input;
@@ -26,6 +26,9 @@ struct PictureSize {
 };
 /// "900": a square; "1920x1080". Throws UsageError.
 PictureSize sizeOption(const RenderOptions& options);
+
+/// Throws UsageError for an option that says nothing of a lineage tree.
+void checkTreeOptions(const RenderOptions& options);
 
 /// Throws UsageError that names the option for what cannot be.
 PictureWishes wishesOf(const RenderOptions& options);

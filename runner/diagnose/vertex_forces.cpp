@@ -204,17 +204,32 @@ std::vector<VertexForces> measureForces(World& world, int slot) {
   return all;
 }
 
-std::vector<ForcesByKind> forcesByKind(World& world) {
-  if (kindOf(world.bodies->parameters.integrator).solvesForces)
+void checkHasForces(const PhysicsParameters& physics) {
+  if (kindOf(physics.integrator).solvesForces)
     throw InputError(
         "forces cannot be shown with physics.integrator xpbd, which moves vertices to where springs and "
         "contents "
         "want them; choose another integrator, such as velocity-verlet");
+}
+
+std::vector<ForcesByKind> forcesByKind(World& world) {
+  checkHasForces(world.bodies->parameters);
   evaluateForces(world);
   const OuterForces outer = outerForces(world);
   std::vector<ForcesByKind> cells;
   for (const int slot : world.bodies->slots) cells.push_back(forcesOf(world, slot, outer));
   return cells;
+}
+
+std::vector<ForcesByKind> forcesByKind(const World& world, World& scratch) {
+  scratch.clock = world.clock;
+  scratch.cells = world.cells;
+  scratch.bodies = world.bodies;
+  scratch.contacts = world.contacts;
+  scratch.connections = world.connections;
+  scratch.motility = world.motility;
+  scratch.swirls = world.swirls;
+  return forcesByKind(scratch);
 }
 
 }  // namespace morula

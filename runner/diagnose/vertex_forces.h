@@ -35,8 +35,14 @@ inline constexpr auto choices<ForceKind> = std::to_array<Choice<ForceKind>>({
 /// [ForceKind][vertex] of one cell [force]; all kinds add up to mass times acceleration.
 using ForcesByKind = std::array<std::vector<Vector>, choices<ForceKind>.size()>;
 
-/// [cell] At the world's positions and velocities, evaluated anew. It has bodies. Throws InputError for an
-/// integrator that solves for its forces and has none between two steps.
+/// Throws InputError for an integrator that solves for its forces and has none between two steps.
+void checkHasForces(const PhysicsParameters& physics);
+
+/// [cell] At the world's positions and velocities, evaluated anew. It has bodies. Throws InputError as checkHasForces.
 std::vector<ForcesByKind> forcesByKind(World& world);
+
+/// The same of a world that is to go on as if it had not been looked at: evaluated in `scratch`, a world of the same scene,
+/// which has this world's bodies afterwards.
+std::vector<ForcesByKind> forcesByKind(const World& world, World& scratch);
 
 }  // namespace morula

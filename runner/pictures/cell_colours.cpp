@@ -1,12 +1,12 @@
 #include "pictures/cell_colours.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
-#include "drawing/axis.h"
 #include "drawing/palette.h"
 #include "simulation/measures.h"
 
@@ -21,6 +21,8 @@ const CellMeasure* cellMeasure(std::string_view name) {
     if (name == row.name) return &row;
   return nullptr;
 }
+
+bool isDrawn(const CellShape& cell) { return cell.opacity > 0; }
 
 /// The ancestor that the clone is called by; a cell above it stands for itself.
 std::string founderOf(const std::string& path, int founders) {
@@ -40,7 +42,8 @@ void colourByClone(std::vector<OrganismPicture>& pictures,
   const auto each = [&](auto act) {
     for (std::size_t p = 0; p < pictures.size(); ++p)
       for (std::size_t i = 0; i < values[p].size(); ++i)
-        act(pictures[p].cells[i], founderOf(pictures[p].cells[i].path, founders));
+        if (isDrawn(pictures[p].cells[i]))
+          act(pictures[p].cells[i], founderOf(pictures[p].cells[i].path, founders));
   };
   each([&](const CellShape&, const std::string& founder) { colours.emplace(founder, Colour{}); });
   std::size_t number = 0;
@@ -54,8 +57,9 @@ void colourByClone(std::vector<OrganismPicture>& pictures,
 void colourByGeneration(std::vector<OrganismPicture>& pictures,
                         const std::vector<std::vector<std::optional<double>>>& values) {
   std::set<int> generations;
-  for (const auto& cells : values)
-    for (const auto& value : cells) generations.insert(int(*value));
+  for (std::size_t p = 0; p < pictures.size(); ++p)
+    for (std::size_t i = 0; i < values[p].size(); ++i)
+      if (isDrawn(pictures[p].cells[i])) generations.insert(int(*values[p][i]));
   if (generations.empty()) return;
   const int first = *generations.begin(), last = *generations.rbegin();
   const auto colourOf = [&](int generation) {
@@ -74,10 +78,12 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
                      const CellMeasure& measure) {
   Range range;
   bool lacks = false;
-  for (const auto& cells : values)
-    for (const auto& value : cells)
-      if (value) range.see(*value);
+  for (std::size_t p = 0; p < pictures.size(); ++p)
+    for (std::size_t i = 0; i < values[p].size(); ++i)
+      if (!isDrawn(pictures[p].cells[i])) continue;
+      else if (const auto& value = values[p][i]) range.see(*value);
       else lacks = true;
+  range = withoutRounding(range);
   const std::string unit = measure.unit;
   std::string title = measure.name;
   std::replace(title.begin(), title.end(), '_', ' ');
@@ -95,6 +101,13 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
 }
 
 }  // namespace
+
+Range withoutRounding(Range range) {
+  constexpr double rounding = 1e-9;  // far more than sums of some thousand terms are off by
+  const double most = std::max(std::abs(range.low), std::abs(range.high));
+  if (range.low < range.high && range.high - range.low <= rounding * most) range.high = range.low;
+  return range;
+}
 
 Colouring parseColouring(std::string_view text) {
   using By = Colouring::By;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "drawing/axis.h"
 #include "organism/organism.h"
 #include "scenario/scenario.h"
 #include "simulation/world.h"
@@ -22,13 +23,17 @@ struct Colouring {
 /// may be, and the measure that was probably meant.
 Colouring parseColouring(std::string_view text);
 
+/// The ends of a colour bar for this range: one value where the ends differ by rounding alone.
+Range withoutRounding(Range range);
+
 /// What each cell's colour is found from, in the order of the world's cells: the measure's value, absent where it is
 /// not measured; the generation; nothing for the others.
 std::vector<std::optional<double>> colourValues(const World& world, const Colouring& colouring,
                                                 const Scenario& scenario);
 
 /// Colours the first cells of each picture by these values, which belong to them, and says in legend and colour bar what
-/// colours mean: the same in all of the pictures; the bar's ends are the least and the greatest value in any of them.
+/// colours mean: the same in all of the pictures; the bar's ends are the least and the greatest value of a cell that is
+/// drawn (opacity > 0) in any of them.
 /// Nothing for substances.
 void colourCells(std::vector<OrganismPicture>& pictures,
                  const std::vector<std::vector<std::optional<double>>>& values, const Colouring& colouring,

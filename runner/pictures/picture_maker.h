@@ -29,31 +29,48 @@ struct PictureWishes {
   std::vector<ForceKind> forces;       // each once
 };
 
-/// Makes pictures of one world at one or more times. Those of several times share colours, legend and framing.
-class PictureMaker {
+/// Pictures that share colours, legend, framing and the scale of their arrows. Arrows take much more memory than the
+/// forces that they show, so that a picture gets its own only when it is asked for.
+class Pictures {
  public:
-  PictureMaker(const Scenario& scenario, PictureWishes wishes)
-      : scenario_(scenario), wishes_(std::move(wishes)) {}
-
-  /// A picture of the world as it is now, without forces.
-  void add(const World& world);
-  /// The wished forces in the picture that was added last, of this world.
-  void addForces(World& world);
-  /// All of them, in the order in which they were added.
-  std::vector<OrganismPicture> take();
+  std::size_t size() const { return pictures_.size(); }
+  /// Number i, counted from 0, as it is drawn.
+  OrganismPicture operator[](std::size_t i) const;
 
  private:
+  friend class PictureMaker;
+  std::vector<OrganismPicture> pictures_;
+  std::vector<ForceKind> kinds_;                   // of forces that are shown
+  std::vector<std::vector<ForcesByKind>> forces_;  // [picture][cell]; empty: none are shown
+  double lengthPerForce_ = 1;
+};
+
+/// Makes pictures of one world at one or more times.
+class PictureMaker {
+ public:
+  /// Throws InputError for forces of a scenario whose integrator has none.
+  PictureMaker(const Scenario& scenario, PictureWishes wishes);
+
+  /// A picture of the world as it is now.
+  void add(const World& world);
+  /// The pattern of an opacity that fits no substance of any cell so far, if there is one.
+  std::optional<std::string> strangeOpacity() const;
+  /// All of them, in the order in which they were added.
+  Pictures take();
+
+ private:
+  void scaleForces();
+  void finishLegends();
+
   const Scenario& scenario_;
   PictureWishes wishes_;
-  std::vector<OrganismPicture> pictures_;
+  Pictures made_;
   std::vector<std::vector<std::optional<double>>> values_;
+  std::vector<bool> opacityFits_;  // [of wishes_.opacities] a cell so far
+  std::optional<World> scratch_;   // where forces are evaluated
 };
 
 /// Of arrows for a kind of force.
 Colour forceColour(ForceKind kind);
-
-/// [length/force] so that the longest of the arrows of these kinds is `longest` [length] long; 1 where there is none.
-double arrowScale(const std::vector<ForcesByKind>& forces, const std::vector<ForceKind>& kinds,
-                  double longest);
 
 }  // namespace morula

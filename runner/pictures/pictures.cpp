@@ -115,7 +115,9 @@ TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
                              scenario.names.of(cell.path).value_or(substances)});
   }
   picture.title = scenario.scene.name;
-  picture.caption = fmt::format("{} cells, {} of them alive at time {:.4g}", cells.size(), alive, end);
+  picture.caption = cells.size() == 1
+                        ? fmt::format("1 cell, {} at time {:.4g}", alive ? "alive" : "dead", end)
+                        : fmt::format("{} cells, {} of them alive at time {:.4g}", cells.size(), alive, end);
   picture.legend = palette.legend();
   return picture;
 }

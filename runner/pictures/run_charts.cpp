@@ -9,6 +9,7 @@
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "drawing/palette.h"
+#include "pictures/cell_colours.h"
 
 namespace morula {
 
@@ -216,6 +217,7 @@ void colourTree(TreePicture& tree, const RunResults& results, const MeasureName&
     }
   Range range;
   for (const auto& [path, mean] : means) range.see(mean.sum / double(mean.count));
+  range = withoutRounding(range);
   bool lacks = false;
   tree.legend.clear();
   for (LineageNode& node : tree.nodes) {

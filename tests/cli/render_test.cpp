@@ -82,6 +82,12 @@ TEST_CASE("render goes around and through time, as numbered pictures") {
   CHECK(end.out.find("time-0002.png") != std::string::npos);
   CHECK(readWhole(folder / "time-0000.png") != readWhole(folder / "time-0002.png"));
   CHECK(!fs::exists(folder / "time-0003.png"));
+  REQUIRE(launch({"render", four, "--time", "1.2", "--size", "300", "--frames", "3", "--forces", "all", "-o",
+                  folder / "force.png"})
+              .code == 0);
+  for (const char* number : {"1", "2"})
+    CHECK(readWhole(folder / ("force-000" + std::string(number) + ".png")) !=
+          readWhole(folder / ("time-000" + std::string(number) + ".png")));
 }
 
 TEST_CASE("render writes films where ffmpeg is, and says so where it is not") {
@@ -126,8 +132,15 @@ TEST_CASE("render refuses what it cannot draw, by the option's name") {
   refused({four, "--labels", "both"}, "--labels: 'both' is not known; needs name or path");
   refused({four, "--turntable", "1"}, "--turntable");
   refused({four, "--turntable", "3", "--frames", "3"}, "leave out one of them");
-  refused({four, "--frames", "3", "--forces", "all"}, "--forces are of one time");
-  refused({four, "--style", "lineage", "--turntable", "3"}, "a lineage is one picture");
+  for (const char* option : {"--clip", "--labels", "--turntable", "--beside"})
+    refused({four, "--style", "lineage", option, "3"}, std::string(option) + " is of cells in space");
+  refused({four, "--style", "lineage", "--axes"}, "--axes is of cells in space");
+  refused({four, "--fps", "10"}, "--fps is of a film");
+  refused({four, "--fps", "0.001", "--frames", "3", "-o", "x.gif"}, "--fps: 0.001 is out of range");
+  refused({four, "--size", "8192x8192"},
+          "--size: 8192x8192 pixels with --supersample 2 take too much memory");
+  refused({four, "--time", "0.1", "--opacity", "a*=0.5,zz=0.3"}, "--opacity: no cell in the picture");
+  refused({four, "--connections"}, "--connections: no cells of unique-four connect");
   refused({four, "--beside", four, "--style", "both"}, "--beside");
 }
 

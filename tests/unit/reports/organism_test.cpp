@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "catch.h"
 #include "drawing/annotations.h"
+#include "drawing/palette.h"
 #include "pictures.h"
 
 namespace morula {
@@ -32,14 +33,45 @@ TEST_CASE("a ball covers the disc that perspective says", "[organism]") {
   REQUIRE(double(inked) == Approx(3.14159265 * radius * radius).epsilon(0.02));
 }
 
-TEST_CASE("vertices may have colours of their own, one for each", "[organism]") {
+TEST_CASE("a map on a cell needs a share of the scale for each vertex", "[organism]") {
   CellShape cell = ball("", {0, 0, 0}, 1, neutralGrey);
-  for (const Point& p : cell.vertices) cell.colours.push_back(p.x < 0 ? red : blue);
-  const Image image = drawOrganism(picture({cell}));
-  CHECK(isReddish(image.at(image.width / 2 - 20, image.height / 2)));
-  CHECK(isBluish(image.at(image.width / 2 + 20, image.height / 2)));
-  cell.colours.pop_back();
+  cell.shares.assign(cell.vertices.size(), 0.5);
+  CHECK_NOTHROW(drawOrganism(picture({cell})));
+  cell.shares.back() = 1.5;
   CHECK_THROWS_AS(drawOrganism(picture({cell})), InputError);
+  cell.shares.back() = std::nan("");
+  CHECK_THROWS_AS(drawOrganism(picture({cell})), InputError);
+  cell.shares.pop_back();
+  CHECK_THROWS_AS(drawOrganism(picture({cell})), InputError);
+}
+
+TEST_CASE("within a face a map has the colour of the value there, and no steps", "[organism]") {
+  // One large triangle, so that it is flat and each place has the same light; its own mesh, seen from the front.
+  const auto triangle = [](Colour colour) {
+    CellShape cell{.path = "A", .vertices = {{-1.8, -1.6, 0}, {1.8, -1.6, 0}, {0, 1.8, 0}}, .colour = colour};
+    cell.faces = {{0, 1, 2}};
+    return cell;
+  };
+  CellShape map = triangle(neutralGrey);
+  const auto field = [](double x, double y) { return 0.5 + 0.18 * x + 0.1 * y; };
+  for (const Point& p : map.vertices) map.shares.push_back(field(p.x, p.y));
+  for (const double opacity : {1.0, 0.5}) {
+    map.opacity = opacity;
+    const Image image = drawOrganism(picture({map}, 300));
+    for (const auto& [x, y] : {std::pair{0.0, -0.5}, {-0.9, -1.2}, {0.8, -1.3}, {0.1, 0.9}}) {
+      CellShape plain = triangle(scaleColour(field(x, y)));
+      plain.opacity = opacity;
+      const int px = int(150 + x * 150 / 1.9), py = int(150 - y * 150 / 1.9);
+      const Colour seen = image.at(px, py), expected = drawOrganism(picture({plain}, 300)).at(px, py);
+      INFO(x << ", " << y << " at opacity " << opacity);
+      CHECK(std::abs(seen.r - expected.r) <= 2);  // a pixel is 0.0025 of the scale wide
+      CHECK(std::abs(seen.g - expected.g) <= 2);
+      CHECK(std::abs(seen.b - expected.b) <= 2);
+    }
+    // A scale of which a face shows six tenths has no step that is larger than two of its pixels ask for.
+    for (int x = 80; x < 220; ++x)
+      CHECK(std::abs(brightness(image.at(x, 220)) - brightness(image.at(x + 1, 220))) <= 6);
+  }
 }
 
 TEST_CASE("right is right and up is up", "[organism]") {
@@ -199,6 +231,9 @@ TEST_CASE("one framing holds a whole sequence", "[organism]") {
   REQUIRE(both.distance > fitFraming(small).distance);
   REQUIRE(both.distance > fitFraming(moved).distance);
   REQUIRE(both.centre.x == Approx(2.25));
+  const Framing asMade = fitFraming(2, [&](std::size_t i) { return i == 0 ? small : moved; });
+  REQUIRE(asMade.distance == both.distance);
+  REQUIRE(asMade.centre == both.centre);
   // With a shell it is the shell that counts, so cells may come and go.
   small.shell = moved.shell = Vector{2, 2, 2};
   REQUIRE(fitFraming(small).distance == fitFraming(moved).distance);

@@ -1,0 +1,56 @@
+// Marks that are told apart without colours.
+#include "drawing/marker.h"
+
+#include <set>
+
+#include "catch.h"
+#include "charts/chart.h"
+
+namespace morula {
+
+namespace {
+
+constexpr Colour dark{0x20, 0x20, 0x20};
+
+std::string drawn(Marker marker) {
+  Drawing drawing(30, 30);
+  drawMarker(drawing, {15, 15}, 8, dark, marker);
+  return drawing.file(PictureFormat::png);
+}
+
+}  // namespace
+
+TEST_CASE("no two marks look alike, and all are about as large", "[marker]") {
+  std::set<std::string> seen;
+  for (const Marker marker : {Marker::disc, Marker::square, Marker::triangle, Marker::diamond,
+                              Marker::hanging, Marker::plus, Marker::ring, Marker::cross}) {
+    seen.insert(drawn(marker));
+    Drawing drawing(30, 30);
+    drawMarker(drawing, {15, 15}, 8, dark, marker);
+    int inked = 0;
+    const Image image = drawing.pixels();
+    for (const Colour c : image.pixels) inked += c == dark;
+    CHECK(inked > 0.4 * 201);  // of the disc's area
+    CHECK(inked < 1.7 * 201);
+  }
+  CHECK(seen.size() == 8);
+  std::set<Marker> series;
+  for (std::size_t i = 0; i < 7; ++i) series.insert(seriesMarker(i));
+  CHECK(series.size() == 7);
+  CHECK(!series.contains(Marker::cross));
+}
+
+TEST_CASE("two lines of a chart differ in more than their colour", "[marker]") {
+  const auto chartOf = [](bool first, bool dots) {
+    // The line to look at, dark, is the chart's first or its second; the other is invisible.
+    Chart chart;
+    const ChartLine line{"", dark, {{0, 0}, {1, 1}, {2, 0}, {3, 1}}}, other{"", paper, {{0, 0}, {3, 0}}};
+    chart.lines = first ? std::vector{line, other} : std::vector{other, line};
+    chart.xScale = chart.yScale = Axis::Scale::linear;
+    chart.dots = dots;
+    return drawChart(chart).pixels();
+  };
+  for (const bool dots : {true, false}) CHECK_FALSE(chartOf(true, dots) == chartOf(false, dots));
+}
+
+}  // namespace morula
