@@ -7,6 +7,7 @@
 #include "base/cell_path.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "drawing/palette.h"
 #include "mesh/distance.h"
 #include "mesh/measures.h"
 

@@ -4,11 +4,13 @@
 #include <bit>
 #include <istream>
 #include <map>
+#include <memory>
 #include <ostream>
 #include <tuple>
 #include <type_traits>
 
 #include "base/error.h"
+#include "mesh/convex_shell.h"
 #include "simulation/scene.h"
 
 namespace morula::scene_text {
@@ -77,9 +79,17 @@ inline auto fields(MotilityParameters& a) {
   auto& [speed, persistence] = a;
   return std::tie(speed, persistence);
 }
+inline auto fields(ShellPlane& a) {
+  auto& [normal, offset] = a;
+  return std::tie(normal, offset);
+}
+inline auto fields(ConvexShell& a) {
+  auto& [mesh, planes] = a;
+  return std::tie(mesh, planes);
+}
 inline auto fields(ShellParameters& a) {
   auto& [semiAxes, mesh] = a;
-  return std::tie(semiAxes[0], semiAxes[1], semiAxes[2]);
+  return std::tie(semiAxes[0], semiAxes[1], semiAxes[2], mesh);
 }
 inline auto fields(PhysicsParameters& a) {
   auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
@@ -188,6 +198,12 @@ void add(Words& w, std::optional<T>& a) {
   add(w, given);
   if (given && !a) a.emplace();
   if (given) add(w, *a);
+}
+template <class Words, class T>
+void add(Words& w, std::shared_ptr<const T>& a) {
+  std::optional<T> copy = a ? std::optional(*a) : std::nullopt;
+  add(w, copy);
+  a = copy ? std::make_shared<const T>(std::move(*copy)) : nullptr;
 }
 template <class Words, class T>
 void add(Words& w, std::vector<T>& a) {
