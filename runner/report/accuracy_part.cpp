@@ -58,9 +58,9 @@ Drawing drawingOf(const Json& rows, const std::string& scenario) {
 }  // namespace
 
 PagePart accuracyPart(const std::string& file) {
-  const Json json = Json::parse(readFile(file), nullptr, false);
+  const Json json = Json::tryParse(readFile(file));
   const std::string right = "; needs what morula accuracy --json has printed";
-  if (json.is_discarded() || !json.is_object() || !json.contains("rows"))
+  if (!json.is_object() || !json.contains("rows"))
     throw InputError(file + ": no rows of an accuracy run" + right);
   try {
     const Json& rows = json.at("rows");

@@ -95,8 +95,8 @@ std::string newick(const RunResults& results, double end) {
 }
 
 std::string indented(const std::string& json) {
-  const Json read = Json::parse(json, nullptr, false);
-  return read.is_discarded() ? json : jsonText(read, 2);
+  const Json read = Json::tryParse(json);
+  return read.is_null() ? json : jsonText(read, 2);
 }
 
 std::string sourceOf(const RunFacts& run) {
