@@ -94,7 +94,8 @@ Json::Json(std::initializer_list<JsonItem> items) {
     return;
   }
   value_ = Members();
-  for (const Json& item : items) (*this)[item[0].text()] = item[1];
+  for (const Json& item : items)
+    if (!contains(item[0].text())) (*this)[item[0].text()] = item[1];
 }
 
 void Json::setTruth(bool truth) { value_ = truth; }
@@ -164,7 +165,7 @@ const std::string& Json::text() const {
 }
 
 const Json::List& Json::list() const {
-  static const List none;
+  static List none;
   if (is_null()) return none;
   if (!is_array()) refuse(*this, "array");
   return std::get<List>(value_);
@@ -226,16 +227,8 @@ Json& Json::back() { return const_cast<Json&>(at(size() - 1)); }
 Json::List::const_iterator Json::begin() const { return list().begin(); }
 Json::List::const_iterator Json::end() const { return list().end(); }
 
-Json::List::iterator Json::begin() {
-  if (is_null()) setList();
-  if (!is_array()) refuse(*this, "array");
-  return std::get<List>(value_).begin();
-}
-
-Json::List::iterator Json::end() {
-  const auto first = begin();
-  return first + static_cast<List::difference_type>(size());
-}
+Json::List::iterator Json::begin() { return const_cast<List&>(list()).begin(); }
+Json::List::iterator Json::end() { return const_cast<List&>(list()).end(); }
 
 bool operator==(const Json& a, const Json& b) {
   if (!a.is_number() || !b.is_number()) return a.value_ == b.value_;
