@@ -1,6 +1,6 @@
 #pragma once
 // Arrays of real numbers in the precision that a scene asks for. Kernels, compiled once for each precision,
-// get the bare memory; everybody else reads and writes doubles.
+// get the bare memory; all others read and write doubles.
 #include "base/aligned.h"
 #include "base/precision.h"
 

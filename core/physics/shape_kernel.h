@@ -1,5 +1,5 @@
 #pragma once
-// Shape matching [Müller, Heidelberger, Teschner, Gross 2005; Nilsson 2008, §3.2.2]: each vertex is drawn to
+// Shape matching [Müller, Heidelberger, Teschner, Gross 2005; Nilsson 2008, §3.2.2, eq. 3.4, 3.5]: each vertex is drawn to
 // its place in the shape at rest, laid over the cell as well as it can be.
 //
 //   q_i                         vertex i of the shape at rest, from its centre; c the cell's centre, p_i = x_i − c

@@ -40,7 +40,7 @@ struct SmallMultiples {
   int panelWidth = 560, panelHeight = 400;  // [pixel]
 };
 
-/// Wider than high where the panels can be laid so. Labels of strips stand upright where they would touch.
+/// The panels are laid out wider than high where that is possible. Labels of strips stand upright where they would touch.
 Drawing drawSmallMultiples(const SmallMultiples& chart);
 
 }  // namespace morula

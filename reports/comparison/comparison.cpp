@@ -1,29 +1,76 @@
 #include "comparison/comparison.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
+#include "base/cell_path.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "drawing/palette.h"
 #include "mesh/distance.h"
+#include "mesh/measures.h"
 
 namespace morula {
 namespace {
 
-OrganismPicture mapOf(const OrganismPicture& one, const OrganismPicture& other, double eggRadius) {
-  OrganismPicture map = one;
-  std::vector<std::vector<double>> distances;
-  double most = 0;
-  for (std::size_t i = 0; i < one.cells.size(); ++i) {
-    distances.push_back(measureDistances({one.cells[i].vertices, facesOf(one, one.cells[i])},
-                                         {other.cells[i].vertices, facesOf(other, other.cells[i])}));
-    for (const double d : distances.back()) most = std::max(most, d);
+constexpr double leastArrow = 0.02;  // [radii of the egg] a shorter arrow is only a head
+
+/// For each cell of `of` the place in `beside` of the cell with the same path.
+std::vector<std::optional<std::size_t>> matchCells(const OrganismPicture& of, const OrganismPicture& beside) {
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < beside.cells.size(); ++i) places.emplace(beside.cells[i].path, i);
+  std::vector<std::optional<std::size_t>> matches;
+  for (const CellShape& cell : of.cells) {
+    const auto found = places.find(cell.path);
+    matches.push_back(found == places.end() ? std::nullopt : std::optional(found->second));
   }
-  for (std::size_t i = 0; i < map.cells.size(); ++i)
+  return matches;
+}
+
+std::size_t countUnmatched(const OrganismPicture& of, const OrganismPicture& beside) {
+  const auto matches = matchCells(of, beside);
+  return static_cast<std::size_t>(std::count(matches.begin(), matches.end(), std::nullopt));
+}
+
+std::string cellsOf(std::size_t count) { return std::to_string(count) + (count == 1 ? " cell" : " cells"); }
+
+/// `of` in the colours of its distances from `beside`.
+OrganismPicture mapOf(const OrganismPicture& of, const OrganismPicture& beside, double eggRadius,
+                      const DistanceMap& what) {
+  OrganismPicture map = of;
+  const auto matches = matchCells(of, beside);
+  std::vector<std::vector<double>> distances(of.cells.size());
+  double most = 0, sum = 0;
+  std::size_t count = 0;
+  std::string where;
+  for (std::size_t i = 0; i < of.cells.size(); ++i) {
+    if (!matches[i]) continue;
+    const CellShape &cell = of.cells[i], &partner = beside.cells[*matches[i]];
+    if (what.ofCentres) {
+      const Point from = measureCentroid(partner.vertices), to = measureCentroid(cell.vertices);
+      distances[i].assign(cell.vertices.size(), norm(to - from));
+      if (norm(to - from) > leastArrow * eggRadius) map.lines.push_back({from, to, ink, true, true});
+    } else {
+      distances[i] =
+          measureDistances({cell.vertices, facesOf(of, cell)}, {partner.vertices, facesOf(beside, partner)});
+    }
+    for (const double d : distances[i]) {
+      if (d > most) most = d, where = cell.path;
+      sum += d, ++count;
+    }
+  }
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    map.cells[i].colour = neutralGrey;
     for (const double d : distances[i]) map.cells[i].colours.push_back(scaleColour(most > 0 ? d / most : 0));
-  map.title = "distance of the surfaces";
-  map.caption = "at most " + numberText(most, 3) + " [length], " + numberText(most / eggRadius, 2) +
-                " radii of the egg";
+  }
+  map.title = what.ofCentres ? "how far the centroids have moved" : "distance of the surfaces";
+  map.caption = most > 0 ? "at most " + numberText(most, 3) + " [length], " +
+                               numberText(most / eggRadius, 2) + " radii of the egg, of " + cellName(where) +
+                               "; mean " + numberText(sum / double(count), 3)
+                : count ? "none"
+                        : "no cell is in both";
+  if (what.named) map.caption = what.named(map.caption);
   map.legend.clear();
   map.instruments.colourBar = ColourBar{"distance [length]", 0, most};
   return map;
@@ -31,21 +78,42 @@ OrganismPicture mapOf(const OrganismPicture& one, const OrganismPicture& other, 
 
 }  // namespace
 
-Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius) {
-  if (one.cells.size() != other.cells.size())
-    throw InputError("organisms of " + std::to_string(one.cells.size()) + " and " +
-                     std::to_string(other.cells.size()) + " cells cannot be compared cell by cell");
+ComparisonImages compareOrganisms(OrganismPicture one, OrganismPicture other, double eggRadius,
+                                  const DistanceMap& map) {
   // One framing and one band of words, so that the three can be laid over each other by eye.
   for (OrganismPicture* picture : {&one, &other}) {
     picture->legend.clear();
     picture->instruments.colourBar = ColourBar{.title = "", .blank = true};
   }
   one.camera.framing = other.camera.framing = fitFraming({one, other});
-  const OrganismPicture map = mapOf(one, other, eggRadius);
-  return contactSheet({drawOrganism(one), drawOrganism(other), drawOrganism(map)}, 3);
+  const OrganismPicture &of = map.ofOther ? other : one, &beside = map.ofOther ? one : other;
+  const std::size_t grey = countUnmatched(of, beside), missing = countUnmatched(beside, of);
+  ComparisonImages images{drawOrganism(one), drawOrganism(other),
+                          drawOrganism(mapOf(of, beside, eggRadius, map)), ""};
+  const std::string ofWhich = map.ofOther ? "second" : "first",
+                    besideWhich = map.ofOther ? "first" : "second";
+  const auto isOnly = [](std::size_t count, const std::string& which) {
+    return cellsOf(count) + (count == 1 ? " is" : " are") + " only in the " + which + " picture.";
+  };
+  if (grey) images.unmatched = "Grey, for there is nothing to compare: " + isOnly(grey, ofWhich);
+  if (missing) images.unmatched += (grey ? " " : "") + isOnly(missing, besideWhich);
+  return images;
 }
 
-Drawing contactSheet(const std::vector<Image>& images, int columns, int gap) {
+Drawing comparisonSheet(const ComparisonImages& images, std::vector<std::string> notes) {
+  if (!images.unmatched.empty()) notes.push_back(images.unmatched);
+  return contactSheet({images.one, images.other, images.distance}, 3, 8, notes);
+}
+
+Drawing drawComparison(OrganismPicture one, OrganismPicture other, double eggRadius) {
+  if (one.cells.size() != other.cells.size())
+    throw InputError("organisms of " + std::to_string(one.cells.size()) + " and " +
+                     std::to_string(other.cells.size()) + " cells cannot be compared cell by cell");
+  return comparisonSheet(compareOrganisms(std::move(one), std::move(other), eggRadius));
+}
+
+Drawing contactSheet(const std::vector<Image>& images, int columns, int gap,
+                     const std::vector<std::string>& notes) {
   if (images.empty()) throw InputError("a contact sheet needs at least one image");
   const int count = int(images.size());
   if (columns <= 0)
@@ -57,10 +125,18 @@ Drawing contactSheet(const std::vector<Image>& images, int columns, int gap) {
     tileWidth = std::max(tileWidth, image.width);
     tileHeight = std::max(tileHeight, image.height);
   }
-  Drawing sheet(columns * (tileWidth + gap) + gap, rows * (tileHeight + gap) + gap);
+  const double size = textSizeFor(tileWidth, tileHeight);
+  const int height = rows * (tileHeight + gap) + gap,
+            noteHeight = notes.empty() ? 0 : int((1.6 * double(notes.size()) + 0.8) * size);
+  Drawing sheet(columns * (tileWidth + gap) + gap, height + noteHeight);
   for (int i = 0; i < count; ++i)
     sheet.image(gap + i % columns * (tileWidth + gap) + (tileWidth - images[i].width) / 2,
                 gap + i / columns * (tileHeight + gap) + (tileHeight - images[i].height) / 2, images[i]);
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    const TextStyle style{.size = size, .colour = quietInk};
+    sheet.text({1.5 * size + gap, height + (1.6 * double(i) + 1) * size},
+               shortened(notes[i], style, sheet.width() - 2 * (1.5 * size + gap)), style);
+  }
   return sheet;
 }
 

@@ -37,8 +37,8 @@ std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, dou
 
 double textSizeFor(int width, int height) { return std::clamp(std::min(width, height) / 56.0, 10.0, 40.0); }
 
-Bands bandsFor(const Annotations& annotations, int width, int height) {
-  const double size = textSizeFor(width, height);
+Bands bandsFor(const Annotations& annotations, int width, int height, double textSize) {
+  const double size = textSize > 0 ? textSize : textSizeFor(width, height);
   double top = 0, bottom = 0;
   if (!annotations.title.empty()) top += 2.0 * size;
   if (!annotations.caption.empty()) top += 1.5 * size;
@@ -50,9 +50,10 @@ Bands bandsFor(const Annotations& annotations, int width, int height) {
   return {int(std::min(top, height / 4.0)), int(std::min(bottom, height / 4.0))};
 }
 
-void annotate(Drawing& drawing, const Annotations& annotations) {
-  const double size = textSizeFor(drawing.width(), drawing.height()), left = 1.5 * size;
-  const Bands bands = bandsFor(annotations, drawing.width(), drawing.height());
+void annotate(Drawing& drawing, const Annotations& annotations, double textSize) {
+  const double size = textSize > 0 ? textSize : textSizeFor(drawing.width(), drawing.height()),
+               left = 1.5 * size;
+  const Bands bands = bandsFor(annotations, drawing.width(), drawing.height(), size);
   const double room = drawing.width() - 2 * left;
   double y = 0.9 * size;
   if (!annotations.title.empty()) {

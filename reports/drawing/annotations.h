@@ -22,11 +22,11 @@ struct Bands {
 };
 
 /// The heights that the words need on a picture of this size: none without words, and never so much that the
-/// middle loses more than half of the height.
-Bands bandsFor(const Annotations& annotations, int width, int height);
+/// middle loses more than half of the height. `textSize` [pixel]: of ordinary text; 0: textSizeFor's.
+Bands bandsFor(const Annotations& annotations, int width, int height, double textSize = 0);
 
 /// Draws the words into the bands of a drawing.
-void annotate(Drawing& drawing, const Annotations& annotations);
+void annotate(Drawing& drawing, const Annotations& annotations, double textSize = 0);
 
 /// [pixel] of ordinary text on a picture of this size.
 double textSizeFor(int width, int height);

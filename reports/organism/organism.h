@@ -62,7 +62,7 @@ struct OrganismPicture {
       labels;  // of cells that are seen, as many as have room; the caption says how many have not
   std::optional<ClipPlane> clip;  // of cells and lines; translucent cells are hollow. The shell stays whole.
   Instruments instruments;
-  bool transparent = false;  // what nothing is drawn on
+  bool transparent = false;  // where nothing is drawn: no paper
   Camera camera;
   std::string title;    // top left; all texts are UTF-8
   std::string caption;  // one line under the title, for example time and cells

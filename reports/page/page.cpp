@@ -39,6 +39,9 @@ std::string pageFile(const Page& page) {
     html += "<section id=\"" + block.id + "\">\n<h2>" + htmlText(block.title) + "</h2>\n" + block.html +
             commandsHtml(block.commands) + "</section>\n";
   html += "</main>\n";
+  if (!page.command.empty())
+    html += "<footer>\n<div class=\"again\"><span>Make this page again:</span><code>" +
+            htmlText(page.command) + "</code></div>\n</footer>\n";
   if (!page.program.empty() && !page.data.empty()) {
     html += "<script type=\"application/json\" id=\"data\">" + scriptJson(page.data) + "</script>\n";
     for (const PageBytes& bytes : page.bytes)
@@ -71,6 +74,12 @@ std::string htmlPicture(const std::string& type, const std::string& bytes, const
                         const std::string& caption) {
   return "<figure><img src=\"" + dataUri(type, bytes) + "\" alt=\"" + htmlText(what) + "\"><figcaption>" +
          htmlText(caption) + "</figcaption></figure>\n";
+}
+
+std::string htmlLarge(const std::string& type, const std::string& bytes, const std::string& what,
+                      const std::string& caption) {
+  return "<div class=\"large\" tabindex=\"0\" role=\"region\" aria-label=\"" + htmlText(what) + "\">" +
+         htmlPicture(type, bytes, what, caption) + "</div>\n";
 }
 
 std::string htmlFolded(const std::string& title, const std::string& html) {

@@ -25,6 +25,7 @@ struct Page {
   std::vector<PageBlock> blocks;
   std::string data;  // JSON for the explorer; "" where there is nothing to explore
   std::vector<PageBytes> bytes;
+  std::string command;  // plain text: what makes this page again; may be empty
   std::string program;  // the explorer, JavaScript in one piece; "": the page stands without it
 };
 
@@ -37,6 +38,9 @@ std::string htmlTable(const std::string& caption, const std::vector<std::string>
 /// An SVG or PNG with a text for people who cannot see it; both texts are plain.
 std::string htmlPicture(const std::string& type, const std::string& bytes, const std::string& what,
                         const std::string& caption);
+/// The same, of a picture with many words: where there is no room it can be scrolled, for it does not become too small to read.
+std::string htmlLarge(const std::string& type, const std::string& bytes, const std::string& what,
+                      const std::string& caption);
 /// Folded away until it is asked for. `title` is plain text.
 std::string htmlFolded(const std::string& title, const std::string& html);
 

@@ -17,8 +17,8 @@ const char* pageStyle() {
 }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--paper); color: var(--ink); font: 15px/1.5 "DejaVu Sans", system-ui, sans-serif; }
-header, main { max-width: 1280px; margin: 0 auto; padding: 0 1.25rem; }
-header { padding-top: 1.5rem; }
+header, main, footer { max-width: 1280px; margin: 0 auto; padding: 0 1.25rem; }
+header { padding-top: 1.5rem; } footer { padding-bottom: 1.5rem; }
 h1 { font-size: 1.6rem; line-height: 1.25; margin: 0; overflow-wrap: anywhere; }
 h2 { font-size: 1.15rem; margin: 0 0 .7rem; }
 h3 { font-size: 1rem; margin: 1.2rem 0 .5rem; overflow-wrap: anywhere; }
@@ -32,8 +32,9 @@ section { margin: 1.1rem 0; padding: 1rem 1.1rem; background: var(--panel); bord
 #verdict:has(.bad) { border-left-color: var(--bad); }
 .said { font-size: 1.05rem; font-weight: bold; }
 ul.findings { list-style: none; margin: .5rem 0 0; padding: 0; }
-ul.findings li { margin: .3rem 0; padding: .35rem .6rem; border-radius: 5px; overflow-wrap: anywhere; }
+ul.findings > li { margin: .3rem 0; padding: .35rem .6rem; border-radius: 5px; overflow-wrap: anywhere; }
 li.good { background: var(--good-back); } li.bad { background: var(--bad-back); } li.warn { background: var(--warn-back); }
+ul.why { margin: .2rem 0 0; padding-left: 1.3rem; font-size: .88rem; }
 .mark { font-weight: bold; margin-right: .4rem; }
 td .mark { white-space: nowrap; }
 .pictures img { max-height: 34rem; }
@@ -44,14 +45,20 @@ caption { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-pa
 th, td { text-align: left; vertical-align: top; padding: .25rem .7rem .25rem 0; border-bottom: 1px solid var(--line); }
 thead th { color: var(--quiet); font-weight: normal; white-space: nowrap; }
 tbody th { font-weight: normal; }
-td { overflow-wrap: anywhere; min-width: 4.5rem; max-width: 34rem; }
+td { overflow-wrap: break-word; max-width: 34rem; } .long, td code { overflow-wrap: anywhere; }
+.long { display: inline-block; min-width: 10rem; }
 tr.differs td { background: var(--warn-back); }
 pre { margin: .4rem 0; padding: .6rem .7rem; overflow: auto; max-height: 26rem; background: var(--paper); border: 1px solid var(--line);
   border-radius: 5px; font: .8rem/1.45 "DejaVu Sans Mono", monospace; white-space: pre-wrap; overflow-wrap: anywhere; }
 code { font: .85em "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
 .again { margin-top: .8rem; color: var(--quiet); font-size: .82rem; }
 .again code { display: block; margin-top: .15rem; padding: .25rem .5rem; background: var(--paper); border-radius: 4px; user-select: all; }
-.pictures, .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr)); gap: 1rem; }
+.pictures, .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); gap: 1rem; }
+.double { grid-column: span 2; }
+.pictures { margin: .6rem 0; grid-template-columns: repeat(auto-fill, minmax(min(100%, 27rem), 1fr)); }
+.key { list-style: none; display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; margin: 0 0 .7rem; padding: 0; font-size: .85rem; }
+.key i { display: inline-block; width: 1.8rem; margin-right: .35rem; vertical-align: .25em; border-top: 3px solid; } .key i.dashed { border-top-style: dashed; }
+.large { overflow-x: auto; } #verdict h2 + .said { margin-top: 0; } #verdict h2 { margin: 1rem 0 .3rem; } #verdict h2:first-child { margin-top: 0; }
 figure { margin: 0; min-width: 0; } figure img { display: block; max-width: 100%; height: auto; border-radius: 6px; background: #fafaf8; }
 figcaption { color: var(--quiet); font-size: .85rem; margin-top: .25rem; overflow-wrap: anywhere; }
 details { margin: .4rem 0; } summary { cursor: pointer; color: var(--accent); overflow-wrap: anywhere; }
@@ -106,11 +113,11 @@ button, select, input { font: inherit; color: inherit; }
 .tip { position: absolute; z-index: 5; pointer-events: none; padding: .1rem .45rem; border-radius: 4px; background: var(--ink); color: var(--paper);
   font-size: .8rem; white-space: nowrap; max-width: 20rem; overflow: hidden; text-overflow: ellipsis; }
 .tip[hidden] { display: none; }
-.swipe { position: relative; display: block; max-width: 40rem; }
+.swipe { position: relative; display: block; max-width: 40rem; margin-bottom: 1rem; }
 .swipe img { display: block; width: 100%; border-radius: 6px; background: #fafaf8; }
 .swipe img.over { position: absolute; inset: 0; }
 @media (max-width: 760px) {
-  header, main { padding: 0 .6rem; } section { padding: .8rem .7rem; }
+  header, main, footer { padding: 0 .6rem; } .large img { max-width: none; width: 52rem; } .double { grid-column: auto; } section { padding: .8rem .7rem; }
   .panes { grid-template-columns: minmax(0, 1fr); } .view { height: 21rem; } .tree { height: 20rem; }
   .clock { grid-template-columns: auto minmax(0, 1fr); } .clock output { grid-column: 1 / -1; }
 }
@@ -118,8 +125,10 @@ button, select, input { font: inherit; color: inherit; }
 @media print {
   :root { --paper: #fff; --ink: #000; --quiet: #444; --line: #bbb; --panel: #fff; --good: #17713a; --bad: #b3201a; --warn: #8a5a00;
     --good-back: #fff; --bad-back: #fff; --warn-back: #fff; }
-  body { font-size: 10pt; } header, main { max-width: none; padding: 0; }
+  body { font-size: 10pt; } header, main, footer { max-width: none; padding: 0; }
   section { border: 0; padding: 0; margin: .8rem 0; } #verdict { padding-left: .6rem; }
+  .wide, .large { overflow: visible; } td, th, thead th { overflow-wrap: anywhere; white-space: normal; } td { min-width: 2.5rem; }
+  .long { min-width: 0; } #compare { display: none; }
   .tools, .views, .clock, .tip, .downloads, .swipe-tools, #explorer .bar, #info { display: none !important; }
   .panes { display: block; } .tree { height: auto; overflow: visible; border: 0; } pre { max-height: none; }
   h2, h3 { break-after: avoid; } figure, tr, li { break-inside: avoid; }

@@ -40,6 +40,13 @@ enum class Known {
   oneSeed,    // one pair of runs alone: nothing says how far it would vary
 };
 
+/// Whether two conditions are alike within a margin.
+struct PairEquivalence {
+  Equivalence test;
+  double corrected = 1, correctedBeyond = 1;  // Holm
+  Equivalent verdict = Equivalent::undecided;
+};
+
 /// Two levels of one axis. Each pair is of one seed: the mean over the conditions with level a and over those with level b
 /// that differ in nothing else and have both been measured.
 struct PairComparison {
@@ -55,12 +62,7 @@ struct PairComparison {
   EffectSizes effect{};
   Signs signs{};
   double corrected = 1;  // p of `paired`, by Holm over all pairs that are compared
-  struct Same {
-    Equivalence test;
-    double corrected = 1, correctedBeyond = 1;  // Holm
-    Equivalent verdict = Equivalent::undecided;
-  };
-  std::optional<Same> equivalence;
+  std::optional<PairEquivalence> equivalence;
 
   bool isShown() const { return known == Known::estimated && corrected < 0.05; }
   /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay. None where nothing varies.
@@ -107,7 +109,8 @@ struct StudyComparison {
 /// Throws UsageError for axes, measures and margins that the study has not.
 StudyComparison compareStudy(StudyResults results, const CompareOptions& options);
 
-/// Sentences: first what differs, what is equivalent and what tells nothing, then where no difference is shown; each by measure and pair.
+/// Sentences: first what differs, what is equivalent and what tells nothing, then where no difference is shown; each by
+/// measure and pair.
 std::vector<std::string> verdictsOf(const StudyComparison& comparison);
 /// Runs that failed, are missing or are not sane, a line each; and groups of conditions that are the same runs.
 std::vector<std::string> troublesOf(const StudyResults& results);

@@ -17,6 +17,9 @@ MeasureWords wordsOfMeasure(const std::string& measure);
 /// "length³"; "" for a pure number and for what no table of measures has.
 std::string unitOfMeasure(const std::string& measure);
 
+/// "Mean pressure [force/length²]" of "mean_pressure": for charts and tables.
+std::string titleOfMeasure(const std::string& measure);
+
 /// The row's place in the tables of measures (world, cell, pair); behind all of them for what none has.
 std::size_t placeOfMeasure(const std::string& measure);
 

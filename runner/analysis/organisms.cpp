@@ -2,69 +2,192 @@
 
 #include <fmt/format.h>
 
-#include "comparison/comparison.h"
+#include <algorithm>
+#include <map>
+
+#include "base/number_text.h"
+#include "comparison/organism_grid.h"
 #include "database/store_error.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "pictures/pictures.h"
+#include "system/signals.h"
 #include "system/usage_error.h"
 
 namespace morula {
 
 namespace {
 
-constexpr int side = 420;              // [pixel] of a tile
-constexpr std::size_t most = 19 * 19;  // tiles, so that no side exceeds 8192 pixels
+constexpr double rounding = 1e-9;  // [1] the last step may end a rounding before the planned end
 
-/// The first seed that has a finished run.
-std::optional<std::size_t> firstDone(const StudyResults& results, const ResultCondition& condition) {
-  for (std::size_t s = 0; s < condition.tasks.size(); ++s)
-    if (const std::size_t t = condition.tasks[s]; t != noTask && results.tasks[t].status == "done") return s;
-  return std::nullopt;
+bool isDone(const StudyResults& results, const ResultCondition& condition, std::size_t seed) {
+  const std::size_t task = condition.tasks[seed];
+  return task != noTask && results.tasks[task].status == "done";
 }
 
-OrganismPicture organismOf(const ResultTask& task, const std::filesystem::path& study, bool quiet) {
+/// The first seed that the most conditions have a finished run with.
+std::size_t commonSeed(const StudyResults& results) {
+  std::size_t best = 0, most = 0;
+  for (std::size_t s = 0; s < results.seeds.size(); ++s) {
+    const auto done =
+        static_cast<std::size_t>(std::count_if(results.conditions.begin(), results.conditions.end(),
+                                               [&](const auto& c) { return isDone(results, c, s); }));
+    if (done > most) best = s, most = done;
+  }
+  return best;
+}
+
+/// The end of the run as it is stored. [time]
+double endOf(const std::filesystem::path& study, const ResultTask& task) {
+  Store store = Store::openForReading(study);
+  return store.find(task.runId).time;
+}
+
+/// Takes pictures of a run at the moments that it reaches, in their order.
+class MomentTaker {
+ public:
+  MomentTaker(const Scenario& scenario, const std::vector<double>& times,
+              const std::vector<std::size_t>& cells)
+      : scenario_(scenario), times_(times), cells_(cells) {}
+
+  void observe(const World& world) {
+    while (tiles.size() < times_.size() + cells_.size() && isReached(world)) add(world);
+  }
+  void add(const World& world) {
+    const std::size_t cells = world.cells.path.size();
+    tiles.push_back({pictureOf(world, scenario_), false,
+                     fmt::format("{} cell{}", cells, cells == 1 ? "" : "s") +
+                         (cells_.empty() ? "" : ", time " + numberText(world.clock.time))});
+  }
+
+  std::vector<OrganismTile> tiles;
+
+ private:
+  bool isReached(const World& world) const {
+    if (!cells_.empty()) return world.cells.path.size() >= cells_[tiles.size()];
+    return world.clock.time >= times_[tiles.size()] * (1 - rounding);
+  }
+
+  const Scenario& scenario_;
+  const std::vector<double>& times_;
+  const std::vector<std::size_t>& cells_;
+};
+
+/// A tile for each moment; without any, one of the end.
+std::vector<OrganismTile> tilesOf(const ResultTask& task, const std::filesystem::path& study,
+                                  const std::vector<double>& times, const std::vector<std::size_t>& cells,
+                                  std::vector<LegendEntry>& legend, bool quiet) {
   const Scenario scenario = storedScenario(study.string(), task.runId);
   if (!scenario.scene.mechanics)
-    throw UsageError("--organisms: " + scenario.scene.name + " has no bodies, and nothing can be seen of it");
+    throw UsageError("--pictures: " + scenario.scene.name + " has no bodies, and nothing can be seen of it");
   Progress progress(scenario.scene.name, quiet);
-  const auto run = simulate(makeScenarioWorld(scenario, {}), {.nameOf = scenario.names.function()}, progress);
+  MomentTaker taker(scenario, times, cells);
+  const auto run = simulate(makeScenarioWorld(scenario, {}), {.nameOf = scenario.names.function()}, progress,
+                            [&](const World& world) { taker.observe(world); });
+  if (run.signal) throw Interrupted{run.signal};
   const std::string hash = run.end.stateHash ? run.end.stateHash->text() : "none";
   if (hash != task.stateHash)
     throw NondeterminismError(study.string() + ": run " + task.runId + " came to the state " +
                                   task.stateHash + " when the study was made, and now comes to " + hash +
                                   "; was it made by another build?",
                               task.runId, task.stateHash, hash);
-  return pictureOf(run.world, scenario);
+  const std::size_t wanted = std::max<std::size_t>(1, times.size() + cells.size());
+  const std::string time = numberText(run.end.time);
+  if (taker.tiles.size() < wanted) {
+    taker.add(run.world);
+    taker.tiles.back().words =
+        fmt::format("{} cell{} at the end, time {}", run.end.cells, run.end.cells == 1 ? "" : "s", time);
+  }
+  while (taker.tiles.size() < wanted) taker.tiles.push_back({{}, true, "ended at time " + time});
+  for (const OrganismTile& tile : taker.tiles)
+    for (const LegendEntry& entry : tile.picture.legend)
+      if (std::none_of(legend.begin(), legend.end(), [&](const auto& e) { return e.label == entry.label; }))
+        legend.push_back(entry);
+  return taker.tiles;
+}
+
+/// Whether the levels of the last axis stand beside each other: of the end alone, and of a full design.
+bool spreadsLastAxis(const StudyResults& results, const GridMoments& moments) {
+  if (moments.count != 1 || !moments.times.empty() || !moments.cells.empty() || results.axes.size() < 2)
+    return false;
+  std::size_t all = 1;
+  for (const ResultAxis& axis : results.axes) all *= axis.labels.size();
+  return all == results.conditions.size() && results.axes.back().labels.size() <= mostGridColumns;
+}
+
+std::size_t columnsOf(const StudyResults& results, const GridMoments& moments) {
+  if (spreadsLastAxis(results, moments)) return results.axes.back().labels.size();
+  if (!moments.times.empty()) return moments.times.size();
+  return moments.cells.empty() ? moments.count : moments.cells.size();
+}
+
+/// The lines before a row: the labels of its levels, of the first `count` axes.
+std::vector<std::string> linesOf(const StudyResults& results, const ResultCondition& condition,
+                                 std::size_t count) {
+  std::vector<std::string> lines;
+  for (std::size_t axis = 0; axis < count; ++axis)
+    lines.push_back(results.axes[axis].labels[condition.levels[axis]]);
+  if (lines.empty()) lines.push_back(results.nameOf(condition));
+  return lines;
 }
 
 }  // namespace
 
-Drawing drawOrganisms(const StudyResults& results, const std::filesystem::path& study, bool quiet) {
-  if (results.conditions.size() > most)
-    throw UsageError(
-        fmt::format("--organisms: {} conditions are too many for one picture; it has room for {}",
-                    results.conditions.size(), most));
-  std::vector<OrganismPicture> pictures;
+std::string whyTooMany(const StudyResults& results, const GridMoments& moments) {
+  const std::size_t columns = columnsOf(results, moments),
+                    rows = results.conditions.size() /
+                           (spreadsLastAxis(results, moments) ? std::max<std::size_t>(1, columns) : 1);
+  if (columns > mostGridColumns)
+    return fmt::format("{} moments are too many for one picture, which has room for {}", columns,
+                       mostGridColumns);
+  if (rows > mostGridRows)
+    return fmt::format(
+        "{} conditions are too many for one picture, which has room for {} rows{}", results.conditions.size(),
+        mostGridRows,
+        columns > 1 && !spreadsLastAxis(results, moments) && whyTooMany(results, {1, {}, {}}).empty()
+            ? "; --moments 1 shows the end of each"
+            : "");
+  return {};
+}
+
+Drawing drawOrganisms(const StudyResults& results, const std::filesystem::path& study,
+                      const GridMoments& moments, bool quiet) {
+  if (const std::string why = whyTooMany(results, moments); !why.empty())
+    throw UsageError("--pictures: " + why);
+  const std::size_t seed = commonSeed(results), columns = columnsOf(results, moments);
+  const bool spread = spreadsLastAxis(results, moments),
+             ends = moments.count == 1 && moments.times.empty() && moments.cells.empty();
+  OrganismGrid grid;
+  std::vector<double> times = moments.times;
+  if (times.empty() && moments.cells.empty() && !ends) {
+    double end = 0;
+    for (const ResultCondition& condition : results.conditions)
+      if (isDone(results, condition, seed))
+        end = std::max(end, endOf(study, results.tasks[condition.tasks[seed]]));
+    for (std::size_t i = 0; i < columns; ++i)
+      times.push_back(end * static_cast<double>(i) / static_cast<double>(columns - 1));
+  }
+  if (spread) grid.columns = results.axes.back().labels;
+  else if (ends) grid.columns = {"the end"};
+  for (const std::size_t n : moments.cells)
+    grid.columns.push_back(fmt::format("{} cell{}", n, n == 1 ? "" : "s"));
+  for (const double t : times) grid.columns.push_back("time " + numberText(t));
+  std::map<std::size_t, std::vector<OrganismTile>> known;  // by task: conditions may share runs
   for (const ResultCondition& condition : results.conditions) {
-    const auto seed = firstDone(results, condition);
-    OrganismPicture picture;
-    if (seed) picture = organismOf(results.tasks[condition.tasks[*seed]], study, quiet);
-    picture.title = results.nameOf(condition);
-    picture.caption =
-        seed ? fmt::format("seed {}, {}", results.seeds[*seed], picture.caption) : "no finished run";
-    picture.legend.clear();
-    picture.width = picture.height = side;
-    pictures.push_back(std::move(picture));
+    const std::size_t task = condition.tasks.empty() ? noTask : condition.tasks[seed];
+    if (!spread || condition.levels.back() == 0)
+      grid.rows.push_back(linesOf(results, condition, results.axes.size() - (spread ? 1 : 0)));
+    std::vector<OrganismTile> tiles(spread ? 1 : columns, OrganismTile{{}, true, "no finished run"});
+    if (task != noTask && results.tasks[task].status == "done") {
+      if (!known.contains(task))
+        known[task] = tilesOf(results.tasks[task], study, times, moments.cells, grid.legend, quiet);
+      tiles = known[task];
+    }
+    grid.tiles.insert(grid.tiles.end(), tiles.begin(), tiles.end());
   }
-  const Framing framing = fitFraming(pictures);
-  std::vector<Image> tiles;
-  for (OrganismPicture& picture : pictures) {
-    picture.camera.framing = framing;
-    tiles.push_back(drawOrganism(picture));
-  }
-  const bool rows = results.axes.size() > 1 && results.axes.back().labels.size() <= 19;
-  return contactSheet(tiles, rows ? static_cast<int>(results.axes.back().labels.size()) : 0);
+  grid.title = results.name;
+  grid.caption = results.seeds.empty() ? "" : fmt::format("seed {}", results.seeds[seed]);
+  return drawOrganismGrid(std::move(grid));
 }
 
 }  // namespace morula

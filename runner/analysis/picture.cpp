@@ -34,13 +34,8 @@ std::string labelOf(const StudyComparison& c, std::size_t condition) {
   return join(labels);
 }
 
-std::string titleOf(const StudyComparison& c, std::size_t measure) {
-  const std::string unit = unitOfMeasure(c.measureName(measure));
-  return c.measureName(measure) + (unit.empty() ? "" : " [" + unit + "]");
-}
-
 Panel stripsOf(const StudyComparison& c, std::size_t measure) {
-  Panel panel{.title = titleOf(c, measure), .strips = {}, .lines = {}};
+  Panel panel{.title = titleOfMeasure(c.measureName(measure)), .strips = {}, .lines = {}};
   std::vector<const ConditionSummary*> order;
   for (const ConditionSummary& s : c.conditions)
     if (s.measure == measure && !s.values.empty()) order.push_back(&s);
@@ -55,7 +50,10 @@ Panel stripsOf(const StudyComparison& c, std::size_t measure) {
 }
 
 Panel coursesOf(const StudyComparison& c, std::size_t measure) {
-  Panel panel{.title = titleOf(c, measure) + " over time", .strips = {}, .lines = {}, .xLabel = "time"};
+  Panel panel{.title = titleOfMeasure(c.measureName(measure)) + " over time",
+              .strips = {},
+              .lines = {},
+              .xLabel = "time"};
   for (const TimeCourse& course : c.courses) {
     if (course.measure != measure) continue;
     PanelLine line{seriesColour(colourLevel(c, course.condition)), {}};

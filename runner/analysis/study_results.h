@@ -19,7 +19,7 @@ struct ResultTask {
   std::string runId;                            // "" while it is missing
   std::string stateHash;                        // of its last state; "" unless done
   std::vector<std::vector<TimedValue>> values;  // [measure] by time; empty: there was nothing to measure
-  bool isSane = true;                           // its bodies ended in a state that can be (check_result)
+  bool isSane = true;                           // the end passed all checks of kind sanity (check_result)
 };
 
 struct ResultAxis {

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "check/beside_golden.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
@@ -61,7 +62,8 @@ Origin readOrigin(const fs::path& file) {
 
 fs::path pendingPicture(const Scenario& scenario) { return fileOf(scenario, ".png"); }
 
-void putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, bool quiet) {
+int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed,
+               const Execution& how, bool quiet) {
   const fs::path file = fileOf(scenario, ".golden");
   const Origin origin = originOf(scenario);
   try {
@@ -70,10 +72,14 @@ void putPending(const Scenario& scenario, const Simulation& run, const GoldenDat
     overwriteFile(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n');
   } catch (const FileError& error) {
     tell(std::string(error.what()) + "; the result is not kept for a review", quiet);
-    return;
+    return 0;
   }
-  if (run.world.bodies) writePicture(drawOrganism(pictureOf(run.world, scenario)), pendingPicture(scenario));
   tell("kept for `morula review`: " + file.string(), quiet);
+  if (!run.world.bodies) return 0;
+  const auto beside = drawBesideGoldenFile(scenario, run.world, how, quiet);
+  if (!beside) writePicture(drawOrganism(pictureOf(run.world, scenario)), pendingPicture(scenario));
+  else if (beside->signal == 0) writePicture(beside->sheet(), pendingPicture(scenario));
+  return beside ? beside->signal : 0;
 }
 
 std::optional<GoldenData> findPending(const Scenario& scenario) {

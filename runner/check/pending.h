@@ -1,6 +1,6 @@
 #pragma once
 // Results that differ from their goldens and wait for a review. They lie beside the program, never beside
-// sources: pending/<family>/<name>-<hash of its place>.golden, .png with the end, and .from with the
+// sources: pending/<family>/<name>-<hash of its place>.golden, .png with the end beside the golden's, and .from with the
 // scenario's file and the build.
 #include <filesystem>
 #include <optional>
@@ -11,9 +11,11 @@
 
 namespace morula {
 
-/// Keeps what a run showed. Where the folder cannot be written it says so and goes on: nothing is lost but
-/// the convenience.
-void putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed, bool quiet);
+/// Keeps what a run showed, with a picture of the golden, of the run and of how far they are apart (beside_golden.h). Where the
+/// folder cannot be written it says so and goes on: nothing is lost but the convenience. Returns the signal that interrupted
+/// the picture, or 0.
+int putPending(const Scenario& scenario, const Simulation& run, const GoldenData& observed,
+               const Execution& how, bool quiet);
 /// What waits for this scenario as it is now, if this build made it.
 std::optional<GoldenData> findPending(const Scenario& scenario);
 /// The picture that was written with it; the path may not exist.

@@ -17,6 +17,7 @@
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/picture_name.h"
+#include "options/program.h"
 #include "options/verb.h"
 #include "pictures/pictures.h"
 #include "simulation/world.h"
@@ -105,6 +106,24 @@ ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
   };
 }
 
+/// Where the numbers come from: seconds of CPU time are of one machine.
+Json provenance(const Scenario& scenario, const Execution& how) {
+  const RunRecord record = recordOf(scenario, how, commandLine());
+  return {{"Command", record.command},
+          {"Meaning of the scenario", record.scenarioHash},
+          {"Seed", std::to_string(record.seed)},
+          {"Version", record.build.version},
+          {"Commit", record.build.gitCommit + " (" + record.build.gitState + ")"},
+          {"Build", buildId(record.build)},
+          {"Compiler", record.build.compiler},
+          {"Flags", record.build.flags},
+          {"Libraries", librariesText(record.build)},
+          {"Processor", record.machine.cpu},
+          {"Kernel", record.machine.kernel},
+          {"Instruction set", record.isa},
+          {"Threads", std::to_string(record.threads)}};
+}
+
 /// One scenario, whose report goes to stdout.
 int actOn(const AccuracyWords& words, const std::string& file) {
   const ReadScenario read = readerOf(words, file);
@@ -138,8 +157,10 @@ int actOn(const AccuracyWords& words, const std::string& file) {
     if (words.output.json) json["target"] = toJson(answer, question, report);
     else text += "\n" + describe(answer, question, report);
   }
-  if (words.output.json) printJson(json);
-  else print(text + (picture.empty() ? "" : "\npicture  " + picture + "\n"));
+  if (words.output.json) {
+    json["file"] = file, json["made_by"] = provenance(scenario, options.execution);
+    printJson(json);
+  } else print(text + (picture.empty() ? "" : "\npicture  " + picture + "\n"));
   return held ? fine : differs;
 }
 

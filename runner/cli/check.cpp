@@ -80,7 +80,8 @@ CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet,
   if (run.end.status != RunStatus::done) return failed(scenario, run);
   CheckReport report = check(scenario, run, invariants, true);
   if (report.passed()) removePending(scenario);
-  else if (scenario.check.fails.empty()) putPending(scenario, run, observe(scenario, run), quiet);
+  else if (scenario.check.fails.empty())
+    signal = putPending(scenario, run, observe(scenario, run), how, quiet);
   // Not matters for a review: a new golden makes no run sane, and would not bring it and Bullet together.
   for (auto& result : sanity.results(run.world, scenario.check, true))
     report.results.push_back(std::move(result));

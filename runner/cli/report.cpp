@@ -21,6 +21,7 @@ namespace {
 struct ReportOptions {
   std::vector<std::string> what;
   std::string run, output, frames = "100", limit = "10M";
+  bool noBullet = false;
   ExecutionOptions execution;
   OutputOptions messages;
 };
@@ -38,6 +39,7 @@ int act(const ReportOptions& options) {
   question.frames = naturalOption("--frames", options.frames, 0, 10'000);
   question.mostBytes = static_cast<std::size_t>(sizeOption("--size-limit", options.limit));
   question.execution = execution(options.execution);
+  question.bullet = !options.noBullet;
   question.quiet = options.messages.quiet;
   findExplorer(question);
   const fs::path file = options.output.empty() ? defaultName(options.what.front()) : fs::path(options.output);
@@ -75,6 +77,8 @@ void addReport(CLI::App& app, Action& action) {
              "Shapes of each run, evenly over its time; 0: none, and nothing is run again");
   verb.takes("--size-limit", options->limit, "SIZE",
              "Bytes of the page; frames that do not fit are left out, which the page says");
+  verb.takes("--no-bullet", options->noBullet,
+             "Bullet is not run beside ours for scenarios with check.bullet");
   add(verb, options->execution);
   add(verb, options->messages);
   verb.does([options] { return act(*options); });

@@ -51,7 +51,8 @@ std::optional<GoldenData> resultToReview(const Scenario& scenario, const ReviewO
   auto observed = observe(scenario, run);
   const auto file = goldenFile(scenario);
   if (!fileExists(file) || !compareGolden(readGoldenFile(file), observed).passed())
-    putPending(scenario, run, observed, options.output.quiet);
+    signal = putPending(scenario, run, observed, execution(options.execution), options.output.quiet);
+  if (signal) return std::nullopt;
   return observed;
 }
 

@@ -40,7 +40,8 @@ BulletCheck tolerancesFor(const Scenario& scenario) {
   return check;
 }
 
-BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bool quiet) {
+BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bool quiet,
+                                  const std::vector<double>& frameTimes) {
   if (!scenario.check.bullet) return {};
   if (!bulletIsAvailable())
     return {{{.check = "bullet", .kind = "bullet", .expected = skipped, .actual = skipped}}, {}};
@@ -51,7 +52,8 @@ BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bo
     bullet = runExternally(scenario,
                            {.engine = engineOf(check.baseline),
                             .margin = check.margin,
-                            .integrator = scenario.scene.mechanics->physics.integrator},
+                            .integrator = scenario.scene.mechanics->physics.integrator,
+                            .frameTimes = frameTimes},
                            ownProgram());
   } catch (const FileError& error) { return {{about("SETUP", error.what())}, {}}; }
   const bool silent = bullet.end == ExternalRun::End::silent;

@@ -8,13 +8,14 @@
 namespace morula {
 
 struct BulletFindings {
-  std::vector<CheckResult> results;  // of kind "bullet"
+  std::vector<CheckResult> results;   // of kind "bullet"
   std::optional<ExternalRun> bullet;  // if it came to the same end
 };
 
 /// Nothing if the scenario does not ask. Without Bullet in this build one result that says so and passes; a
-/// Bullet that breaks or does not answer is a result that fails. `end`: ours.
-BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bool quiet);
+/// Bullet that breaks or does not answer is a result that fails. `end`: ours. `frameTimes`: ExternalQuestion's.
+BulletFindings checkAgainstBullet(const Scenario& scenario, const World& end, bool quiet,
+                                  const std::vector<double>& frameTimes = {});
 
 /// Results that tell what was not looked at.
 bool wasSkipped(const CheckResult& result);

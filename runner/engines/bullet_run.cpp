@@ -42,16 +42,28 @@ void BulletRun::step() {
   take(bullet_.cells());
 }
 
+namespace {
+
+void placeCell(Bodies& b, int slot, const std::vector<Point>& shape) {
+  for (int v = 0; v < b.vertexCount(slot); ++v)
+    b.write(b.position, slot, v, shape[static_cast<std::size_t>(v)]);
+  b.volume[slot] = measureVolume(shape, b.meshOf(slot).mesh.faces);
+  b.pressure[slot] = b.pressureConstant[slot] / b.volume[slot] - b.parameters.pressure.outside;
+}
+
+}  // namespace
+
+void placeCells(World& world, const std::vector<std::vector<Point>>& shapes) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) placeCell(*world.bodies, world.bodies->slots[i], shapes[i]);
+}
+
 void BulletRun::take(const std::vector<Body>& cells) {
   Bodies& b = *world_.bodies;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int slot = b.slots[i];
-    for (int v = 0; v < b.vertexCount(slot); ++v) {
-      b.write(b.position, slot, v, cells[i].position[static_cast<std::size_t>(v)]);
+    placeCell(b, slot, cells[i].position);
+    for (int v = 0; v < b.vertexCount(slot); ++v)
       b.write(b.velocity, slot, v, cells[i].velocity[static_cast<std::size_t>(v)]);
-    }
-    b.volume[slot] = measureVolume(cells[i].position, b.meshOf(slot).mesh.faces);
-    b.pressure[slot] = b.pressureConstant[slot] / b.volume[slot] - b.parameters.pressure.outside;
   }
 }
 

@@ -25,4 +25,7 @@ class BulletRun {
 /// Where the scenario begins, with its time step.
 World makeBulletStart(Scenario scenario);
 
+/// Puts the cells of such a world, by path, into these shapes; volumes and pressures follow. Velocities stay.
+void placeCells(World& world, const std::vector<std::vector<Point>>& shapes);
+
 }  // namespace morula

@@ -28,15 +28,43 @@ struct OwnSteps {
   void step() { morula::step(state); }
 };
 
+std::vector<std::vector<Point>> shapesOf(const World& world) {
+  std::vector<std::vector<Point>> shapes;
+  for (const CellPath& path : world.cells.path) shapes.push_back(cellVertices(world, path));
+  return shapes;
+}
+
+/// Keeps the shapes at the times that are asked for.
+class FrameKeeper {
+ public:
+  FrameKeeper(const std::vector<double>& times, std::vector<ExternalFrame>& frames)
+      : times_(times), frames_(frames) {}
+  void observe(const World& world) {
+    if (next_ == times_.size() || world.clock.time < times_[next_]) return;
+    while (next_ < times_.size() && world.clock.time >= times_[next_]) ++next_;
+    ExternalFrame frame{world.clock.time, world.clock.step, shapesOf(world)};
+    for (const auto& shape : frame.shapes) vertices_ += shape.size();
+    if (vertices_ <= mostFrameVertices) frames_.push_back(std::move(frame));
+  }
+
+ private:
+  const std::vector<double>& times_;
+  std::vector<ExternalFrame>& frames_;
+  std::size_t next_ = 0, vertices_ = 0;
+};
+
 /// `run` has world() and step().
 template <class Run>
-void goThrough(Run& run, const Scenario& scenario, ExternalRun& answer, const OnStep& onStep) {
+void goThrough(Run& run, const Scenario& scenario, const std::vector<double>& frameTimes, ExternalRun& answer,
+               const OnStep& onStep) {
   Invariants demands(scenario.check), least(leastDemands());
   Recorder recorder({scenario.record.every, {}});
+  FrameKeeper keeper(frameTimes, answer.frames);
   const auto observe = [&] {
     demands.observe(run.world());
     least.observe(run.world());
     recorder.observe(run.world());
+    keeper.observe(run.world());
     return least.holdSoFar();
   };
   bool holds = observe();
@@ -53,8 +81,7 @@ void goThrough(Run& run, const Scenario& scenario, ExternalRun& answer, const On
   if (!holds) return;
   if (answer.samples.empty() || answer.samples.back().world.time != run.world().clock.time)
     answer.samples.push_back({measureWorld(run.world()), measureCells(run.world()), {}});
-  for (const CellPath& path : run.world().cells.path)
-    answer.shapes.push_back(cellVertices(run.world(), path));
+  answer.shapes = shapesOf(run.world());
 }
 
 }  // namespace
@@ -79,10 +106,10 @@ ExternalRun runHere(const Json& json, const OnStep& onStep) {
     const ExternalQuestion question = externalQuestionFrom(json);
     if (question.engine == Engine::thesis) {
       OwnSteps run{makeScenarioWorld(scenario, {})};
-      goThrough(run, scenario, answer, onStep);
+      goThrough(run, scenario, question.frameTimes, answer, onStep);
     } else {
       BulletRun run(scenario, baselineOf(question.engine), question.margin, question.integrator);
-      goThrough(run, scenario, answer, onStep);
+      goThrough(run, scenario, question.frameTimes, answer, onStep);
     }
   } catch (const NumericalError& error) {
     answer.end = ExternalRun::End::stopped;

@@ -15,7 +15,7 @@ namespace morula {
 
 enum class Engine {
   thesis,  // ours, with the thesis' contact law
-  b1,      // Bullet: scenario/baseline.h
+  b1,      // Bullet: values/baseline.h
   b2,
   b3,
 };
@@ -33,7 +33,18 @@ struct ExternalQuestion {
   double margin = 0.01;                                // [radii of the egg] Bullet's
   Integrator integrator = Integrator::velocityVerlet;  // B1's, as in BulletScene
   int cpuSeconds = usualCpuSeconds;                    // of the process; then it is ended
+  std::vector<double> frameTimes = {};                 // [time] rising: when shapes are told, too
 };
+
+/// All cells after the first step that reaches a time that was asked for.
+struct ExternalFrame {
+  double time = 0;  // [time]
+  std::uint64_t step = 0;
+  std::vector<std::vector<Point>> shapes;  // [length] by path
+};
+
+/// Vertices of all cells in all frames that one question may ask for: an answer of some 30 MB.
+inline constexpr std::size_t mostFrameVertices = 500'000;
 
 struct ExternalRun {
   enum class End {
@@ -50,6 +61,7 @@ struct ExternalRun {
   Bounds volumes;                          // [1] of all cells, over those at rest
   std::vector<std::vector<Point>> shapes;  // [length] of all cells at the end, by path, if done
   std::vector<Sample> samples;  // as the scenario records, and the end; without states and contacts
+  std::vector<ExternalFrame> frames = {};  // as they were asked for; none after mostFrameVertices
 };
 
 using OnStep = std::function<void(std::uint64_t)>;

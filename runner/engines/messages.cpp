@@ -145,7 +145,8 @@ Json toJson(const Scenario& scenario, const ExternalQuestion& question) {
           {"files", files},
           {"engine", static_cast<int>(question.engine)},
           {"margin", question.margin},
-          {"integrator", static_cast<int>(question.integrator)}};
+          {"integrator", static_cast<int>(question.integrator)},
+          {"frame_times", question.frameTimes}};
 }
 
 Scenario scenarioFrom(const Json& j) {
@@ -158,20 +159,38 @@ Scenario scenarioFrom(const Json& j) {
 ExternalQuestion externalQuestionFrom(const Json& j) {
   return {.engine = static_cast<Engine>(j.at("engine").get<int>()),
           .margin = j.at("margin").get<double>(),
-          .integrator = static_cast<Integrator>(j.at("integrator").get<int>())};
+          .integrator = static_cast<Integrator>(j.at("integrator").get<int>()),
+          .frameTimes = j.contains("frame_times") ? j["frame_times"].get<std::vector<double>>()
+                                                  : std::vector<double>()};
 }
 
+namespace {
+
+using Shapes = std::vector<std::vector<Point>>;
+
+Json flatEach(const Shapes& shapes) {
+  Json list = Json::array();
+  for (const auto& shape : shapes) list.push_back(flat(shape));
+  return list;
+}
+
+Shapes shapesFrom(const Json& j) { return listFrom<std::vector<Point>>(j, vectorsFrom); }
+
+}  // namespace
+
 Json toJson(const ExternalRun& run) {
-  Json shapes = Json::array(), samples = Json::array();
-  for (const auto& shape : run.shapes) shapes.push_back(flat(shape));
+  Json samples = Json::array(), frames = Json::array();
+  for (const ExternalFrame& f : run.frames)
+    frames.push_back({{"time", f.time}, {"step", f.step}, {"shapes", flatEach(f.shapes)}});
   for (const Sample& s : run.samples) samples.push_back({{"time", s.world.time}, {"cells", listOf(s.cells)}});
   return {{"end", static_cast<int>(run.end)},
           {"why", run.why},
           {"step", run.step},
           {"volumes", {run.volumes.least, run.volumes.most}},
           {"results", listOf(run.results)},
-          {"shapes", shapes},
-          {"samples", samples}};
+          {"shapes", flatEach(run.shapes)},
+          {"samples", samples},
+          {"frames", frames}};
 }
 
 ExternalRun externalRunFrom(const Json& j) {
@@ -180,7 +199,12 @@ ExternalRun externalRunFrom(const Json& j) {
   j.at("why").get_to(run.why), j.at("step").get_to(run.step);
   run.volumes = {realFrom(j.at("volumes").at(0)), realFrom(j.at("volumes").at(1))};
   run.results = listFrom<CheckResult>(j.at("results"), checkResultFrom);
-  run.shapes = listFrom<std::vector<Point>>(j.at("shapes"), vectorsFrom);
+  run.shapes = shapesFrom(j.at("shapes"));
+  if (j.contains("frames"))
+    run.frames = listFrom<ExternalFrame>(j["frames"], [](const Json& f) {
+      return ExternalFrame{f.at("time").get<double>(), f.at("step").get<std::uint64_t>(),
+                           shapesFrom(f.at("shapes"))};
+    });
   for (const Json& s : j.at("samples")) {
     s.at("time").get_to(run.samples.emplace_back().world.time);
     run.samples.back().cells = listFrom<CellMeasures>(s.at("cells"), cellFrom);

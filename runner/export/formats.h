@@ -1,5 +1,5 @@
 #pragma once
-// What `morula export --format` writes: a row a format, and where its files go.
+// What `morula export --format` writes: a table of formats, and where their files go.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -30,13 +30,13 @@ struct Exported {
   int signal = 0;  // that ended it before its end
 };
 
-/// "csv: tables …", a line a format: for --help and messages.
+/// "csv: tables …", a line for each format: for --help and messages.
 std::string formatList();
 /// The row's name. Throws UsageError with the name that was probably meant.
 std::string formatCalled(const std::string& text);
 
 /// Writes the files. csv: all runs in the same tables, in a folder, or one table in a file that ends in .csv. The others: of
-/// one run a file (newick, npz; ply and gltf where the name has their ending) or a folder (vtk; ply and gltf: a file a
+/// one run a file (newick, npz; ply and gltf where the name has their ending) or a folder (vtk; ply and gltf: a file for each
 /// time); of several runs a folder with one of these for each, called by the run's id. Runs that are not done, and have not
 /// what is asked for, are left out, which stderr says; with none left it is an error. Throws UsageError, FileError.
 Exported exportRuns(Store& store, const ExportRequest& request);

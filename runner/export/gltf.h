@@ -6,8 +6,8 @@
 
 namespace morula {
 
-/// One mesh and node a cell, called by its name or else its path; `extras` of the node: path, state, volume. A material a
-/// state. Positions and smooth normals in single precision; cells with the same mesh share their faces.
+/// A mesh and a node for each cell, called by its name or else its path; `extras` of the node: path, state, volume. A material
+/// for each state. Positions and smooth normals in single precision; cells with the same mesh share their faces.
 std::string glbFile(const ExportedRun& run, const Sample& sample);
 
 }  // namespace morula

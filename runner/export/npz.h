@@ -6,8 +6,8 @@
 
 namespace morula {
 
-/// The bytes of an .npz. Rows of different counts a sample stand in one array each; those of sample i are start[i] to
-/// start[i + 1]. `cell` is a place in the arrays of cells, `state` one in `states`, absent numbers are NaN.
+/// The bytes of an .npz. Samples have different numbers of rows: the rows of all samples stand in one array, those of sample i
+/// from start[i] to start[i + 1]. `cell` is a place in the arrays of cells, `state` one in `states`, absent numbers are NaN.
 /// - run_id, scenario (one text each), seed
 /// - cells (n): paths, names, born, ended (NaN: alive), fates, last_states; states: substances
 /// - samples (s): times; cell_start (s + 1), and of each cell then (c): cell, state, centroids (c × 3), and volumes, areas,

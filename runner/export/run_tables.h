@@ -6,9 +6,9 @@
 
 namespace morula {
 
-/// A row a cell that ever was: cell (from 0, by path), path, name, born, ended, fate, state.
+/// A row for each cell that ever was: cell (from 0, by path), path, name, born, ended, fate, state.
 std::string cellTable(const ExportedRun& run);
-/// A row a state: state (from 0), substances, colour (#rrggbb).
+/// A row for each state: state (from 0), substances, colour (#rrggbb).
 std::string stateTable(const ExportedRun& run);
 
 }  // namespace morula

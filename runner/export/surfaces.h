@@ -21,8 +21,8 @@ enum class Wanted {
 
 struct SurfaceRequest {
   Wanted wanted = Wanted::surfaces;
-  std::optional<double> time;  // [time] of the one sample; absent: all, or
-  bool atEnd = false;          // that of the end alone
+  std::optional<double> time;  // [time] of the one sample that is wanted
+  bool atEnd = false;          // without a time: the last sample alone; false: all
   Execution execution;         // of a run that is made again
   bool quiet = false;
 };
@@ -40,7 +40,7 @@ struct ExportedRun {
   /// What people call a cell: its name, or else its path, or "egg"; with a '/' before it where that is another one's name.
   std::string nameOf(const LineageEntry& cell) const;
   const MeshFaces& meshOf(const CellSurface& surface) const;
-  /// What a sample measured of a cell; null without.
+  /// What a sample measured of a cell; null if it did not.
   static const CellMeasures* measuresOf(const Sample& sample, const CellPath& path);
   /// The place of a state's text in `states`.
   int stateNumber(StateId state) const;

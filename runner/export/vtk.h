@@ -1,6 +1,6 @@
 #pragma once
-// Surfaces over time for ParaView and other programs with VTK: a PolyData file (.vtp) a time, and a collection (.pvd) that
-// says when each is.
+// Surfaces over time for ParaView and other programs with VTK: a PolyData file (.vtp) for each time, and a collection
+// (.pvd) that says at what time each is.
 #include <string>
 
 #include "export/surfaces.h"
@@ -12,7 +12,7 @@ namespace morula {
 /// NaN where there is none. The file's own fields: TimeValue, run_id, states, and the paths of the cells by `cell`.
 std::string vtpFile(const ExportedRun& run, const Sample& sample);
 
-/// `names` of the files beside it, one a sample of the run.
+/// `names` of the files beside it, one for each sample of the run.
 std::string pvdFile(const ExportedRun& run, const std::vector<std::string>& names);
 
 }  // namespace morula

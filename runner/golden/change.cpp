@@ -144,6 +144,14 @@ struct Largest {
   }
 };
 
+/// "+2.3 % in the mean, " where the organism's value of this name has changed; "" where it has not, or was 0.
+std::string meanChange(const Values& a, const Values& b, const std::string& name, const char* of) {
+  const auto was = a.find("final/organism/" + name), is = b.find("final/organism/" + name);
+  if (was == a.end() || is == b.end() || was->second == 0 || was->second == is->second) return {};
+  const double percent = 100 * (is->second - was->second) / std::abs(was->second);
+  return (percent < 0 ? "−" : "+") + brief(std::abs(percent)) + " % " + of + ", ";
+}
+
 std::string movementInWords(const GoldenData& before, const GoldenData& after) {
   const Values a = endOf(before), b = endOf(after);
   const double radius = radiusOf(before.parameters.empty() ? after : before, a);
@@ -172,9 +180,11 @@ std::string movementInWords(const GoldenData& before, const GoldenData& after) {
     text += line("moved",
                  cellName(moved.who) + " the farthest: " + brief(moved.size / radius) + " radii of the egg");
   if (volume.size != 0)
-    text += line("volume", cellName(volume.who) + " the most: " + brief(volume.size) + " %");
+    text += line("volume", meanChange(a, b, "volume", "in all") + cellName(volume.who) +
+                               " the most: " + brief(volume.size) + " %");
   if (pressure.size != 0)
-    text += line("pressure", cellName(pressure.who) + " the most: " + brief(pressure.size) + " %");
+    text += line("pressure", meanChange(a, b, "mean_pressure", "in the mean") + cellName(pressure.who) +
+                                 " the most: " + brief(pressure.size) + " %");
   return text;
 }
 

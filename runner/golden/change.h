@@ -16,8 +16,8 @@ struct KeyChange {
 std::vector<KeyChange> changedKeys(const GoldenData& before, const GoldenData& after);
 
 /// Lines for people, each with two blanks before it: the changed keys, what differs in the lineage, and of
-/// the cells that both have at the end how far the farthest moved [radii of the egg] and the largest changes
-/// of volume and pressure [per cent]. "" where none of it differs.
+/// the cells that both have at the end how far the farthest moved [radii of the egg], and the changes of volume and
+/// pressure [per cent]: the organism's, and the largest of a cell. "" where none of it differs.
 std::string changeInWords(const GoldenData& before, const GoldenData& after);
 
 }  // namespace morula

@@ -36,7 +36,7 @@ void add(Verb& verb, OutputOptions& options);
 void add(Verb& verb, InputOptions& options);
 void add(Verb& verb, SceneOptions& options);
 void add(Verb& verb, ExecutionOptions& options);
-/// That one alone of them: for what makes a world and does not run it.
+/// `--memory-limit` alone: for verbs that make a world and do not run it.
 void addMemoryLimit(Verb& verb, ExecutionOptions& options);
 
 std::vector<Override> overrides(const SceneOptions& options);

@@ -81,6 +81,7 @@ Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
       "Exit codes: 0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 5 study "
       "incomplete, 6 file or database,\n"
       "70 bug, 130 and 143 interrupted.");
+  app.require_subcommand(0, 1);  // a file may be called as another verb is
   app.set_version_flag("--version", versionText());
   Action action;
   addVerbs(app, action);

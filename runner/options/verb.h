@@ -1,6 +1,6 @@
 #pragma once
-// A verb's place on the command line: what it wants to be told. The only way from verbs to CLI11, whose header
-// takes a compiler longer than most of them do.
+// A verb's place on the command line: what it wants to be told. Verbs reach CLI11 through this
+// header alone, since CLI11's own takes longer to compile than most verbs.
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ namespace morula::cli {
 /// What is to be done once the command line is understood. Returns the exit code.
 using Action = std::function<int()>;
 
-/// A verb that only stands before others: `morula study plan`. Add those to what is returned.
+/// A verb that only groups others, as `study` in `morula study plan`. Add those to what is returned.
 CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string& purpose);
 
 class Verb {
@@ -35,7 +35,7 @@ class Verb {
   /// Given or not.
   void takes(const std::string& name, bool& given, const std::string& help);
 
-  /// What the help shows as an option's default, where it is none of its words.
+  /// What the help shows as an option's default where that is no value which could be given: "as then".
   void showDefault(const std::string& name, const std::string& text);
 
   /// Not among the verbs for people.

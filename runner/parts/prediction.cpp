@@ -157,7 +157,7 @@ void predictBodies(Costs& costs, Prediction& f, const Scenario& scenario, const 
   f.vertexSteps = sums.cellSteps * vertices;
 
   const MemoryUse memory = extrapolateMemory(f.life, trial);
-  // Where everybody has died an egg stands in.
+  // Where all cells have died an egg stands in.
   World egg = makeWorld(scenario.scene, options.execution);
   const StepRates rates = measureRates(world.bodies->count > 0 ? world : egg);
   const double factor = slowness(f, trial, rates, scenario, isa);

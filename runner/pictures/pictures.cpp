@@ -128,13 +128,18 @@ TreePicture lineagePictureOf(const World& world, const Scenario& scenario) {
 
 Drawing drawBesideBullet(const World& world, const std::vector<std::vector<Point>>& shapes,
                          const Scenario& scenario) {
+  return comparisonSheet(imagesBesideBullet(world, shapes, scenario));
+}
+
+ComparisonImages imagesBesideBullet(const World& world, const std::vector<std::vector<Point>>& shapes,
+                                    const Scenario& scenario) {
   OrganismPicture ours = pictureOf(world, scenario);
   ours.width = ours.height = 700;
   OrganismPicture bullets = ours;
   ours.title += ": ours";
   bullets.title += ": Bullet's";
   for (std::size_t i = 0; i < bullets.cells.size(); ++i) bullets.cells[i].vertices = shapes[i];
-  return drawComparison(ours, bullets, scenario.scene.mechanics->physics.cell.radius);
+  return compareOrganisms(ours, bullets, scenario.scene.mechanics->physics.cell.radius);
 }
 
 void FrameCollector::observe(const World& world) {

@@ -45,6 +45,9 @@ TreePicture lineagePictureOf(const World& world, const Scenario& scenario);
 /// the vertices of Bullet's cells, in the order of ours.
 Drawing drawBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
                          const Scenario& scenario);
+/// The three pictures of it, each by itself.
+ComparisonImages imagesBesideBullet(const World& ours, const std::vector<std::vector<Point>>& shapes,
+                                    const Scenario& scenario);
 
 /// Keeps the organism's shape at 0, every, 2·every, … and where record.at-cells asks, for a sequence of pictures.
 class FrameCollector {

@@ -1,6 +1,5 @@
 // A check of many scenarios: which differ, and how.
 #include <algorithm>
-#include <set>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -8,36 +7,40 @@
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "golden/check_json.h"
+#include "page/html.h"
 #include "pictures/pictures.h"
+#include "report/check_tables.h"
+#include "report/golden_pictures.h"
 #include "report/parts.h"
-#include "report/verdict.h"
 
 namespace morula {
 
 namespace {
 
-constexpr std::size_t mostTold = 40;  // failed scenarios with all that differs
+constexpr std::size_t mostTold = 40;   // failed scenarios with all that differs
+constexpr std::size_t mostFiles = 40;  // in the command that checks them again
 
 std::size_t failures(const CheckReport& report) {
   return static_cast<std::size_t>(std::count_if(report.results.begin(), report.results.end(),
                                                 [](const CheckResult& r) { return !r.passed; }));
 }
 
+/// What differs, in words, the cause before its consequences: each class once.
 std::string classesOf(const CheckReport& report) {
-  std::set<std::string> classes;
+  std::vector<std::string> classes;
   for (const CheckResult& r : report.results)
-    if (!r.passed) classes.insert(r.failureClass);
-  std::string text;
-  for (const std::string& c : classes) text += (text.empty() ? "" : ", ") + c;
-  return text;
+    if (const std::string words = failedInWords(r);
+        !r.passed && std::find(classes.begin(), classes.end(), words) == classes.end())
+      classes.push_back(words);
+  return listed(classes);
 }
 
 /// The largest share of a tolerance that a check of the scenario has used.
-std::string largestShare(const CheckReport& report) {
+std::optional<double> largestShare(const CheckReport& report) {
   std::optional<double> largest;
   for (const CheckResult& r : report.results)
     if (r.share) largest = std::max(largest.value_or(0), *r.share);
-  return largest ? numberText(100 * *largest, 3) + " %" : "";
+  return largest;
 }
 
 std::string overview(const std::vector<CheckedScenario>& checked) {
@@ -51,17 +54,17 @@ std::string overview(const std::vector<CheckedScenario>& checked) {
                                    std::to_string(c.report.results.size()) + " differ</span>"
                              : "<span class=\"mark good\">✓ all " + std::to_string(c.report.results.size()) +
                                    " pass</span>",
-                      shown(classesOf(c.report)), largestShare(c.report)});
+                      shown(classesOf(c.report)), shareText(largestShare(c.report))});
     }
   return htmlTable("Scenarios", {"Scenario", "Checks", "What differs", "Largest share of a tolerance"}, rows);
 }
 
-std::string blockOf(const CheckedScenario& c) {
+std::string blockOf(const CheckedScenario& c, bool isFirst) {
   std::string html;
   const CellNames names = c.again ? c.again->scenario.names : CellNames{};
-  if (!c.report.change.empty())
-    html += "<pre tabindex=\"0\">" + shown(withNames(c.report.change, names.function())) + "</pre>\n";
-  if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
+  if (!c.report.change.empty()) html += changeTable(c.report.change, names);
+  if (c.again && c.again->beside) html += goldenPictures(*c.again->beside, c.report.scenario, isFirst);
+  else if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
     html += "<div class=\"pictures\">" +
             htmlPicture("image/png",
                         pngFile(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario))),
@@ -104,26 +107,37 @@ std::vector<CheckedScenario> readChecked(const std::string& file) {
   return checked;
 }
 
+int runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
+  if (c.again || c.file.empty() || !fileExists(c.file)) return 0;
+  try {
+    Scenario scenario = loadScenario(c.file);
+    World world = makeScenarioWorld(scenario, question.execution);
+    // Where a run ends is not always known before: then frames are spread over the longest it may take.
+    const auto end = plannedEnd(scenario.scene);
+    if (!end) return 0;
+    FrameTaker taker(*end, question.frames);
+    Progress progress(scenario.scene.name, question.quiet);
+    auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
+                        [&](const World& w) { taker.observe(w); });
+    if (run.signal) return run.signal;
+    c.again = std::make_unique<FailedAgain>(
+        FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
+  } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
+  }
+  return 0;
+}
+
 int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question) {
   for (CheckedScenario& c : checked) {
     if (most == 0) break;
-    if (failures(c.report) == 0 || c.file.empty() || !fileExists(c.file)) continue;
-    try {
-      Scenario scenario = loadScenario(c.file);
-      World world = makeScenarioWorld(scenario, question.execution);
-      // Where a run ends is not always known before: then frames are spread over the longest it may take.
-      const auto end = plannedEnd(scenario.scene);
-      if (!end) continue;
-      FrameTaker taker(*end, question.frames);
-      Progress progress(scenario.scene.name, question.quiet);
-      auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
-                          [&](const World& w) { taker.observe(w); });
-      if (run.signal) return run.signal;
-      c.again = std::make_unique<FailedAgain>(
-          FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
-      --most;
-    } catch (const InputError&) {  // the scenario cannot be read any more, which the check has told
-    }
+    if (failures(c.report) == 0) continue;
+    if (const int signal = runCheckedAgain(c, question)) return signal;
+    if (!c.again) continue;
+    --most;
+    const Simulation& run = c.again->simulation;
+    if (run.end.status != RunStatus::done) continue;
+    c.again->beside = drawBesideGoldenFile(c.again->scenario, run.world, question.execution, question.quiet);
+    if (c.again->beside && c.again->beside->signal) return c.again->beside->signal;
   }
   return 0;
 }
@@ -136,12 +150,16 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
     const std::size_t differ = failures(c.report);
     if (differ == 0) continue;
     ++failed;
+    const CellNames names = c.again ? c.again->scenario.names : CellNames{};
     findings.push_back(
-        {Finding::Kind::bad, "<b>" + shown(c.report.scenario) + "</b>: " + std::to_string(differ) + " of " +
-                                 counted(c.report.results.size(), "check") +
-                                 (differ == 1 ? " differs: " : " differ: ") + shown(classesOf(c.report))});
+        {Finding::Kind::bad,
+         "<b>" + shown(c.report.scenario) + "</b>: " + std::to_string(differ) + " of " +
+             counted(c.report.results.size(), "check") + (differ == 1 ? " differs: " : " differ: ") +
+             shown(classesOf(c.report)) +
+             (c.report.change.empty() ? ""
+                                      : ". <i>" + shown(changeSentence(c.report.change, names)) + "</i>")});
     if (++told > mostTold) continue;
-    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c), {}});
+    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c, told == 1), {}});
     if (!c.file.empty())
       part.blocks.back().commands = {"./morula check " + shellWord(c.file),
                                      "./morula explain " + shellWord(c.file),
@@ -158,11 +176,17 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
   part.verdict = "<p class=\"said\">" + std::to_string(checked.size() - failed) + " of " +
                  counted(checked.size(), "scenario") + (checked.size() == 1 ? " passes" : " pass") +
                  ".</p>\n" + findingsHtml(findings);
-  part.blocks.push_back({"checks",
-                         "Scenarios",
-                         overview(checked),
-                         {"./morula check --reports " +
-                          shellWord(std::filesystem::path(file).parent_path().generic_string())}});
+  std::string files;
+  for (const CheckedScenario& c : checked)
+    if (!c.file.empty()) files += ' ' + shellWord(c.file);
+  // Without files it checks all that are shipped.
+  if (checked.size() > mostFiles) files.clear();
+  const std::string folder = std::filesystem::path(file).parent_path().generic_string();
+  part.blocks.push_back(
+      {"checks",
+       "Scenarios",
+       overview(checked),
+       {"./morula check" + files + " --reports " + shellWord(folder.empty() ? "." : folder)}});
   return part;
 }
 

@@ -67,7 +67,10 @@ void FrameTaker::observe(const World& world) {
   };
   if (!world.bodies || next_ >= most_ || world.clock.time < due(next_)) return;
   while (next_ < most_ && world.clock.time >= due(next_)) ++next_;
+  take(world);
+}
 
+void FrameTaker::take(const World& world) {
   const Observation now(world);
   const auto measured = measureCells(now);
   const std::size_t count = world.cells.path.size();

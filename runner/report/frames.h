@@ -40,6 +40,8 @@ class FrameTaker {
   FrameTaker(double end, std::size_t most);
   /// The world at the start and after every step.
   void observe(const World& world);
+  /// One more frame, whatever the time.
+  void take(const World& world);
   Frames& frames() { return frames_; }
 
  private:

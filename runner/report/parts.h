@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "check/beside_golden.h"
 #include "report/explorer_data.h"
 #include "report/report.h"
 #include "report/words.h"
@@ -15,23 +16,31 @@ struct PagePart {
   std::string verdict;            // HTML
   std::vector<PageBlock> change;  // what stands before the pictures
   std::vector<PageBlock> blocks;
+  bool isAside = false;  // it belongs to another part; its blocks' titles say what they are of
 };
+
+/// Runs, with all that is known of them but their frames. Downloads take a tenth of `mostBytes`.
+PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes);
 
 /// A scenario that failed its check, run again to be looked at.
 struct FailedAgain {
   Scenario scenario;
   Simulation simulation;
   Frames frames;
+  std::optional<BesideGolden> beside = {};  // and the accepted result
 };
 
 struct CheckedScenario {
   CheckReport report;
   std::string file;                    // of the scenario; "" where it is not known
-  std::unique_ptr<FailedAgain> again;  // of the first failed ones
+  std::unique_ptr<FailedAgain> again;  // of the first failed ones, and those beside Bullet
+  std::unique_ptr<BulletAgain> bullet = {};
 };
 
 /// A report.json of `morula check --reports`. Throws InputError for one that it did not write.
 std::vector<CheckedScenario> readChecked(const std::string& file);
+/// Runs it again, if it can be read and its end is known. Returns the signal that interrupted it, or 0.
+int runCheckedAgain(CheckedScenario& checked, const ReportQuestion& question);
 /// Runs up to `most` of those that failed again. Returns the signal that interrupted it, or 0.
 int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, const ReportQuestion& question);
 PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file);

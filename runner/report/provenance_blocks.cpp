@@ -1,20 +1,17 @@
-// Where runs come from, their parameters, and what of them can be taken along.
+// Where runs come from, and their parameters.
 #include <algorithm>
 #include <functional>
 #include <set>
 
-#include "base/number_text.h"
-#include "page/html.h"
 #include "report/run_blocks.h"
-#include "report/tables.h"
 #include "scenario/deciding_values.h"
+#include "system/json.h"
 
 namespace morula {
 
 namespace {
 
-constexpr std::size_t mostColumns = 6;     // runs side by side
-constexpr std::size_t mostDownloads = 24;  // runs with links
+constexpr std::size_t mostColumns = 6;  // runs side by side
 
 struct Row {
   const char* name;
@@ -50,7 +47,10 @@ const std::vector<Row>& provenanceRows() {
       {"Libraries", [](const RunFacts& r) { return librariesText(r.run.record.build); }},
       {"Processor", [](const RunFacts& r) { return r.run.record.machine.cpu; }},
       {"Kernel", [](const RunFacts& r) { return r.run.record.machine.kernel; }},
-      {"Instruction set", [](const RunFacts& r) { return r.run.record.isa + " (changes no result)"; }},
+      {"Instruction set",
+       [](const RunFacts& r) {
+         return r.run.record.isa.empty() ? "" : r.run.record.isa + " (changes no result)";
+       }},
       {"Threads",
        [](const RunFacts& r) { return std::to_string(r.run.record.threads) + " (changes no result)"; }},
   };
@@ -62,14 +62,14 @@ std::string sideBySide(const std::string& caption, const std::vector<RunFacts>& 
                        const std::vector<std::pair<std::string, std::vector<std::string>>>& rows) {
   std::vector<std::string> head{""};
   const std::size_t columns = std::min(runs.size(), mostColumns);
-  for (std::size_t i = 0; i < columns; ++i) head.push_back(shown(titleOf(runs[i], runs)));
+  for (std::size_t i = 0; i < columns; ++i) head.push_back(shown(titleOf(runs[i])));
   std::vector<std::vector<std::string>> cells;
   for (const auto& [label, values] : rows) {
     const bool same = std::all_of(values.begin(), values.end(),
                                   [&, &first = values.front()](const auto& v) { return v == first; });
     std::vector<std::string> row{shown(label) +
                                  (same ? "" : " <span class=\"mark warn\" title=\"differs\">≠</span>")};
-    for (const std::string& v : values) row.push_back(shown(v));
+    for (const std::string& v : values) row.push_back(shownValue(v));
     cells.push_back(std::move(row));
   }
   return htmlTable(caption, runs.size() > 1 ? head : std::vector<std::string>{}, cells);
@@ -107,10 +107,10 @@ std::string differences(const std::vector<RunFacts>& runs) {
   return "<h3>What differs</h3>\n" + sideBySide("Parameters that differ", runs, rows);
 }
 
-std::string link(const std::string& name, const std::string& type, const std::string& bytes) {
-  return "<a download=\"" + htmlText(name) + "\" href=\"" + dataUri(type, bytes) + "\">" + htmlText(name) +
-         " <span class=\"note\">(" + numberText(static_cast<double>(bytes.size()) / 1000, 3) +
-         " kB)</span></a>\n";
+/// JSON with line breaks, for people; as it is if it cannot be read.
+std::string indented(const std::string& json) {
+  const Json read = Json::tryParse(json);
+  return read.is_null() ? json : jsonText(read, 2);
 }
 
 }  // namespace
@@ -120,11 +120,15 @@ PageBlock provenanceBlock(const std::vector<RunFacts>& runs) {
   for (const Row& row : provenanceRows()) {
     std::vector<std::string> values;
     for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i) values.push_back(row.get(runs[i]));
+    // Runs of a study have no time and no machine of their own: they are the same bytes wherever they were run.
+    if (std::all_of(values.begin(), values.end(), [](const std::string& v) { return v.empty(); })) continue;
     rows.push_back({row.name, std::move(values)});
   }
   PageBlock block{
       "provenance", "Provenance", sideBySide("Provenance", runs, rows) + leftOut(runs, mostColumns), {}};
-  block.commands.push_back(commandFor(runs[0], "replay"));
+  for (const RunFacts& r : runs)
+    if (block.commands.size() < mostColumns && r.run.status != RunStatus::running)
+      block.commands.push_back(commandFor(r, "replay"));
   return block;
 }
 
@@ -134,7 +138,7 @@ PageBlock parameterBlock(const std::vector<RunFacts>& runs) {
   for (const RunFacts& r : runs) {
     if (shownAlready.size() >= mostColumns) break;
     if (!shownAlready.insert(r.run.record.scenarioHash).second) continue;
-    const std::string of = runs.size() > 1 ? " of " + titleOf(r, runs) : "";
+    const std::string of = runs.size() > 1 ? " of " + titleOf(r) : "";
     for (const Document& d : r.documents) {
       const bool resolved = d.role == "resolved";
       const std::string title = resolved               ? "All parameters, defaults filled in"
@@ -146,39 +150,11 @@ PageBlock parameterBlock(const std::vector<RunFacts>& runs) {
                          shownBlock(resolved ? indented(d.content) : d.content));
     }
   }
-  return {"parameters",
-          "Parameters",
-          html,
-          {"./morula run " + shellWord(sourceOf(runs[0])) +
-           (runs[0].run.record.seed ? " --seed " + std::to_string(runs[0].run.record.seed) : "")}};
-}
-
-PageBlock downloadBlock(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
-  std::string html = "<div class=\"downloads\">\n";
-  std::size_t used = 0, left = 0;
-  for (std::size_t i = 0; i < std::min(runs.size(), mostDownloads); ++i) {
-    const std::string of = runs.size() > 1 ? "-" + runs[i].run.id : "";
-    const auto offer = [&](const std::string& name, const char* type, const std::string& bytes) {
-      if (bytes.empty()) return;
-      if (used + bytes.size() > mostBytes) return void(++left);
-      used += bytes.size();
-      html += link(name, type, bytes);
-    };
-    offer("cells" + of + ".csv", "text/csv", cellsCsv(runs[i].results));
-    offer("samples" + of + ".csv", "text/csv", samplesCsv(runs[i].results));
-    offer("cell-samples" + of + ".csv", "text/csv", cellSamplesCsv(runs[i].results));
-    offer("lineage" + of + ".nwk", "text/plain", newick(runs[i].results, runs[i].run.time));
-  }
-  html += "</div>\n";
-  if (left)
-    html += "<p class=\"note\">" + counted(left, "table") +
-            " would make the page too large; the database holds them.</p>\n";
-  html += leftOut(runs, mostDownloads);
-  std::set<std::string> databases;
+  PageBlock block{"parameters", "Parameters", html, {}};
   for (const RunFacts& r : runs)
-    if (databases.insert(r.database).second && databases.size() <= 12)
-      html += "<p>Database: <code>" + shown(r.database) + "</code></p>\n";
-  return {"downloads", "Downloads", html, {}};
+    if (block.commands.size() < mostColumns && r.run.status == RunStatus::done)
+      block.commands.push_back(commandFor(r, "export", "--ro-crate " + shellWord("crate-" + r.run.id)));
+  return block;
 }
 
 }  // namespace morula

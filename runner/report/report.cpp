@@ -1,18 +1,17 @@
 #include "report/report.h"
 
 #include <algorithm>
+#include <map>
 
 #include "base/error.h"
-#include "files/content.h"
 #include "files/folders.h"
-#include "files/printable.h"
 #include "files/read_file.h"
 #include "loop/stored_scenario.h"
+#include "report/bullet_block.h"
+#include "report/explored.h"
 #include "report/parts.h"
-#include "report/run_blocks.h"
+#include "report/sources.h"
 #include "report/study_part.h"
-#include "report/tables.h"
-#include "report/verdict.h"
 #include "system/child_process.h"
 #include "system/usage_error.h"
 
@@ -21,49 +20,6 @@ namespace morula {
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Sources {
-  std::vector<std::string> databases, studies, checks, accuracies;
-};
-
-/// By what a file holds, not by its name. Whether it is one.
-bool addSource(const std::string& file, Sources& sources) {
-  if (isDatabase(file)) return (isStudy(file) ? sources.studies : sources.databases).push_back(file), true;
-  const auto first = readHead(file, 1);
-  if (first != "{") return false;
-  const Json json = Json::tryParse(readFile(file));
-  if (!json.is_object() || !json.contains("morula")) return false;
-  if (json.contains("rows") && json.contains("scenario")) return sources.accuracies.push_back(file), true;
-  if (json.contains("results")) return sources.checks.push_back(file), true;
-  return false;
-}
-
-/// What `what` names; the files of a folder sorted by name.
-Sources sourcesOf(const std::vector<std::string>& what) {
-  Sources sources;
-  for (const std::string& name : what) {
-    if (!fileExists(name)) throw FileError("'" + name + "': no such file or folder");
-    if (!isFolder(name)) {
-      if (!addSource(name, sources))
-        throw UsageError("'" + name + "' is " + std::string(morula::name(contentOfFile(name))) +
-                         "; report needs a database that morula run has written, a report.json of morula "
-                         "check --reports, what "
-                         "morula accuracy --json has printed, or a folder of these");
-      continue;
-    }
-    bool any = false;
-    for (const char* ending : {".db", ".json"})
-      for (const fs::path& file : filesBelow(name, ending))
-        any = addSource(file.generic_string(), sources) || any;
-    // A merged study holds the runs of all of its tasks.
-    for (const std::string& study : sources.studies)
-      std::erase_if(sources.databases, [tasks = (fs::path(study).parent_path() / "tasks/").generic_string()](
-                                           const std::string& file) { return file.starts_with(tasks); });
-    if (!any)
-      throw UsageError("'" + name + "': no database and no report in this folder; morula run writes one");
-  }
-  return sources;
-}
 
 std::vector<RunFacts> factsOfAll(const Sources& sources, const ReportQuestion& question) {
   std::vector<RunFacts> facts;
@@ -80,42 +36,10 @@ std::vector<RunFacts> factsOfAll(const Sources& sources, const ReportQuestion& q
       facts.back().label = r.condition;
     }
   }
+  nameRuns(facts);
   if (facts.empty() && sources.studies.empty() && sources.checks.empty() && sources.accuracies.empty())
     throw UsageError("there is no run in " + question.what.front() + "; morula run writes one");
   return facts;
-}
-
-ExplorerRun explorerRunOf(const RunFacts& facts, const std::vector<RunFacts>& all) {
-  ExplorerRun run{.title = titleOf(facts, all),
-                  .scenario = &facts.scenario,
-                  .lineage = &facts.results.lineage,
-                  .describe = [&facts](StateId state) { return facts.results.stateTexts.at(state); },
-                  .end = facts.run.time,
-                  .frames = nullptr};
-  if (!facts.again) return run;
-  const World& world = facts.again->simulation.world;
-  run.lineage = &world.lineage.entries;
-  run.describe = [&world](StateId state) { return world.biology->describe(state); };
-  run.frames = &facts.again->frames;
-  return run;
-}
-
-std::string titleOfPage(const std::vector<RunFacts>& runs) {
-  const std::string& first = runs[0].run.record.scenario;
-  const bool same =
-      std::all_of(runs.begin(), runs.end(), [&](const auto& r) { return r.run.record.scenario == first; });
-  if (runs.size() == 1) return titleOf(runs[0], runs);
-  return same ? first + ", " + counted(runs.size(), "run") : counted(runs.size(), "run");
-}
-
-ExplorerRun explorerRunOf(const CheckedScenario& checked) {
-  const World& world = checked.again->simulation.world;
-  return {.title = checked.report.scenario,
-          .scenario = &checked.again->scenario,
-          .lineage = &world.lineage.entries,
-          .describe = [&world](StateId state) { return world.biology->describe(state); },
-          .end = checked.again->simulation.end.time,
-          .frames = &checked.again->frames};
 }
 
 PageBlock explorerBlock(const ReportQuestion& question, const std::vector<ExplorerRun>& runs) {
@@ -130,52 +54,49 @@ PageBlock explorerBlock(const ReportQuestion& question, const std::vector<Explor
   return {"explorer", "Explorer", html, {}};
 }
 
-/// All of a page but its frames.
-PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
-  PagePart part{.title = titleOfPage(runs),
-                .summary = printable(runs[0].scenario.summary),
-                .verdict = {},
-                .change = {},
-                .blocks = {}};
-  const auto heading = [&](const RunFacts& run) {
-    return runs.size() > 1 ? "<h3>" + shown(titleOf(run, runs)) + "</h3>\n" : std::string();
+/// "1 check, 2 studies and 3 runs".
+std::string titleOfParts(const Sources& sources, std::size_t runs) {
+  std::vector<std::string> texts;
+  const auto add = [&](std::size_t count, const std::string& one, const std::string& several) {
+    if (count) texts.push_back(std::to_string(count) + ' ' + (count == 1 ? one : several));
   };
-  // What is said of a study is said of all of its runs, not of those that stand for its conditions.
-  if (std::any_of(runs.begin(), runs.end(), [](const RunFacts& r) { return r.label.empty(); }))
-    part.verdict = verdictOf(runs);
-  std::string changes, checks;
-  for (const RunFacts& run : runs) {
-    if (const std::string change = changeOf(run);
-        !change.empty() && (runs.size() == 1 || !run.change.empty()))
-      changes += heading(run) + change;
-    const bool differs =
-        std::any_of(run.checks.begin(), run.checks.end(), [](const CheckResult& c) { return !c.passed; });
-    if (!run.checks.empty() && (runs.size() <= mostExplored || differs))
-      checks += heading(run) + checksOf(run.checks, run.scenario.names);
-  }
-  if (!changes.empty()) part.change.push_back({"change", "What changed", changes, {}});
-  part.blocks = {pictureBlock(runs), chartBlock(runs)};
-  if (!checks.empty()) {
-    part.blocks.push_back({"checks", "Checks", checks, {}});
-    if (runs.size() == 1 && !runs[0].golden.empty())
-      part.blocks.back().commands = {"./morula check " + shellWord(sourceOf(runs[0])),
-                                     "./morula explain " + shellWord(sourceOf(runs[0]))};
-  }
-  part.blocks.push_back(provenanceBlock(runs));
-  part.blocks.push_back(parameterBlock(runs));
-  part.blocks.push_back(downloadBlock(runs, mostBytes / 10));
-  return part;
+  add(sources.checks.size(), "check", "checks");
+  add(sources.studies.size(), "study", "studies");
+  add(runs, "run", "runs");
+  add(sources.accuracies.size(), "accuracy run", "accuracy runs");
+  return listed(texts);
+}
+
+std::string commandOf(const ReportQuestion& question) {
+  static const ReportQuestion usual;
+  std::string command = "./morula report";
+  for (const std::string& what : question.what) command += ' ' + shellWord(what);
+  if (!question.run.empty()) command += " --run " + shellWord(question.run);
+  if (question.frames != usual.frames) command += " --frames " + std::to_string(question.frames);
+  if (question.mostBytes != usual.mostBytes) command += " --size-limit " + std::to_string(question.mostBytes);
+  if (!question.bullet) command += " --no-bullet";
+  return command + " -o page.html";
 }
 
 /// The parts, one after the other: what must be known first of each, then the explorer, then the rest.
-void putTogether(const std::vector<PagePart>& parts, const PageBlock* explorer, Page& page) {
+/// Parts are told apart by their titles, unless they are of `one` source.
+void putTogether(const std::vector<PagePart>& parts, bool one, const PageBlock* explorer, Page& page) {
   page.verdict.clear(), page.blocks.clear();
-  for (const PagePart& part : parts) page.verdict += part.verdict;
+  std::map<std::string, int> known;  // ids
+  const auto add = [&](PageBlock block, const std::string& part) {
+    if (const int count = ++known[block.id]; count > 1) block.id += "-" + std::to_string(count);
+    if (!part.empty()) block.title += ": " + part;
+    page.blocks.push_back(std::move(block));
+  };
+  const auto titleOf = [&](const PagePart& part) { return !one || part.isAside ? part.title : ""; };
   for (const PagePart& part : parts)
-    page.blocks.insert(page.blocks.end(), part.change.begin(), part.change.end());
-  if (explorer) page.blocks.push_back(*explorer);
+    if (!part.verdict.empty())
+      page.verdict += (one ? std::string() : "<h2>" + shown(part.title) + "</h2>\n") + part.verdict;
   for (const PagePart& part : parts)
-    page.blocks.insert(page.blocks.end(), part.blocks.begin(), part.blocks.end());
+    for (const PageBlock& block : part.change) add(block, titleOf(part));
+  if (explorer) add(*explorer, "");
+  for (const PagePart& part : parts)
+    for (const PageBlock& block : part.blocks) add(block, titleOf(part));
 }
 
 }  // namespace
@@ -193,60 +114,61 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   std::vector<RunFacts> runs = factsOfAll(sources, question);
   ReportAnswer answer{.bytes = {}, .runs = runs.size(), .remarks = {}};
   std::vector<PagePart> parts;
-  std::vector<ExplorerRun> explored;
-  std::vector<Frames*> frames;
+  Explored explored;
 
   std::vector<std::vector<CheckedScenario>> checks;
   for (const std::string& file : sources.checks) {
     checks.push_back(readChecked(file));
     if (question.frames > 0 && (answer.signal = runFailedAgain(checks.back(), mostExplored / 2, question)))
       return answer;
+    if (question.frames > 0 && question.bullet &&
+        (answer.signal = runCheckedInBullet(checks.back(), question)))
+      return answer;
     parts.push_back(checkPart(checks.back(), file));
+    for (PageBlock& block : bulletBlocks(checks.back())) parts.back().blocks.push_back(std::move(block));
   }
-  for (auto& checked : checks)
-    for (CheckedScenario& c : checked)
-      if (c.again && explored.size() < mostExplored)
-        explored.push_back(explorerRunOf(c)), frames.push_back(&c.again->frames);
-
-  std::size_t again = explored.size();
-  for (RunFacts& run : runs)
-    if (question.frames > 0 && again < mostExplored && canRunAgain(run)) {
-      ++again;
-      if ((answer.signal = runAgain(run, question.execution, question.frames, question.quiet))) return answer;
-      frames.push_back(&run.again->frames);
-    }
-  for (const RunFacts& run : runs)
-    if (!run.results.lineage.empty() && explored.size() < mostExplored && (run.again || again == 0))
-      explored.push_back(explorerRunOf(run, runs));
-  for (const std::string& file : sources.studies) parts.push_back(studyPart(file));
+  for (auto& checked : checks) exploreChecked(checked, explored);
+  if ((answer.signal = exploreRuns(runs, question, explored))) return answer;
+  for (const std::string& file : sources.studies) {
+    parts.push_back(studyPart(file));
+    if (question.frames > 0 && (answer.signal = addOrganisms(parts.back(), file, question.quiet)))
+      return answer;
+  }
   if (!runs.empty()) parts.push_back(runPart(runs, question.mostBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
   if (runs.empty()) parts.back().blocks.push_back(programBlock());
 
-  Page page{.title = parts.front().title,
-            .summary = parts.front().summary,
+  // The runs that stand for a study's conditions are told by the study.
+  const auto own = static_cast<std::size_t>(
+      std::count_if(runs.begin(), runs.end(), [](const RunFacts& r) { return r.label.empty(); }));
+  const bool one =
+      sources.checks.size() + sources.studies.size() + sources.accuracies.size() + (own > 0) == 1;
+  Page page{.title = one ? parts.front().title : titleOfParts(sources, own),
+            .summary = one ? parts.front().summary : "",
             .verdict = {},
             .blocks = {},
             .data = {},
             .bytes = {},
-            .program = explored.empty() ? "" : question.program};
+            .command = commandOf(question),
+            .program = explored.runs.empty() ? "" : question.program};
   const auto compose = [&] {
-    const PageBlock explorer = explorerBlock(question, explored);
-    putTogether(parts, explored.empty() ? nullptr : &explorer, page);
-    if (!page.program.empty()) page.data = jsonText(explorerData(explored));
+    const PageBlock explorer = explorerBlock(question, explored.runs);
+    putTogether(parts, one, explored.runs.empty() ? nullptr : &explorer, page);
+    if (!page.program.empty()) page.data = jsonText(explorerData(explored.runs));
   };
   // What room the rest leaves goes to the frames; base64 takes 4 bytes for 3.
   compose();
   const std::size_t without = pageFile(page).size() + 20'000;
   const std::size_t room = question.mostBytes > without ? (question.mostBytes - without) / 4 * 3 : 0;
-  for (Frames* of : frames) thinFrames(*of, page.program.empty() ? 0 : room / frames.size());
+  for (Frames* of : explored.frames)
+    thinFrames(*of, page.program.empty() ? 0 : room / explored.frames.size());
   compose();
-  if (!page.program.empty()) page.bytes = explorerBytes(explored);
+  if (!page.program.empty()) page.bytes = explorerBytes(explored.runs);
   answer.bytes = pageFile(page);
   if (answer.bytes.size() > question.mostBytes)
     answer.remarks.push_back("the page takes " + std::to_string(answer.bytes.size()) +
                              " bytes, more than --size-limit");
-  for (const ExplorerRun& run : explored)
+  for (const ExplorerRun& run : explored.runs)
     if (const Frames* f = run.frames; f && !page.program.empty() && f->frames.size() < f->worlds.size())
       answer.remarks.push_back(run.title + ": " + std::to_string(f->frames.size()) + " of " +
                                std::to_string(f->worlds.size()) + " frames fit into the page");

@@ -1,5 +1,5 @@
 #pragma once
-// One page of runs, of a check or of what else there is, from files to its bytes.
+// One page of runs, studies, checks or accuracy runs: from their files to the page's bytes.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +18,7 @@ struct ReportQuestion {
   std::string program;                 // the explorer's; "": without it
   std::string whyNone;                 // why there is none; plain text
   Execution execution;
+  bool bullet = true;  // beside ours, where scenarios have check.bullet and frames are asked for
   bool quiet = false;
 };
 
@@ -36,5 +37,7 @@ ReportAnswer makeReport(const ReportQuestion& question);
 
 /// Runs that are shown in three dimensions at most; the explorer shows two of them side by side.
 inline constexpr std::size_t mostExplored = 4;
+/// Runs that are made again in Bullet at most.
+inline constexpr std::size_t mostInBullet = 2;
 
 }  // namespace morula

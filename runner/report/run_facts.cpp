@@ -63,6 +63,7 @@ void compareWithGolden(RunFacts& facts) {
 RunFacts factsOf(Store& store, const StoredRun& run) {
   RunFacts facts{.database = store.file().string(),
                  .label = {},
+                 .title = {},
                  .run = run,
                  .scenario = storedScenario(store.file().string(), run.id),
                  .documents = store.documents(run.id),
@@ -80,6 +81,10 @@ RunFacts factsOf(Store& store, const StoredRun& run) {
   return facts;
 }
 
+std::string changeBetween(const RunFacts& before, const RunFacts& after) {
+  return changeInWords(goldenDataOf(before), goldenDataOf(after));
+}
+
 bool canRunAgain(const RunFacts& facts) {
   return facts.scenario.scene.mechanics &&
          (facts.run.status == RunStatus::done || facts.run.status == RunStatus::failed);
@@ -95,7 +100,12 @@ int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool qui
                         ? run.end.stateHash && run.end.stateHash->text() == facts.run.stateHash
                         : run.end.status == facts.run.status && run.end.failure == facts.run.failure;
   facts.again = std::make_unique<RunAgain>(RunAgain{std::move(run), std::move(taker.frames()), same});
-  return 0;
+  if (!same || facts.run.status != RunStatus::done || facts.golden.empty() || facts.change.empty()) return 0;
+  try {
+    facts.beside = drawBesideGolden(facts.scenario, facts.again->simulation.world,
+                                    readGoldenFile(facts.golden), how, quiet);
+  } catch (const InputError&) { return 0; }  // the golden has been changed since it was read
+  return facts.beside->signal;
 }
 
 }  // namespace morula

@@ -1,12 +1,14 @@
 #pragma once
-// What a page says of one run: what the database holds of it, what its scenario and its golden file say, and the run once more,
-// for its shapes, which no database keeps.
+// What a page says of one run: what the database holds of it, what its scenario and its golden file say, and the run made
+// again for its shapes, which few databases keep.
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "check/beside_golden.h"
 #include "loop/simulate.h"
+#include "report/bullet_again.h"
 #include "report/frames.h"
 #include "store/store.h"
 
@@ -22,6 +24,7 @@ struct RunAgain {
 struct RunFacts {
   std::string database;    // as given
   std::string label = {};  // of the condition of a study that it stands for; "" for a run of its own
+  std::string title = {};  // what it is called on its page
   StoredRun run;
   Scenario scenario;
   std::vector<Document> documents;
@@ -32,10 +35,15 @@ struct RunFacts {
   std::string change;                     // how the run differs from it, in words; "" where it does not
   std::string unusableGolden;             // why it cannot be read; ""
   std::unique_ptr<RunAgain> again;
+  std::unique_ptr<BulletAgain> bullet = {};  // of a run made again whose scenario asks for it
+  std::optional<BesideGolden> beside = {};  // of a run that was made again and differs from its golden
 };
 
 /// Reads what is stored. Throws FileError if the record was changed.
 RunFacts factsOf(Store& store, const StoredRun& run);
+
+/// How `after` differs from `before`, as changeInWords says it; "" where it does not. Both are done.
+std::string changeBetween(const RunFacts& before, const RunFacts& after);
 
 /// Whether there is something to look at when it runs again: bodies, and an end or a failure to come to.
 bool canRunAgain(const RunFacts& facts);

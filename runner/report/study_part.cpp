@@ -4,15 +4,21 @@
 
 #include "analysis/comparison.h"
 #include "analysis/measure_words.h"
+#include "analysis/organisms.h"
 #include "analysis/picture.h"
 #include "base/number_text.h"
+#include "database/store_error.h"
+#include "loop/stored_scenario.h"
 #include "page/html.h"
 #include "store/store.h"
+#include "system/signals.h"
+#include "system/usage_error.h"
 
 namespace morula {
 
 namespace {
 
+constexpr std::size_t mostDrawn = 12;      // conditions of which a run is made again
 constexpr std::size_t mostSentences = 16;  // that are seen without being asked for
 
 Database openStudy(const std::string& file) {
@@ -27,10 +33,7 @@ std::string withInterval(double mean, const std::optional<Interval>& interval) {
 
 std::string conditionTable(const StudyComparison& c) {
   std::vector<std::string> head{"Condition"};
-  for (const std::size_t m : c.measures) {
-    const std::string unit = unitOfMeasure(c.measureName(m));
-    head.push_back(shown(c.measureName(m) + (unit.empty() ? "" : " [" + unit + "]")));
-  }
+  for (const std::size_t m : c.measures) { head.push_back(shown(titleOfMeasure(c.measureName(m)))); }
   head.push_back("Values");
   head.push_back("Distinct");
   std::vector<std::vector<std::string>> rows;
@@ -61,7 +64,7 @@ std::string pairTable(const StudyComparison& c) {
       if (p.at[axis]) fixed += (fixed.empty() ? " at " : ", ") + c.results.axes[axis].labels[*p.at[axis]];
     const bool estimated = p.known == Known::estimated;
     rows.push_back(
-        {shown(c.measureName(p.measure)), shown(labels[p.a] + " − " + labels[p.b] + fixed),
+        {shown(titleOfMeasure(c.measureName(p.measure))), shown(labels[p.a] + " − " + labels[p.b] + fixed),
          std::to_string(p.of.size()),
          estimated ? withInterval(p.paired.difference, p.paired.interval) : numberText(p.meanA - p.meanB),
          estimated                 ? numberText(p.corrected, 3)
@@ -74,12 +77,6 @@ std::string pairTable(const StudyComparison& c) {
          htmlTable("Paired differences",
                    {"Measure", "Levels", "Pairs", "Difference", "p (Holm)", "Effect d<sub>z</sub>", ""},
                    rows);
-}
-
-/// Tells a failed or missing run from conditions that are the same runs.
-Finding troubleOf(const std::string& line) {
-  const bool same = line.starts_with("the same runs");
-  return {same || line.starts_with("missing") ? Finding::Kind::warning : Finding::Kind::bad, shown(line)};
 }
 
 }  // namespace
@@ -97,16 +94,10 @@ PagePart studyPart(const std::string& database) {
   std::size_t done = 0;
   for (const ResultTask& task : r.tasks) done += task.status == "done";
   PagePart part{.title = "Study " + r.name, .summary = r.summary, .verdict = {}, .change = {}, .blocks = {}};
-  std::vector<Finding> findings;
-  for (const std::string& line : troublesOf(r)) findings.push_back(troubleOf(line));
-  for (const std::size_t k : c.seedless)
-    findings.push_back({Finding::Kind::warning, "Seeds change nothing under <b>" +
-                                                    shown(r.nameOf(r.conditions[k])) +
-                                                    "</b>: its runs are one, and it has no interval"});
   part.verdict = "<p class=\"said\">" + std::to_string(done) + " of " +
                  counted(r.tasks.size(), "distinct run") + (r.tasks.size() == 1 ? " is" : " are") +
                  " done: " + counted(r.conditions.size(), "condition") + ", " +
-                 counted(r.seeds.size(), "seed") + ".</p>\n" + findingsHtml(findings);
+                 counted(r.seeds.size(), "seed") + ".</p>\n" + findingsHtml(findingsOf(c, database));
   const std::vector<std::string> sentences = verdictsOf(c);
   std::string said, more;
   for (std::size_t i = 0; i < sentences.size(); ++i)
@@ -123,24 +114,62 @@ PagePart studyPart(const std::string& database) {
   part.blocks.push_back(
       {"strips",
        "Every value",
-       htmlPicture("image/svg+xml", drawComparedStudy(c).file(PictureFormat::svg),
-                   "strips of all values of each condition, with their means and 95 % intervals",
-                   "A dot a run; line and bar: the mean and its 95 % interval"),
+       htmlLarge("image/svg+xml", drawComparedStudy(c).file(PictureFormat::svg),
+                 "strips of all values of each condition, with their means and 95 % intervals",
+                 "A dot a run; line and bar: the mean and its 95 % interval"),
        {"./morula study compare " + file + " -o strips.svg"}});
   const auto csv = toCsv(c), json = jsonText(toJson(c), 1);
   const auto link = [&](const std::string& name, const char* type, const std::string& bytes) {
     return bytes.size() > 1'000'000
                ? ""
-               : "<a download=\"" + name + "\" href=\"" + dataUri(type, bytes) + "\">" + name + "</a>\n";
+               : "<a download=\"" + name + "\" href=\"" + dataUri(type, bytes) + "\">" + name +
+                     " <span class=\"note\">(" + inBytes(bytes.size()) + ")</span></a>\n";
   };
-  part.blocks.push_back(
-      {"comparison",
-       "Comparison",
-       conditionTable(c) + pairTable(c) + htmlFolded("All of it, as text", shownBlock(describe(c))) +
-           "<div class=\"downloads\">" + link("comparison.csv", "text/csv", csv) +
-           link("comparison.json", "application/json", json) + "</div>\n",
-       {"./morula study compare " + file + " --csv", "./morula study compare " + file + " --json"}});
+  part.blocks.push_back({"comparison",
+                         "Comparison",
+                         conditionTable(c) + pairTable(c) +
+                             htmlFolded("All of it, as text", shownBlock(describe(c))) +
+                             "<div class=\"downloads\">" + link("comparison.csv", "text/csv", csv) +
+                             link("comparison.json", "application/json", json) + "</div>\n",
+                         {"./morula study compare " + file + " --csv > comparison.csv",
+                          "./morula study compare " + file + " --json > comparison.json"}});
   return part;
+}
+
+namespace {
+
+/// Of the first run that is done; false without any.
+bool hasBodies(const StudyResults& results, const std::string& database) {
+  for (const ResultTask& task : results.tasks)
+    if (task.status == "done") return storedScenario(database, task.runId).scene.mechanics.has_value();
+  return false;
+}
+
+}  // namespace
+
+int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
+  const StudyResults results = readStudyResults(database);
+  PageBlock block{
+      "organisms", "Organisms", "", {"./morula compare " + shellWord(database) + " --pictures grid.png"}};
+  if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
+  if (results.conditions.size() > mostDrawn) {
+    block.html = "<p class=\"note\">" + counted(results.conditions.size(), "condition") +
+                 " are too many to be run again for this page; the command draws them.</p>\n";
+  } else {
+    try {
+      block.html = htmlLarge("image/png", pngFile(drawOrganisms(results, database, {}, quiet).pixels()),
+                             "the organisms of all conditions at five moments",
+                             "A row a condition, a column a moment; one seed, one camera, one scale");
+    } catch (const Interrupted& by) {
+      return by.signal;
+    } catch (const UsageError&) {  // there is nothing that can be seen
+      return 0;
+    } catch (const NondeterminismError& error) {
+      block.html = "<p class=\"note\">" + shown(error.what()) + "</p>\n";
+    }
+  }
+  part.blocks.insert(part.blocks.begin(), std::move(block));
+  return 0;
 }
 
 std::vector<Representative> representativesOf(const std::string& database, std::size_t most) {

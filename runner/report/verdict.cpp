@@ -6,6 +6,7 @@
 
 #include "base/number_text.h"
 #include "page/page.h"
+#include "report/bullet_block.h"
 #include "store/records.h"
 
 namespace morula {
@@ -15,8 +16,6 @@ namespace {
 using Kind = Finding::Kind;
 
 bool passed(const CheckResult& r) { return r.passed; }
-
-std::string inPercent(double share) { return share == 0 ? "0 %" : numberText(100 * share, 3) + " %"; }
 
 /// The names of those that failed, each once.
 std::string namesOf(const std::vector<CheckResult>& failed) {
@@ -57,13 +56,18 @@ void judgeChecks(const RunFacts& facts, std::vector<Finding>& findings) {
 void judgeDivisions(const RunFacts& facts, std::vector<Finding>& findings) {
   if (facts.ambiguous.empty()) return;
   const DivisionRecord& first = facts.ambiguous.front();
+  const std::size_t count = facts.ambiguous.size();
+  const std::string cell = facts.scenario.names.of(first.path).value_or(cellName(first.path.text()));
   findings.push_back(
-      {Kind::warning, counted(facts.ambiguous.size(), "division") +
-                          " along a longest extent that hardly differs from the next one: first of " +
-                          shown(facts.scenario.names.of(first.path).value_or(cellName(first.path.text()))) +
-                          " at time " + numberText(first.time) + " (ratio " +
-                          numberText(*first.extentRatio, 6) +
-                          "); another mesh, time step or precision may cut elsewhere"});
+      {Kind::warning,
+       counted(count, "division") + (count == 1 ? " has an" : " have an") +
+           " ambiguous axis: the mother's longest extent is hardly longer than her next one, " +
+           (count == 1 ? "" : "first ") + "that of " + shown(cell) + " at time " + numberText(first.time) +
+           ", " +
+           (*first.extentRatio - 1 < 1e-6
+                ? "longer by less than a millionth"
+                : "longer by " + numberText(100 * (*first.extentRatio - 1), 2) + " %") +
+           ". With another mesh, time step or precision the cut may lie elsewhere"});
 }
 
 void judgeAgain(const RunFacts& facts, std::vector<Finding>& findings) {
@@ -77,24 +81,40 @@ void judgeAgain(const RunFacts& facts, std::vector<Finding>& findings) {
 }
 
 std::string statusText(const StoredRun& run) {
-  if (run.status == RunStatus::running) return "has not ended";
-  return std::string(name(run.status)) + ", with " + counted(run.cells, "cell") + " at time " +
-         numberText(run.time, 6) + " after " + counted(run.steps, "step");
+  const std::string cells = counted(run.cells, "cell"),
+                    when = " at time " + numberText(run.time, 6) + " after " + counted(run.steps, "step");
+  switch (run.status) {
+    case RunStatus::done:
+      return "is done: " + cells + when;
+    case RunStatus::failed:
+      return "failed" + when + ", with " + cells;
+    case RunStatus::killed:
+      return "was interrupted" + when + ", with " + cells;
+    case RunStatus::running:
+      break;
+  }
+  return "has not ended";
 }
 
-std::string sentenceOf(const std::vector<RunFacts>& runs, bool bad, bool warned) {
-  const std::string ending = bad ? "there are faults." : warned ? "there are warnings." : "nothing is amiss.";
-  if (runs.size() == 1) return "The run is " + statusText(runs[0].run) + ": " + ending;
-  return counted(runs.size(), "run") + ": " + ending;
+std::string sentenceOf(const std::vector<const RunFacts*>& runs, bool bad, bool warned) {
+  const std::string ending = bad      ? ". There are faults."
+                             : warned ? ". There are warnings."
+                                      : ". Nothing is amiss.";
+  if (runs.size() == 1) return "The run " + statusText(runs[0]->run) + ending;
+  const auto done = std::count_if(runs.begin(), runs.end(),
+                                  [](const RunFacts* r) { return r->run.status == RunStatus::done; });
+  return std::to_string(done) + " of " + counted(runs.size(), "run") + (done == 1 ? " is" : " are") +
+         " done" + ending;
 }
 
 /// Runs of one scenario that differ in their seed, and not in their end.
-void judgeSeeds(const std::vector<RunFacts>& runs, std::vector<Finding>& findings) {
+void judgeSeeds(const std::vector<const RunFacts*>& runs, std::vector<Finding>& findings) {
   const auto keyOf = [](const RunFacts& r) { return r.run.record.scenario + ' ' + r.run.stateHash; };
   std::map<std::string, std::set<std::uint64_t>> seeds;
-  for (const RunFacts& r : runs)
-    if (r.run.status == RunStatus::done) seeds[keyOf(r)].insert(r.run.record.seed);
-  for (const RunFacts& r : runs) {
+  for (const RunFacts* r : runs)
+    if (r->run.status == RunStatus::done) seeds[keyOf(*r)].insert(r->run.record.seed);
+  for (const RunFacts* run : runs) {
+    const RunFacts& r = *run;
     const auto same = seeds.find(keyOf(r));
     if (same == seeds.end() || same->second.size() < 2) continue;
     findings.push_back(
@@ -106,21 +126,21 @@ void judgeSeeds(const std::vector<RunFacts>& runs, std::vector<Finding>& finding
   }
 }
 
-std::string runTable(const std::vector<RunFacts>& runs) {
+std::string runTable(const std::vector<const RunFacts*>& runs) {
   std::vector<std::vector<std::string>> rows;
-  for (const RunFacts& r : runs) {
+  for (const RunFacts* run : runs) {
+    const RunFacts& r = *run;
     const auto failed =
         std::count_if(r.checks.begin(), r.checks.end(), [](const CheckResult& c) { return !c.passed; });
-    rows.push_back({shown(r.run.record.scenario), std::to_string(r.run.record.seed), name(r.run.status),
-                    std::to_string(r.run.cells), numberText(r.run.time, 6),
+    rows.push_back({shown(titleOf(r)), name(r.run.status), std::to_string(r.run.cells),
+                    numberText(r.run.time, 6),
                     r.checks.empty() ? "none"
                     : failed ? std::to_string(failed) + " of " + std::to_string(r.checks.size()) + " failed"
                              : "all " + std::to_string(r.checks.size()) + " passed",
                     "<code>" + shown(r.run.stateHash.substr(0, 12)) + "</code>",
                     "<code>" + shown(r.run.id) + "</code>"});
   }
-  return htmlTable("Runs", {"Scenario", "Seed", "Status", "Cells", "Time", "Checks", "End state", "Run"},
-                   rows);
+  return htmlTable("Runs", {"Run", "Status", "Cells", "Time", "Checks", "End state", "Id"}, rows);
 }
 
 }  // namespace
@@ -132,7 +152,7 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
     findings.push_back(
         {facts.scenario.check.fails.empty() ? Kind::bad : Kind::good,
          (facts.scenario.check.fails.empty() ? "The run failed: " : "The run failed, as it has to: ") +
-             shown(run.failure)});
+             failureHtml(run.failure)});
   if (run.status == RunStatus::killed)
     findings.push_back({Kind::warning, "The run was interrupted; morula run --resume goes on with it"});
   if (run.status == RunStatus::running)
@@ -141,6 +161,7 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   judgeChecks(facts, findings);
   judgeDivisions(facts, findings);
   judgeAgain(facts, findings);
+  judgeBullet(facts, findings);
   if (!facts.unusableGolden.empty())
     findings.push_back({Kind::warning, "The golden file cannot be used: " + shown(facts.unusableGolden)});
   for (const std::string& warning : facts.scenario.warnings)
@@ -148,53 +169,40 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   return findings;
 }
 
-std::string verdictOf(const std::vector<RunFacts>& runs) {
+namespace {
+
+/// The findings of all runs but those that say that all is well; what is found of several runs is said once.
+void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& findings) {
+  std::vector<std::pair<Finding, std::vector<std::string>>> found;  // with the titles of its runs
+  for (const RunFacts* run : runs)
+    for (Finding& f : findingsOf(*run)) {
+      if (f.kind == Kind::good) continue;
+      const auto same = std::find_if(found.begin(), found.end(),
+                                     [&](const auto& known) { return known.first.html == f.html; });
+      const std::string title = "<b>" + shown(titleOf(*run)) + "</b>";
+      if (same == found.end()) found.push_back({std::move(f), {title}});
+      else same->second.push_back(title);
+    }
+  for (auto& [finding, titles] : found) {
+    finding.html = (titles.size() == runs.size() ? std::string(runs.size() == 2 ? "Both" : "All") + " runs"
+                                                 : listed(titles, 3)) +
+                   ": " + finding.html;
+    findings.push_back(std::move(finding));
+  }
+}
+
+}  // namespace
+
+std::string verdictOf(const std::vector<const RunFacts*>& runs) {
   std::vector<Finding> findings;
   judgeSeeds(runs, findings);
-  for (const RunFacts& run : runs)
-    for (Finding& f : findingsOf(run)) {
-      if (runs.size() > 1) {
-        if (f.kind == Kind::good) continue;
-        f.html = "<b>" + shown(titleOf(run, runs)) + "</b>: " + f.html;
-      }
-      findings.push_back(std::move(f));
-    }
+  if (runs.size() == 1) findings = findingsOf(*runs[0]);
+  else gather(runs, findings);
   const auto has = [&](Kind kind) {
     return std::any_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.kind == kind; });
   };
   return "<p class=\"said\">" + sentenceOf(runs, has(Kind::bad), has(Kind::warning)) + "</p>\n" +
          findingsHtml(findings) + (runs.size() > 1 ? runTable(runs) : "");
-}
-
-std::string changeOf(const RunFacts& run) {
-  if (run.golden.empty() || run.run.status != RunStatus::done || !run.unusableGolden.empty()) return {};
-  if (run.change.empty())
-    return "<p>Nothing that the accepted result records, <code>" + shown(run.golden) + "</code>.</p>\n";
-  return "<p>Beside the accepted result, <code>" + shown(run.golden) + "</code>:</p>\n<pre tabindex=\"0\">" +
-         shown(withNames(run.change, run.scenario.names.function())) + "</pre>\n";
-}
-
-std::string checksOf(const std::vector<CheckResult>& checks, const CellNames& names) {
-  std::vector<std::vector<std::string>> rows;
-  std::string messages;
-  for (const CheckResult& r : checks) {
-    const std::string where = (r.firstStep ? "step " + std::to_string(*r.firstStep) + " " : "") +
-                              (r.cell ? withNames(cellName(*r.cell), names.function()) + " " : "") +
-                              (r.passed ? "" : r.field);
-    rows.push_back({shown(r.check), shown(r.kind),
-                    r.passed ? "<span class=\"mark good\">✓ passed</span>"
-                             : "<span class=\"mark bad\">✗ " + shown(r.failureClass) + "</span>",
-                    shown(r.tolerance), r.share ? inPercent(*r.share) : "", shown(r.expected),
-                    shown(r.actual), shown(where)});
-    if (!r.passed && !r.message.empty())
-      messages += htmlFolded(
-          r.check, "<pre tabindex=\"0\">" + shown(withNames(r.message, names.function())) + "</pre>\n");
-  }
-  return htmlTable(
-             "Checks",
-             {"Check", "Kind", "Result", "Tolerance", "Share of it", "Expected", "Found", "First difference"},
-             rows) +
-         (messages.empty() ? "" : "<h3>What differs</h3>\n" + messages);
 }
 
 }  // namespace morula

@@ -8,12 +8,6 @@ namespace morula {
 std::vector<Finding> findingsOf(const RunFacts& run);
 
 /// HTML: one sentence and the findings; of several runs also a table of them.
-std::string verdictOf(const std::vector<RunFacts>& runs);
-
-/// HTML: how the run differs from its golden, in words; "" where there is no golden.
-std::string changeOf(const RunFacts& run);
-
-/// HTML: all checks with their shares of the tolerances, and the first differences.
-std::string checksOf(const std::vector<CheckResult>& checks, const CellNames& names);
+std::string verdictOf(const std::vector<const RunFacts*>& runs);
 
 }  // namespace morula

@@ -5,10 +5,13 @@
 #include <algorithm>
 
 #include "check/ambiguous.h"
+#include "check/beside_golden.h"
 #include "check/check_run.h"
 #include "check/sanity.h"
 #include "engines/bullet_check.h"
 #include "files/folders.h"
+#include "files/read_file.h"
+#include "files/write_file.h"
 #include "golden/accept.h"
 #include "pictures/frame_file.h"
 #include "pictures/pictures.h"
@@ -52,6 +55,25 @@ void besideBullet(const Scenario& scenario, const RunSettings& settings, const S
   const FolderLock lock(settings.folder);
   outcome.pictures.push_back((settings.folder / "bullet.png").string());
   writePicture(drawBesideBullet(run.world, found.bullet->shapes, scenario), outcome.pictures.back());
+}
+
+/// golden.png: the accepted result, this one, and how far they are apart; only of a run that differs from its golden.
+void besideGolden(const Scenario& scenario, const RunSettings& settings, const Simulation& run,
+                  RunOutcome& outcome) {
+  const auto file = settings.folder / "golden.png";
+  const bool differs =
+      outcome.checks && std::any_of(outcome.checks->results.begin(), outcome.checks->results.end(),
+                                    [](const CheckResult& r) { return !r.passed && r.kind == "golden"; });
+  const auto beside =
+      differs ? drawBesideGoldenFile(scenario, run.world, settings.execution, settings.quiet) : std::nullopt;
+  const FolderLock lock(settings.folder);
+  if (beside && beside->signal == 0) {
+    writePicture(beside->sheet(), file);
+    outcome.pictures.push_back(file.string());
+  } else if (fileExists(file) && isOwnPng(readHead(file, 64))) {
+    removeFile(file);  // of an earlier run, which differed
+  }
+  if (beside && beside->signal) outcome.signal = beside->signal;
 }
 
 }  // namespace
@@ -120,8 +142,9 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
     const FolderLock lock(settings.folder);
     outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
   }
-  if (done) besideBullet(scenario, settings, run, store, outcome);
   outcome.signal = run.signal;
+  if (done && settings.draw) besideGolden(scenario, settings, run, outcome);
+  if (done) besideBullet(scenario, settings, run, store, outcome);
   return outcome;
 }
 

@@ -14,8 +14,8 @@ class ConditionMistakes {
  public:
   /// Lines as InputError has them, of one condition.
   void add(std::size_t condition, const std::string& lines);
-  /// Each line once. One that only some of `conditions` have says which, unless they are those of the level at whose place
-  /// it stands.
+  /// Each line once. If only some of `conditions` have it, the line names them, unless they are just those of the level
+  /// at whose place in the study file it stands.
   void tell(const Study& study, const std::vector<Condition>& conditions, scenario::Problems& problems) const;
 
  private:

@@ -10,10 +10,11 @@
 
 namespace morula::study {
 
-/// [1] Of all axes together; at most one more than `mostConditions`.
+/// How many combinations of levels there are; counting ends at one more than `mostConditions`.
 std::size_t countConditions(const Study& study);
 
-/// Reads the scenario of a condition, whose labels, levels and base are set, from bytes that are read already and files by role, or else from `folder`.
+/// Reads the scenario of a condition, whose labels, levels and base are set. `bytes`: what `file` holds. A file that it
+/// names is taken from `files`, or if it is not there read from `folder`.
 Scenario readConditionScenario(const Study& study, const Condition& condition, const std::string& bytes,
                                const std::string& file, const std::filesystem::path& folder,
                                const std::vector<NamedFile>& files);
@@ -21,8 +22,8 @@ Scenario readConditionScenario(const Study& study, const Condition& condition, c
 /// Sets usesSeed and meaning.
 void finish(Condition& condition, const Study& study);
 
-/// All of them, or the first `most`. What is wrong with any becomes a problem; then some may be missing. `warnings`: of the
-/// scenarios, each once.
+/// All of them, or the first `most`. What is wrong with one of them becomes a problem, and it may then be missing.
+/// `warnings`: of the scenarios, each once.
 std::vector<Condition> loadConditions(const Study& study, scenario::Problems& problems,
                                       std::vector<std::string>& warnings, const Execution& execution,
                                       std::size_t most);

@@ -6,8 +6,9 @@
 
 namespace morula::study {
 
-/// One for each condition. Rehearsed are, until `options.rehearsal` is used up, the first condition, those that differ from
-/// it in one axis, in two, and so on. Others take the first one's cost, times the ratio to it of each of their levels alone.
+/// One for each condition. Until `options.rehearsal` is used up, beginnings of runs are made: of the first condition, then of
+/// those that differ from it in one axis, in two, and so on. The cost of the others is the first one's, times a factor for
+/// each of their levels: the ratio to the first one's cost of the condition that differs from it in that level alone.
 std::vector<RunCost> predictCosts(const Plan& plan, const PlanOptions& options);
 
 }  // namespace morula::study

@@ -6,8 +6,8 @@
 
 namespace morula {
 
-/// In YAML's flow notation, as scenario::readYamlValue reads it: texts without quotes stay so where that says the same,
-/// so that numbers stay numbers. "null" for nothing.
+/// In YAML's flow notation, as scenario::readYamlValue reads it. A text without quotes gets none where it reads back as
+/// the same without them, so that numbers stay numbers. "null" for an empty value.
 std::string overrideText(const scenario::Node& node);
 
 }  // namespace morula

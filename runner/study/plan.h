@@ -18,7 +18,7 @@ struct Condition {
   std::vector<std::size_t> levels;  // their numbers in the axes
   std::size_t base = 0;             // in Study::bases
   /// Loaded with the first seed and the overrides of its levels. What `record` said is replaced by what the study
-  /// measures and when. Its own file and those that it names count from the study's folder.
+  /// measures and when. Its own file and those that it names are relative to the study's folder.
   Scenario scenario;
   bool usesSeed = false;  // other seeds give other results
   Hash meaning;           // of all that decides results but the seed, and what its measures compare with
@@ -51,7 +51,7 @@ struct RunCost {
 };
 
 struct Plan {
-  Study study;  // its places, and those of the conditions' scenarios, count from its folder
+  Study study;  // its places, and those of the conditions' scenarios, are relative to its folder
   std::vector<Condition> conditions;
   std::vector<Task> tasks;            // in the order of the replicates that need them first
   std::vector<Replicate> replicates;  // by condition, then in the order of the seeds
@@ -88,7 +88,7 @@ std::vector<std::vector<std::size_t>> conditionsThatShare(const Plan& plan);
 /// "division: longest, connections: none"; "the scenario as it is" without axes.
 std::string nameOf(const Plan& plan, std::size_t condition);
 
-/// [s], [byte], [byte]: all tasks' CPU time, the largest task's memory, all tasks' disk. None if it was not predicted.
+/// All tasks' CPU time, the largest task's memory, all tasks' disk. Absent if it was not predicted.
 std::optional<RunCost> totalCost(const Plan& plan);
 
 /// What is printed before anything starts: counts, what is shared, what seeds do not change, costs.

@@ -1,5 +1,5 @@
 #pragma once
-// The steps of making a plan, which reading one takes, too.
+// Steps of making a plan that reading one needs, too.
 #include "study/plan.h"
 
 namespace morula::study {
@@ -10,7 +10,7 @@ void addTasks(Plan& plan);
 /// Plan::id, of a plan that is otherwise complete.
 std::string planId(const Plan& plan);
 
-/// Lets files and places count from the study's folder, so that a plan says the same wherever it was made from.
+/// Makes files and places relative to the study's folder, so that a plan is the same wherever it was made from.
 void countFromFolder(Plan& plan);
 
 }  // namespace morula::study

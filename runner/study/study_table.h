@@ -37,8 +37,8 @@ bool isLabel(const std::string& text);
 inline constexpr const char* labelNeeds =
     "needs letters, digits and . _ + -, a letter or digit first, at most 50 of them";
 
-/// Axes that set the same key, or one a part of what the other sets: which of them holds would depend on their order.
-/// The names of those that had better not.
+/// Two axes that set the same key, or one a part of what the other sets, are a problem: which of them holds would depend on
+/// their order. Returns the names of such axes.
 std::set<std::string> checkAxes(const Study& study, scenario::Problems& problems);
 
 inline constexpr std::size_t mostConditions = 10'000, mostReplicates = 1'000'000;

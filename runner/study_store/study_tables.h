@@ -27,7 +27,8 @@ struct TaskRow {
   std::string reason = {};                            // of a failure; "" otherwise
   std::string runId = {}, resultHash = {};            // "" while it is missing
 
-  /// Its result follows from scene, seed and program alone; limits and crashes depend on the machine, too.
+  /// It is done, or failed numerically: that follows from scene, seed and program alone. Limits and crashes depend on the
+  /// machine, too.
   bool isComputed() const;
 };
 

@@ -38,7 +38,7 @@ class TaskFile {
   std::string buildId();
   /// The scenario of its run with all values filled in; "" if it is not stored.
   std::string resolved();
-  /// Checks of its sanity that the run did not pass.
+  /// How many checks of kind sanity the run did not pass.
   std::uint64_t insaneChecks();
 
   /// What is wrong with it: the database's structure, ids and hashes that do not follow from what it holds; "" if
@@ -53,8 +53,8 @@ class TaskFile {
   StoredRun run_;
 };
 
-/// Whether the file is as long as its header says and begins as a database does: what a renaming that came whole leaves. The
-/// rest is looked at by whatIsWrong.
+/// Whether the file is as long as its header says and begins as a database does. That is quick, and enough for files that
+/// were renamed once they were complete; whatIsWrong looks at what they hold.
 bool looksWhole(const std::filesystem::path& file);
 
 }  // namespace morula

@@ -5,15 +5,34 @@
 
 namespace morula {
 
-std::optional<std::string> committedText(const std::filesystem::path& file) {
-  const auto folder = absolutePath(file).parent_path();
-  // Not `git show`: a repository of a stranger may name programs that it would start (text conversion, file system monitor,
-  // remotes that fetch what is missing).
-  ChildEnd git = runChild({"git", "-c", "core.fsmonitor=false", "-c", "protocol.allow=never", "-C",
-                           folder.string(), "cat-file", "blob", "HEAD:./" + file.filename().string()},
-                          {.silent = true});
+namespace {
+
+/// Not `git show` or `git log`: a repository of a stranger may name programs that they would start (text conversion, file
+/// system monitor, signatures, remotes that fetch what is missing).
+ChildEnd askGit(const std::filesystem::path& file, const std::vector<std::string>& question) {
+  std::vector<std::string> command{"git",
+                                   "-c",
+                                   "core.fsmonitor=false",
+                                   "-c",
+                                   "protocol.allow=never",
+                                   "-C",
+                                   absolutePath(file).parent_path().string()};
+  command.insert(command.end(), question.begin(), question.end());
+  return runChild(command, {.silent = true});
+}
+
+}  // namespace
+
+std::optional<std::string> committedText(const std::filesystem::path& file, const std::string& commit) {
+  ChildEnd git = askGit(file, {"cat-file", "blob", commit + ":./" + file.filename().string()});
   if (!git.well()) return std::nullopt;
   return std::move(git.said);
+}
+
+std::optional<std::string> lastCommitOf(const std::filesystem::path& file) {
+  ChildEnd git = askGit(file, {"rev-list", "-1", "HEAD", "--", file.filename().string()});
+  if (!git.well() || git.said.empty()) return std::nullopt;
+  return git.said.substr(0, git.said.find('\n'));
 }
 
 }  // namespace morula

@@ -33,7 +33,7 @@ struct MergeReport {
   std::size_t tasks = 0, done = 0;
   std::vector<FailedTask> failed;    // their results, by number
   std::vector<std::size_t> missing;  // by number
-  std::vector<std::size_t> insane;   // that ended, with bodies that cannot be so (check_result, kind sanity)
+  std::vector<std::size_t> insane;   // done, but with an end that is not sane (check_result, kind sanity)
   std::vector<RefusedFile> damaged;  // each with what is wrong
   std::vector<std::filesystem::path> foreign;  // of tasks that the plan does not have
   std::vector<Nondeterminism> differing;       // then nothing is written
@@ -42,8 +42,8 @@ struct MergeReport {
 };
 
 /// Verifies every file, its structure, ids and hashes, and puts the database together anew: the same results give the same
-/// bytes, in whatever order and from however many places they come. What cannot be right is left out and told. Writes nothing
-/// if two files of one task differ. Throws FileError if a shard cannot be read, or if they come from several builds.
+/// bytes, in whatever order and from however many places they come. Files that cannot be right are left out and reported. Writes
+/// nothing if two files of one task differ. Throws FileError if a shard cannot be read, or if they come from several builds.
 MergeReport mergeStudy(const PlannedStudy& study, const MergeOptions& options);
 
 std::string describe(const MergeReport& report, const PlannedStudy& study);

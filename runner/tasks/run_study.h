@@ -24,11 +24,11 @@ struct FailedTask {
 
 /// What became of the tasks that were asked for.
 struct RunStudyReport {
-  std::size_t asked = 0, already = 0, computed = 0;  // computed: those that failed among them
+  std::size_t asked = 0, already = 0, computed = 0;  // computed: with those that failed
   std::vector<FailedTask> failed;                    // of those that were computed now, by number
   std::vector<FailedTask> stopped;     // from outside: they have no result, and will be run again
-  std::size_t left = 0;                // that were not begun, because a signal came
-  int signal = 0;                      // that stopped the whole
+  std::size_t left = 0;                // not begun, because a signal came
+  int signal = 0;                      // that stopped all of it
   double seconds = 0, cpuSeconds = 0;  // [s]
 
   bool isComplete() const { return already + computed == asked; }

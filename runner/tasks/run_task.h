@@ -14,7 +14,7 @@ struct TaskSettings {
   std::string command;  // as typed, for the record
 };
 
-/// The exit codes of a task's process beside 0, its file is written, and 128 + the number of a signal.
+/// Exit codes of a task's process. Others: 0 (its file is written) and 128 + the number of a signal.
 enum TaskCode : int { cannotWrite = 6, brokeDown = 70, outOfMemory = 71 };
 
 /// Computes the task and writes its picture, if the study keeps one of it, and its file; the answer's text is then why the run

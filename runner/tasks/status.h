@@ -19,12 +19,12 @@ struct StudyStatus {
   // [s] of CPU time for what is missing: what was predicted, corrected by what the others took; without a prediction as
   // their mean. Absent if nothing is known.
   std::optional<double> secondsLeft;
-  bool isMerged = false;  // study.db is there and no result is later
+  bool isMerged = false;  // study.db is there, and no result is newer
 
   bool isComplete() const { return missing.empty(); }
 };
 
-/// Looks at every task's file, but not for damage inside of it: merging does.
+/// Looks at every task's file, but not for damage inside of it: mergeStudy does that.
 StudyStatus statusOf(const PlannedStudy& study);
 
 std::string describe(const StudyStatus& status, const PlannedStudy& study);

@@ -32,7 +32,7 @@ struct StudyChoice {
   std::string to;    // the folder; "": results/studies/NAME, or `what` itself if it is one
   bool allowOutside = false;
   bool resume = false;       // go on with the folder's plan, whatever the file says by now
-  bool mustBeThere = false;  // a plan is not made but expected
+  bool mustBeThere = false;  // throws FileError where the folder has no plan
 };
 
 /// The plan of a folder, or that of a study file where the folder has none. Throws InputError for mistakes in the study, and

@@ -17,7 +17,7 @@ class TaskProgress {
 
   /// A task has ended; `cpuSeconds` [s] is what it took.
   void ended(std::size_t task, double cpuSeconds, bool failed);
-  /// Call now and then.
+  /// Shows it if it is time to; call often.
   void show();
   void clear();
 

@@ -83,12 +83,20 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
         {"compare", file, "--equivalent", "much"});
   fails(2, "leave out one of them", {"compare", file, "--csv", "--json"});
   fails(2, "needs a name that ends in", {"compare", file, "-o", folder / "all.gif"});
+  const std::string picture = folder / "grid.png";
+  fails(2, "give --pictures FILE, too", {"compare", file, "--moments", "3"});
+  fails(2, "give one of them", {"compare", file, "--pictures", picture, "--moments", "3", "--at-cells", "4"});
+  fails(2, "--moments", {"compare", file, "--pictures", picture, "--moments", "13"});
+  fails(2, "needs rising times", {"compare", file, "--pictures", picture, "--at-times", "2,1"});
+  fails(2, "needs rising numbers of cells", {"compare", file, "--pictures", picture, "--at-cells", "4,4"});
+  fails(2, "13 moments are too many for one picture, which has room for 12",
+        {"compare", file, "--pictures", picture, "--at-cells", "1,2,3,4,5,6,7,8,9,10,11,12,13"});
   fails(6, "no such file", {"compare", folder / "none.db"});
   fails(6, "morula study merge " + (folder / "empty") + " makes it", {"compare", folder / "empty"});
   fails(6, "not an SQLite database", {"compare", "README.md"});
 }
 
-TEST_CASE("A study is run, merged and compared, and one organism of each condition is drawn") {
+TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
   const TemporaryFolder folder;
   writeWhole(
       folder / "pair.yaml",
@@ -103,10 +111,20 @@ TEST_CASE("A study is run, merged and compared, and one organism of each conditi
   const auto run = launch({"study", "run", study, "--to", to, "--quiet"});
   INFO(run.err);
   REQUIRE(run.code == 0);
-  const auto compared = launch({"compare", to, "--json", "--organisms", folder / "all.png", "--quiet"});
+  const auto compared =
+      launch({"compare", to, "--json", "--pictures", folder / "all.png", "--moments", "3", "--quiet"});
   INFO(compared.err);
   REQUIRE(compared.code == 0);
   CHECK(readWhole(folder / "all.png").substr(1, 3) == "PNG");
+  for (const std::vector<std::string>& moments : std::vector<std::vector<std::string>>{
+           {"--moments", "1"}, {"--at-times", "0.5,1.25"}, {"--at-cells", "2,3"}}) {
+    std::vector<std::string> ask{"compare", to, "--pictures", folder / "some.png", "--quiet"};
+    ask.insert(ask.end(), moments.begin(), moments.end());
+    const auto some = launch(ask);
+    INFO(some.err);
+    CHECK(some.code == 0);
+    CHECK(readWhole(folder / "some.png") != readWhole(folder / "all.png"));
+  }
   const json answer = json::parse(compared.out);
   CHECK(answer.at("conditions").size() == 4);
   CHECK(answer.at("conditions").at(0).at("n") == 4);

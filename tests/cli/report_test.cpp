@@ -51,7 +51,7 @@ TEST_CASE("A page of a run: verdict first, where it comes from, and the same byt
   CHECK(page.find("id=\"verdict\"") < page.find("id=\"explorer\""));
   CHECK_THAT(page, ContainsSubstring("id=\"provenance\""));
   CHECK_THAT(page, ContainsSubstring("two &lt;b&gt;cells&lt;/b&gt;"));
-  CHECK_THAT(page, ContainsSubstring("The run is done, with 2 cells at time 1.5"));
+  CHECK_THAT(page, ContainsSubstring("The run is done: 2 cells at time 1.5 after"));
   CHECK_THAT(page, ContainsSubstring("download=\"lineage.nwk\""));
   CHECK_THAT(page, ContainsSubstring("./morula replay"));
 }
@@ -71,6 +71,18 @@ TEST_CASE("Seeds that change nothing are no replicates, and the page says so") {
   CHECK_THAT(page, ContainsSubstring("The scenarios are the same but for their seeds."));
 }
 
+TEST_CASE("Two runs of one scenario are called by what they differ in, and the page says what became of it") {
+  Stored stored;
+  stored.run();
+  stored.run({"--set", "physics.drag=2"});
+  const std::string page = stored.report({"--frames", "2"});
+  CHECK_THAT(page, ContainsSubstring("<h1>small, 2 runs</h1>"));
+  CHECK_THAT(page, ContainsSubstring("<h3>physics.drag 2</h3>"));
+  CHECK_THAT(page, ContainsSubstring("Beside physics.drag "));
+  CHECK_THAT(page, ContainsSubstring("radii of the egg"));
+  CHECK_THAT(page, ContainsSubstring("The lineage is the same in all runs."));
+}
+
 TEST_CASE("A run that failed says why, first of all") {
   Stored stored;
   // Without pressure enough the shell turns the egg inside out in some twenty steps.
@@ -79,7 +91,7 @@ TEST_CASE("A run that failed says why, first of all") {
               .code == 4);
   const std::string page = stored.report();
   CHECK_THAT(page, ContainsSubstring("The run failed: "));
-  CHECK_THAT(page, ContainsSubstring("there are faults."));
+  CHECK_THAT(page, ContainsSubstring("There are faults."));
 }
 
 TEST_CASE("A check leaves a page of what differs") {
@@ -96,6 +108,7 @@ TEST_CASE("A check leaves a page of what differs") {
   const std::string page = readWhole(folder / "out/report.html");
   CHECK_THAT(page, ContainsSubstring("1 of 1 scenario differs"));
   CHECK_THAT(page, ContainsSubstring("stop.time: 1.5 → 1.6"));
+  CHECK_THAT(page, ContainsSubstring("same lineage") || ContainsSubstring("lineage: "));
   CHECK_THAT(page, ContainsSubstring("./morula explain"));
   const auto again = launch({"report", folder / "out", "-o", folder / "again.html"});
   INFO(again.err);
@@ -116,6 +129,9 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
   REQUIRE(launched.code == 0);
   const std::string page = readWhole(stored.page);
   CHECK_THAT(page, ContainsSubstring("2 of 2 distinct runs are done: 2 conditions, 2 seeds."));
+  CHECK_THAT(page, ContainsSubstring("Every run is done, and sane"));
+  CHECK_THAT(page, ContainsSubstring(
+                       "2 runs have divisions with an ambiguous axis, under <b>less</b> and <b>more</b>"));
   CHECK_THAT(page, ContainsSubstring("Seeds change nothing under <b>less</b>"));
   CHECK(page.find("What the study finds") < page.find("id=\"explorer\""));
   CHECK_THAT(page, ContainsSubstring("less, seed 1"));

@@ -17,11 +17,13 @@ configuration "a heap full of rubbish" ordinary shorter env MALLOC_PERTURB_=165 
 configuration "YAML keys in reverse" ordinary shorter env -C "$work/reversed" morula
 # Saving and restoring midway: a line here.
 
+# Whole programs by another compiler, without optimisation, and for the least instructions: numbers are read and
+# results hashed as the simulator computes, and each of these takes minutes to build. Other flags: the simulator alone.
 configuration "gcc -O0" gcc-O0 short morula
-configuration "gcc -O2" gcc-O2 shorter morula
-configuration "gcc -O3" gcc-O3 shorter morula
 configuration "clang -O2" clang-O2 all morula
 configuration "baseline x86-64" gcc-O3-portable shorter morula
-configuration "everything with AVX2" gcc-O2-avx2 shorter morula
-configuration "everything with AVX-512" gcc-O2-avx512 shorter morula
+configuration "gcc -O2" gcc-O2 shorter run_scene
+configuration "gcc -O3" gcc-O3 shorter run_scene
+configuration "everything with AVX2" gcc-O2-avx2 shorter run_scene
+configuration "everything with AVX-512" gcc-O2-avx512 shorter run_scene
 for isa in scalar narrow; do configuration "aarch64, $isa" aarch64-O2 short qemu-aarch64 run_scene --isa $isa; done

@@ -3,7 +3,7 @@
 #   awk -f reverse_keys.awk FILE
 #
 # Maps of the layout that scenarios have: keys at the margin and two columns in, maps on one line, blocks of text, lists
-# of one map in each line.
+# of one map in each line below either. Maps over many lines stay as they are.
 
 # Maps on one line that hold no other.
 function turned(line, rest, done, n, i, item, map) {
@@ -28,8 +28,8 @@ function turned(line, rest, done, n, i, item, map) {
   next
 }
 text { body[blocks] = body[blocks] "\n" $0; next }
-/^ +- / { body[blocks] = body[blocks] "\n" turned($0); next } # of a list, whose order means something
-/^  [^ ]/ { child = ++children; own[blocks, child] = turned($0); count[blocks] = children; next }
+/^  - / { body[blocks] = body[blocks] "\n" turned($0); next } # of a list, whose order means something
+/^  [^] }]/ { child = ++children; own[blocks, child] = turned($0); count[blocks] = children; next }
 { own[blocks, child] = own[blocks, child] "\n" turned($0) }
 
 END {

@@ -26,8 +26,9 @@ const std::string two =
 Scenario scenarioOf(const std::string& text) { return readScenario(text, "two.yaml", "."); }
 
 /// The worker's side without a process.
-ExternalRun serve(const Scenario& scenario, Engine engine) {
-  std::istringstream in(jsonText(toJson(scenario, ExternalQuestion{.engine = engine})));
+ExternalRun serve(const Scenario& scenario, Engine engine, const std::vector<double>& frameTimes = {}) {
+  std::istringstream in(
+      jsonText(toJson(scenario, ExternalQuestion{.engine = engine, .frameTimes = frameTimes})));
   std::ostringstream out;
   serveEngine(in, out);
   const std::string said = out.str();
@@ -60,6 +61,28 @@ TEST_CASE("Ours by another process is ours: steps, results, samples and shapes")
   CHECK(run.results[0].passed);
   CHECK(run.results[1].check == "energy");
   CHECK(!run.results[1].passed);  // 2 at the start
+}
+
+TEST_CASE("Shapes are told at the times that are asked for, and the last are those of the end") {
+  const Scenario scenario = scenarioOf(two);
+  const auto ask = [&](const std::vector<double>& times) {
+    return serve(scenario, Engine::thesis, times).frames;
+  };
+  CHECK(ask({}).empty());
+  // Steps take 1/128: the first at or after each time, none twice, and nothing after the end.
+  const auto frames = ask({0, 0.1, 0.1001, 0.25, 0.5});
+  REQUIRE(frames.size() == 3);
+  CHECK(frames[0].time == 0);
+  CHECK(frames[1].step == 13);
+  CHECK(frames[1].time == 13.0 / 128);
+  CHECK(frames[2].step == 32);
+  CHECK(frames[2].shapes == serve(scenario, Engine::thesis).shapes);
+  CHECK(frames[0].shapes != frames[2].shapes);
+  if (bulletIsAvailable()) {
+    const ExternalRun run = serve(scenario, Engine::b1, {0.125, 0.25});
+    REQUIRE(run.frames.size() == 2);
+    CHECK(run.frames[1].shapes == run.shapes);
+  }
 }
 
 TEST_CASE("Bullet moves the same cells, in the time step that is given, stable or not") {

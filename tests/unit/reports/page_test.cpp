@@ -52,6 +52,7 @@ Page smallPage() {
           .blocks = {{"one", "A & B", "<p>x</p>", {"morula run '<x>'"}}},
           .data = "{\"a\": \"</script>\"}",
           .bytes = {{"frames-0", "foo"}},
+          .command = "morula report '<y>'",
           .program = "alert(2)"};
 }
 
@@ -64,6 +65,8 @@ TEST_CASE("A page runs its own program and no other, and asks for nothing") {
   CHECK_THAT(page, !ContainsSubstring("<b>"));
   CHECK_THAT(page, ContainsSubstring("<h2>A &amp; B</h2>"));
   CHECK_THAT(page, ContainsSubstring("<code>morula run &#39;&lt;x&gt;&#39;</code>"));
+  CHECK_THAT(page, ContainsSubstring("<footer>"));
+  CHECK_THAT(page, ContainsSubstring("<code>morula report &#39;&lt;y&gt;&#39;</code>"));
   CHECK_THAT(page, ContainsSubstring("id=\"frames-0\">Zm9v</script>"));
   CHECK_THAT(page, ContainsSubstring("\\u003c/script\\u003e"));
 }

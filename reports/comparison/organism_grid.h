@@ -1,0 +1,31 @@
+#pragma once
+// Many organisms in rows and columns, seen by one camera at one scale.
+#include <string>
+#include <vector>
+
+#include "drawing/drawing.h"
+#include "organism/organism.h"
+
+namespace morula {
+
+struct OrganismTile {
+  OrganismPicture picture;  // its words, legend, size and framing are not used
+  bool empty = false;       // nothing is drawn but the words
+  std::string words;        // one line below it
+};
+
+struct OrganismGrid {
+  std::string title, caption;
+  std::vector<std::vector<std::string>> rows;  // the lines that stand before each row
+  std::vector<std::string> columns;            // what stands above each column
+  std::vector<OrganismTile> tiles;             // row by row
+  std::vector<LegendEntry> legend;             // once, below all
+};
+
+inline constexpr std::size_t mostGridRows = 40, mostGridColumns = 12;
+
+/// Tiles are smaller the more there are. The scale bar below all holds for each. Throws InputError for no tile, more rows
+/// or columns than there is room for, a number of tiles that does not fit them, and as drawOrganism does.
+Drawing drawOrganismGrid(OrganismGrid grid);
+
+}  // namespace morula

@@ -1,0 +1,152 @@
+#include "check/beside_golden.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "base/error.h"
+#include "check/check_run.h"
+#include "check/golden_scenario.h"
+#include "files/folders.h"
+#include "golden/number_text.h"
+#include "loop/simulate.h"
+#include "mesh/measures.h"
+#include "pictures/pictures.h"
+
+namespace morula {
+
+namespace {
+
+constexpr int side = 700;  // [pixel] of each picture
+
+std::string goldenBits(const Golden& golden) {
+  for (const GoldenItem& item : golden.data.items)
+    if (item.kind == "bits" && !item.fields.empty()) return item.fields[0];
+  return {};
+}
+
+/// The golden's scenario, run to its end.
+struct MadeAgain {
+  std::optional<OrganismPicture> picture;  // if it came to the golden's state
+  std::string whyNot;
+  int signal = 0;
+};
+
+MadeAgain makeAgain(const Scenario& scenario, const Golden& golden, const Execution& how, bool quiet) {
+  const auto before = goldenScenario(scenario, golden);
+  if (!before)
+    return {
+        {},
+        "its scenario is not known in full (DNA and meshes are recorded as a hash, and git has no other)"};
+  if (before->meaning == scenario.meaning)
+    return {{}, "this build computes other bits from the same scenario"};
+  try {
+    Progress progress(before->scene.name + ", the golden's", quiet);
+    const auto run =
+        simulate(makeScenarioWorld(*before, how), {.nameOf = before->names.function()}, progress);
+    if (run.signal) return {{}, "", run.signal};
+    if (run.end.status != RunStatus::done || run.end.stateHash->text() != goldenBits(golden))
+      return {{}, "this build computes other bits from its scenario"};
+    return {pictureOf(run.world, *before), ""};
+  } catch (const InputError&) { return {{}, "this build does not take its scenario any more"}; }
+}
+
+/// The living cells of a golden as spheres of their volumes, at their places. Empty where it holds no values of cells.
+OrganismPicture spheresOf(const Golden& golden, const Scenario& scenario) {
+  std::map<std::string, std::string> substances;  // by path
+  for (const GoldenItem& item : golden.data.items)
+    if (item.kind == "cell" && item.fields.size() >= 6) substances[item.key] = item.fields[5];
+  std::map<std::string, std::map<std::string, double>> values;  // by path, of the end
+  for (const GoldenItem& item : golden.data.items) {
+    if (item.kind != "value" || !item.key.starts_with("final/")) continue;
+    const std::size_t begin = 6, end = item.key.rfind('/');
+    if (end == item.key.npos || end <= begin || item.fields.size() < 2) continue;
+    if (const auto value = readReal(item.fields[1]))
+      values[item.key.substr(begin, end - begin)][item.key.substr(end + 1)] = *value;
+  }
+  Palette palette(scenario);
+  OrganismPicture picture;
+  const Mesh ball = makeIcosphere(3);
+  picture.faces = ball.faces;
+  for (const auto& [path, of] : values) {
+    if (!substances.contains(path) || !of.contains("volume") || !of.contains("x") || !of.contains("y") ||
+        !of.contains("z"))
+      continue;
+    const double radius = std::cbrt(of.at("volume") / measureVolume(ball.vertices, ball.faces));
+    CellShape cell{path == "egg" ? "" : path, {}, palette.colourOf(substances[path])};
+    for (const Point& p : ball.vertices)
+      cell.vertices.push_back(Point{of.at("x"), of.at("y"), of.at("z")} + radius * p);
+    picture.cells.push_back(std::move(cell));
+  }
+  picture.caption = fmt::format("{} cell{}", picture.cells.size(), picture.cells.size() == 1 ? "" : "s");
+  return picture;
+}
+
+}  // namespace
+
+Drawing BesideGolden::sheet() const {
+  if (source == Source::none) return contactSheet({images.other}, 1, 8, notes);
+  return comparisonSheet(images, notes);
+}
+
+BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, const Golden& golden,
+                              const Execution& how, bool quiet) {
+  BesideGolden result;
+  OrganismPicture now = pictureOf(world, scenario);
+  now.width = now.height = side;
+  const auto alone = [&](const std::string& why) {
+    now.legend.clear();
+    result.images.other = drawOrganism(now);
+    result.notes = {why};
+    return result;
+  };
+  if (stateHash(world).text() == goldenBits(golden))
+    return alone("The end is the golden's, bit for bit: what differs is no place and no shape.");
+  MadeAgain again = makeAgain(scenario, golden, how, quiet);
+  if ((result.signal = again.signal)) return result;
+  OrganismPicture before;
+  if (again.picture) {
+    result.source = BesideGolden::Source::again;
+    before = std::move(*again.picture);
+    result.notes = {
+        "Golden: its scenario run again, to the accepted state, bit for bit. Colours of the third picture: "
+        "how far "
+        "each vertex of now is from "
+        "the same cell's surface in the golden."};
+  } else {
+    before = spheresOf(golden, scenario);
+    if (before.cells.empty())
+      return alone("The golden's organism cannot be shown: " + again.whyNot +
+                   ", and it holds no places of cells.");
+    result.source = BesideGolden::Source::centres;
+    before.shell = now.shell;
+    result.notes = {
+        "Golden: spheres with the accepted volumes at the accepted places. Its shapes cannot be made "
+        "again: " +
+            again.whyNot + ".",
+        "Colours of the third picture, and arrows where they are long enough: how far the centroid of each "
+        "cell has "
+        "moved."};
+  }
+  before.width = before.height = side;
+  before.title = scenario.scene.name + ": golden";
+  now.title = scenario.scene.name + ": now";
+  result.images =
+      compareOrganisms(std::move(before), std::move(now), scenario.scene.mechanics->physics.cell.radius,
+                       {.ofOther = true, .ofCentres = !again.picture, .named = [&](const std::string& words) {
+                          return withNames(words, scenario.names.function());
+                        }});
+  return result;
+}
+
+std::optional<BesideGolden> drawBesideGoldenFile(const Scenario& scenario, const World& now,
+                                                 const Execution& how, bool quiet) {
+  const auto file = goldenFile(scenario);
+  if (!now.bodies || !fileExists(file)) return std::nullopt;
+  try {
+    return drawBesideGolden(scenario, now, readAccepted(scenario, file), how, quiet);
+  } catch (const InputError&) { return std::nullopt; }
+}
+
+}  // namespace morula

@@ -1,0 +1,265 @@
+#include "report/bullet_block.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "mesh/distance.h"
+#include "mesh/measures.h"
+#include "page/html.h"
+#include "pictures/pictures.h"
+#include "simulation/measures.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::size_t mostCells = 12;  // in the table of distances
+
+/// How far one cell of ours is from Bullet's, over its vertices.
+struct CellDistance {
+  std::string cell;
+  double largest = 0, meanSquare = 0;  // [length], [length²]
+  Point at;                            // of the vertex farthest away
+  std::size_t vertices = 0;
+  double ourVolume = 0, bulletVolume = 0;  // [length³]
+};
+
+std::vector<CellDistance> distancesOf(const Scenario& scenario, const World& ours,
+                                      const std::vector<std::vector<Point>>& shapes) {
+  std::vector<CellDistance> all;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const CellPath& path = ours.cells.path[i];
+    const Mesh own = cellMesh(ours, path);
+    const Mesh theirs{shapes[i], own.faces};
+    CellDistance d{.cell = cellWords(scenario.names.function(), path), .at = {}};
+    const auto distances = measureDistances(own, theirs);
+    for (std::size_t v = 0; v < distances.size(); ++v) {
+      if (v == 0 || distances[v] > d.largest) d.largest = distances[v], d.at = own.vertices[v];
+      d.meanSquare += distances[v] * distances[v] / static_cast<double>(distances.size());
+    }
+    d.vertices = distances.size();
+    d.ourVolume = measureVolume(own.vertices, own.faces);
+    d.bulletVolume = measureVolume(theirs.vertices, own.faces);
+    all.push_back(std::move(d));
+  }
+  return all;
+}
+
+const char* baselineWords(Baseline baseline) {
+  switch (baseline) {
+    case Baseline::b1:
+      return "b1: our forces, moved by Bullet's integrator, with Bullet's contact";
+    case Baseline::b2:
+      return "b2: Bullet's own springs and pressure, integrator and contact";
+    case Baseline::b3:
+      return "b3: our springs and pressure in Bullet's implicit solver";
+  }
+  return "";
+}
+
+std::string quantityWords(const CheckResult& r) {
+  if (r.field == "positions") return "place of the vertex farthest off [length]";
+  if (r.field == "radius") return "mean radius of each cell [length]";
+  if (r.field == "volume") return "volume of each cell [length³]";
+  if (r.field == "distance") return "distance of the centres of two cells, less Bullet's gap [length]";
+  if (r.field == "aspect") return "length over thickness of each cell";
+  return r.field;
+}
+
+/// Which geometry decides, and what does not.
+std::string decidingWords(const BulletCheck& check, bool touching) {
+  std::string text = "Geometry decides, as the table says; the pictures and the map of distances explain. ";
+  if (check.positions)
+    return text +
+           "Nothing touches here and both take the same steps, so the two are held against each other vertex "
+           "by "
+           "vertex.";
+  if (touching)
+    return text + "Bullet keeps surfaces that touch two margins of " + numberText(check.margin, 4) +
+           " radii apart, and its contact forces differ from ours: so what is compared is where cells lie, "
+           "how "
+           "large they are and how flat, not their surfaces point by point.";
+  return text +
+         "Both come to the same rest on different ways, so each cell is compared as a whole, not vertex by "
+         "vertex.";
+}
+
+std::string digits(const std::string& text) {
+  double number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return problem == std::errc() && end == text.data() + text.size() ? numberText(number, 10) : text;
+}
+
+std::string resultTable(const Scenario& scenario, const std::vector<CheckResult>& results) {
+  std::vector<std::vector<std::string>> rows;
+  for (const CheckResult& r : results) {
+    const bool off = r.field == "positions";
+    rows.push_back({shown(quantityWords(r)), off ? shown(digits(r.actual)) + " off" : shown(digits(r.actual)),
+                    off ? "" : shown(digits(r.expected)), shown(r.tolerance),
+                    r.share ? (*r.share == 0 ? "0" : numberText(100 * *r.share, 3)) + " %" : "",
+                    r.passed ? "<span class=\"mark good\">✓ holds</span>"
+                             : "<span class=\"mark bad\">✗ does not hold</span>",
+                    r.cell ? shown(withNames(cellName(*r.cell), scenario.names.function())) : ""});
+  }
+  return htmlTable("What decides",
+                   {"Compared", "Ours", "Bullet's", "Tolerance", "Share of it", "Result", "Worst of"}, rows);
+}
+
+std::string distanceTable(std::vector<CellDistance> all, double radius) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.largest > b.largest; });
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < std::min(all.size(), mostCells); ++i)
+    rows.push_back({shown(all[i].cell), numberText(all[i].largest / radius, 3),
+                    numberText(std::sqrt(all[i].meanSquare) / radius, 3), numberText(all[i].ourVolume, 8),
+                    numberText(all[i].bulletVolume, 8)});
+  return htmlTable("Distances of the surfaces",
+                   {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]",
+                    "Our volume [length³]", "Bullet's volume [length³]"},
+                   rows) +
+         (all.size() > mostCells ? "<p class=\"note\">The " + std::to_string(mostCells) + " farthest of " +
+                                       std::to_string(all.size()) + " cells.</p>\n"
+                                 : "");
+}
+
+std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
+  const auto worst = std::max_element(all.begin(), all.end(),
+                                      [](const auto& a, const auto& b) { return a.largest < b.largest; });
+  // Rounding alone makes no place.
+  const auto place = [&](double x) { return std::abs(x) < 1e-9 * radius ? "0" : numberText(x, 3); };
+  double squares = 0, count = 0;
+  for (const CellDistance& d : all)
+    squares += d.meanSquare * static_cast<double>(d.vertices), count += static_cast<double>(d.vertices);
+  return "<p>The surfaces are farthest apart at " + shown(worst->cell) + ": " +
+         numberText(worst->largest / radius, 3) + " radii of the egg, near (" + place(worst->at.x) + ", " +
+         place(worst->at.y) + ", " + place(worst->at.z) +
+         ") [length]. The root mean square over all vertices is " +
+         numberText(std::sqrt(squares / count) / radius, 3) + " radii.</p>\n";
+}
+
+std::string pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet,
+                     const BulletShown& where) {
+  const ComparisonImages images = imagesBesideBullet(ours, bullet.shapes, scenario);
+  const std::string when = "at time " + numberText(ours.clock.time, 6);
+  const auto picture = [&](const Image& image, const std::string& what, const std::string& caption) {
+    return htmlPicture("image/png", pngFile(image), what, caption);
+  };
+  std::string html =
+      "<div class=\"pictures\">\n<div" + std::string(where.swipe ? " id=\"beside-ours\"" : "") + ">" +
+      picture(images.one, "our cells " + when, "ours, " + when) + "</div>\n<div" +
+      (where.picture.empty() ? "" : " id=\"" + where.picture + "\"") + "><div" +
+      (where.swipe ? " id=\"beside-bullet\"" : "") + ">" +
+      picture(images.other, "Bullet's cells " + when, "Bullet's, " + when) + "</div></div>\n<div>" +
+      picture(images.distance, "a map of the distances of the surfaces",
+              "how far each vertex of ours is from Bullet's surface") +
+      "</div>\n</div>\n";
+  if (where.swipe)
+    html +=
+        "<div id=\"compare\" data-first=\"beside-ours\" data-second=\"beside-bullet\" data-names=\"ours | "
+        "Bullet's\"></div>\n";
+  return html;
+}
+
+/// What is wrong with Bullet's run as a whole; "" if it came to an end that can be compared.
+std::string whyNone(const BulletAgain& again) {
+  if (again.found.bullet || again.found.results.empty()) return {};
+  const CheckResult& r = again.found.results.front();
+  return wasSkipped(r) ? "Not held against Bullet: this program was built without it" : "Bullet: " + r.actual;
+}
+
+/// "Ours and Bullet's are within every tolerance; the one used most …".
+std::string sentenceOf(const std::vector<CheckResult>& results) {
+  const auto failed = std::count_if(results.begin(), results.end(), [](const auto& r) { return !r.passed; });
+  if (failed > 0)
+    return "Ours and Bullet's are farther apart than they may be in " + std::to_string(failed) + " of " +
+           std::to_string(results.size()) + (results.size() == 1 ? " quantity" : " quantities") + ".";
+  std::string text = "Ours and Bullet's come to the same end within every tolerance";
+  const CheckResult* most = nullptr;
+  for (const CheckResult& r : results)
+    if (r.share && (!most || *r.share > *most->share)) most = &r;
+  if (most)
+    text += "; the one used most is that of the " + most->field + ", of which they take " +
+            numberText(100 * *most->share, 3) + " %";
+  return text + ".";
+}
+
+std::string storedWords(const std::vector<CheckResult>& found, const std::vector<CheckResult>* stored) {
+  if (!stored) return {};
+  switch (compareWithStored(found, *stored)) {
+    case BulletStored::none:
+      return "<p>The database holds no comparison with Bullet; this one was made for the page.</p>\n";
+    case BulletStored::same:
+      return "<p>Made again for this page, it gives the numbers that are stored with the run, digit for "
+             "digit.</p>\n";
+    case BulletStored::other:
+      return "<p><span class=\"mark warn\">! Warning</span>Made again for this page, it gives other numbers "
+             "than "
+             "are stored with the run, which the checks show.</p>\n";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string besideBullet(const Scenario& scenario, const World& ours, const BulletAgain& again,
+                         const std::vector<CheckResult>* stored, const BulletShown& where) {
+  if (const std::string why = whyNone(again); !why.empty())
+    return "<p><span class=\"mark warn\">! Warning</span>" + shown(why) + ".</p>\n";
+  if (!again.found.bullet) return {};
+  const BulletCheck check = tolerancesFor(scenario);
+  const double radius = scenario.scene.mechanics->physics.cell.radius;
+  const auto distances = distancesOf(scenario, ours, again.found.bullet->shapes);
+  const bool touching = scenario.scene.mechanics->contact && scenario.scene.cells.size() > 1;
+  return "<p><b>" + shown(sentenceOf(again.found.results)) + "</b> " +
+         shown(bulletName() + ", " + baselineWords(check.baseline)) + "; margin " +
+         numberText(check.margin, 4) + " radii.</p>\n" + storedWords(again.found.results, stored) +
+         pictures(scenario, ours, *again.found.bullet, where) + farthestWords(distances, radius) +
+         distanceTable(distances, radius) + "<p>" + shown(decidingWords(check, touching)) + "</p>\n" +
+         resultTable(scenario, again.found.results);
+}
+
+void judgeBullet(const RunFacts& run, std::vector<Finding>& findings) {
+  if (!run.bullet) return;
+  using Kind = Finding::Kind;
+  const auto& found = run.bullet->found;
+  const bool stored = std::any_of(run.checks.begin(), run.checks.end(),
+                                  [](const CheckResult& r) { return r.kind == "bullet" && !wasSkipped(r); });
+  if (const std::string why = whyNone(*run.bullet); !why.empty()) {
+    findings.push_back({Kind::warning, shown(why) + (stored ? "; the stored checks stand" : "")});
+    return;
+  }
+  const bool sameProgram = buildId(run.run.record.build) == buildId(buildInfo());
+  if (compareWithStored(found.results, run.checks) == BulletStored::other && run.again && run.again->same)
+    findings.push_back(
+        {sameProgram ? Kind::bad : Kind::warning,
+         "Bullet, run again for this page, gives other numbers than are stored" +
+             std::string(sameProgram ? ", though by the same program"
+                                     : ", with another program; the checks are the stored ones")});
+  if (!stored)
+    for (const CheckResult& r : found.results)
+      if (!r.passed) findings.push_back({Kind::bad, "Beside Bullet: " + shown(r.message)});
+}
+
+PageBlock bulletBlock(const std::vector<RunFacts>& runs) {
+  PageBlock block{"bullet", "Beside Bullet", "", {}};
+  std::size_t asked = 0, made = 0;
+  for (const RunFacts& run : runs) {
+    asked += run.scenario.check.bullet && run.again;
+    if (!run.bullet) continue;
+    const std::string source = shellWord(sourceOf(run));
+    block.html += (runs.size() > 1 ? "<h3>" + shown(titleOf(run)) + "</h3>\n" : "") +
+                  besideBullet(run.scenario, run.again->simulation.world, *run.bullet, &run.checks,
+                               {"picture-" + std::to_string(runs.size() + made), runs.size() == 1});
+    if (made++ == 0)
+      block.commands = {"./morula run " + source, "./morula check " + source,
+                        "./morula report " + shellWord(run.database)};
+  }
+  if (made > 0 && asked > made)
+    block.html += "<p class=\"note\">The first " + std::to_string(made) + " of " + counted(asked, "run") +
+                  " that " + "are held against Bullet.</p>\n";
+  return block;
+}
+
+}  // namespace morula

@@ -1,0 +1,57 @@
+// Scenarios of a check that were held against Bullet.
+#include <algorithm>
+
+#include "report/bullet_block.h"
+
+namespace morula {
+
+namespace {
+
+bool heldAgainstBullet(const CheckedScenario& c) {
+  return std::any_of(c.report.results.begin(), c.report.results.end(),
+                     [](const CheckResult& r) { return r.kind == "bullet" && !wasSkipped(r); });
+}
+
+bool differsFromBullet(const CheckedScenario& c) {
+  return std::any_of(c.report.results.begin(), c.report.results.end(),
+                     [](const CheckResult& r) { return r.kind == "bullet" && !r.passed; });
+}
+
+}  // namespace
+
+int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuestion& question) {
+  std::size_t made = 0;
+  for (const bool wantDiffering : {true, false})
+    for (CheckedScenario& c : checked) {
+      if (made == mostInBullet) return 0;
+      if (!heldAgainstBullet(c) || differsFromBullet(c) != wantDiffering) continue;
+      if (const int signal = runCheckedAgain(c, question)) return signal;
+      if (!c.again || !c.again->scenario.check.bullet || c.again->simulation.end.status != RunStatus::done)
+        continue;
+      c.bullet =
+          runInBulletAgain(c.again->scenario, c.again->simulation.world, question.frames, question.quiet);
+      ++made;
+    }
+  return 0;
+}
+
+std::vector<PageBlock> bulletBlocks(const std::vector<CheckedScenario>& checked) {
+  std::vector<PageBlock> blocks;
+  for (const CheckedScenario& c : checked) {
+    if (!c.bullet) continue;
+    blocks.push_back(
+        {"bullet-" + std::to_string(blocks.size() + 1),
+         "Beside Bullet: " + c.report.scenario,
+         besideBullet(c.again->scenario, c.again->simulation.world, *c.bullet, &c.report.results, {}),
+         {"./morula check " + shellWord(c.file), "./morula run " + shellWord(c.file)}});
+  }
+  const auto held =
+      static_cast<std::size_t>(std::count_if(checked.begin(), checked.end(), heldAgainstBullet));
+  if (!blocks.empty() && held > blocks.size())
+    blocks.back().html += "<p class=\"note\">" + std::to_string(blocks.size()) + " of " +
+                          counted(held, "scenario") +
+                          " that were held against Bullet; morula report of a run shows any.</p>\n";
+  return blocks;
+}
+
+}  // namespace morula

@@ -1,0 +1,177 @@
+// Charts of runs: measures over time, who touches whom, which way cells divided.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "analysis/measure_words.h"
+#include "base/error.h"
+#include "drawing/palette.h"
+#include "pictures/run_charts.h"
+#include "report/run_blocks.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::size_t mostLines = 24;     // runs in one chart
+constexpr std::size_t mostLabels = 10;    // at the ends of lines
+constexpr std::size_t mostTouching = 60;  // cells in a matrix of contacts
+// [pixel] So small that words of ordinary size are legible where three charts stand side by side.
+constexpr int width = 420, height = 300;
+
+Chart timeChart(const std::string& title, const std::string& unit) {
+  Chart chart;
+  chart.title = title, chart.xLabel = "time", chart.yLabel = unit;
+  chart.xScale = chart.yScale = Axis::Scale::linear;
+  chart.dots = false;
+  chart.width = width, chart.height = height;
+  return chart;
+}
+
+/// One more at each division, one fewer at each death; level between.
+std::vector<Spot> cellsOverTime(const RunFacts& facts) {
+  std::vector<std::pair<double, int>> changes;
+  for (const LineageEntry& cell : facts.results.lineage) {
+    changes.push_back({cell.born, 1});
+    if (cell.fate != Fate::alive) changes.push_back({cell.ended, -1});
+  }
+  std::sort(changes.begin(), changes.end());
+  std::vector<Spot> points;
+  int alive = 0;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const int before = alive;
+    const double time = changes[i].first;
+    for (alive += changes[i].second; i + 1 < changes.size() && changes[i + 1].first == time; ++i)
+      alive += changes[i + 1].second;
+    if (!points.empty() && before != alive) points.push_back({time, double(before)});
+    if (points.empty() || before != alive) points.push_back({time, double(alive)});
+  }
+  if (!points.empty()) points.push_back({facts.run.time, double(alive)});
+  return points;
+}
+
+std::vector<Spot> measureOverTime(const RunFacts& facts, std::size_t measure) {
+  std::vector<Spot> points;
+  const auto add = [&](const WorldMeasures& world) {
+    if (const auto& value = world.values[measure]; value && std::isfinite(*value))
+      points.push_back({world.time, *value});
+  };
+  if (facts.again && facts.again->same)
+    for (const WorldMeasures& world : facts.again->frames.worlds) add(world);
+  else
+    for (const Sample& sample : facts.results.samples) add(sample.world);
+  return points;
+}
+
+void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Spot> points) {
+  if (points.size() < 2) return;
+  const std::string label = count > 1 && count <= mostLabels ? std::to_string(number + 1) : "";
+  // Told apart without colours, too: by numbers at their ends, and every second one is dashed.
+  chart.lines.push_back({label, seriesColour(number), std::move(points), number % 2 == 1, {}});
+}
+
+std::string htmlOf(const Drawing& drawing, const std::string& what, const std::string& caption) {
+  return htmlPicture("image/svg+xml", drawing.file(PictureFormat::svg), what, caption);
+}
+
+/// Which number and colour each run has in the charts.
+std::string keyOf(const std::vector<RunFacts>& runs, std::size_t count) {
+  if (count < 2) return {};
+  std::string html = "<ul class=\"key\">\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    const Colour c = seriesColour(i);
+    char hex[8];
+    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", c.r, c.g, c.b);
+    html += std::string("<li><i class=\"") + (i % 2 ? "dashed" : "solid") + "\" style=\"color: " + hex +
+            "\"></i>" + (count <= mostLabels ? std::to_string(i + 1) + " " : "") + shown(titleOf(runs[i])) +
+            "</li>\n";
+  }
+  return html + "</ul>\n";
+}
+
+/// Of each cell, and what the scenario asked to be measured.
+std::vector<std::string> moreMeasures(const RunFacts& run) {
+  std::vector<std::string> names{"cell.volume", "cell.pressure"};
+  std::set<std::string> known;
+  for (const Sample& sample : run.results.samples)
+    for (const TakenMeasure& taken : sample.more)
+      if (const std::string called = std::string(name(taken.scope)) + "." + taken.name;
+          known.insert(called).second)
+        names.push_back(called);
+  return names;
+}
+
+/// As morula chart draws them, but smaller.
+void addOfOneRun(const RunFacts& run, PageBlock& block) {
+  const auto add = [&](const std::string& what, const std::string& caption, const auto& draw) {
+    try {
+      const Drawing drawing = draw();
+      const std::string html = htmlOf(drawing, caption, caption);
+      block.html += what == "divisions" ? "<div class=\"double\">" + html + "</div>\n" : html;
+      block.commands.push_back(commandFor(run, "chart", what + " -o " + what + ".svg"));
+    } catch (const InputError&) {  // there is nothing of this kind in the run
+    }
+  };
+  for (const std::string& measure : moreMeasures(run))
+    add(measure, titleOfMeasure(measure) + (measure.starts_with("cell.") ? ": each cell" : ""), [&] {
+      Chart chart = seriesOf(run.results, parseMeasure(measure), run.scenario);
+      Chart small = timeChart(titleOfMeasure(measure), unitOfMeasure(measure));
+      small.lines = std::move(chart.lines);
+      const auto labelled = std::count_if(small.lines.begin(), small.lines.end(), [](const ChartLine& line) {
+        return !line.label.empty() || !line.pointLabels.empty();
+      });
+      for (ChartLine& line : small.lines)
+        if (labelled > static_cast<long>(mostLabels)) line.label.clear(), line.pointLabels.clear();
+      return drawChart(small);
+    });
+  const auto living = std::count_if(run.results.lineage.begin(), run.results.lineage.end(),
+                                    [](const LineageEntry& c) { return c.fate == Fate::alive; });
+  if (living > 1 && living <= static_cast<long>(mostTouching))
+    add("contacts", "Who touches whom at the end: contact areas", [&] {
+      MatrixPicture matrix = contactsOf(run.results, run.run.time, run.scenario);
+      matrix.title = "Contacts", matrix.caption.clear();
+      matrix.width = matrix.height = living > 20 ? 640 : width;
+      return drawMatrix(matrix);
+    });
+  if (!run.results.divisions.empty())
+    add("divisions", "Which way the axes of divisions point, towards daughter A", [&] {
+      RosePicture roses = divisionsOf(run.results, run.scenario);
+      roses.title = "Divisions", roses.caption.clear();
+      roses.width = 640, roses.height = 300;
+      return drawRoses(roses);
+    });
+}
+
+}  // namespace
+
+PageBlock chartBlock(const std::vector<RunFacts>& runs) {
+  PageBlock block{"charts", "Charts", "", {}};
+  const std::size_t count = std::min(runs.size(), mostLines);
+  block.html = keyOf(runs, count) + "<div class=\"charts\">\n";
+  Chart cells = timeChart("Living cells", "");
+  for (std::size_t i = 0; i < count; ++i) addLine(cells, i, count, cellsOverTime(runs[i]));
+  if (!cells.lines.empty())
+    block.html += htmlOf(drawChart(cells), "Living cells over time",
+                         "One more at each division, one fewer at each death");
+  const auto measures = sampledMeasures<Observation>();
+  for (std::size_t m = 0; m < measures.size(); ++m) {
+    const std::string measure = measures[m].name;
+    if (measure == "cells") continue;
+    Chart chart = timeChart(titleOfMeasure(measure), measures[m].unit);
+    for (std::size_t i = 0; i < count; ++i) addLine(chart, i, count, measureOverTime(runs[i], m));
+    if (chart.lines.empty()) continue;
+    const std::string title = titleOfMeasure(measure);
+    block.html += htmlOf(drawChart(chart), title + " over time", measures[m].meaning);
+    if (count == 1)
+      block.commands.push_back(commandFor(runs[0], "chart", measure + " -o " + measure + ".svg"));
+  }
+  if (count == 1) addOfOneRun(runs[0], block);
+  block.html += "</div>\n";
+  if (runs.size() > mostLines)
+    block.html += "<p class=\"note\">The first " + std::to_string(mostLines) + " of " +
+                  counted(runs.size(), "run") + ".</p>\n";
+  return block;
+}
+
+}  // namespace morula

@@ -1,0 +1,89 @@
+#include "report/explored.h"
+
+#include "report/bullet_block.h"
+
+namespace morula {
+
+namespace {
+
+ExplorerRun explorerRunOf(const RunFacts& facts) {
+  ExplorerRun run{.title = titleOf(facts),
+                  .scenario = &facts.scenario,
+                  .lineage = &facts.results.lineage,
+                  .describe = [&facts](StateId state) { return facts.results.stateTexts.at(state); },
+                  .end = facts.run.time,
+                  .frames = nullptr};
+  if (!facts.again) return run;
+  const World& world = facts.again->simulation.world;
+  run.lineage = &world.lineage.entries;
+  run.describe = [&world](StateId state) { return world.biology->describe(state); };
+  run.frames = &facts.again->frames;
+  return run;
+}
+
+/// What was made again in Bullet; cells neither divide nor die there, so its lineage is that of `ours`.
+ExplorerRun explorerRunOf(const BulletAgain& bullet, const ExplorerRun& ours, bool alone) {
+  ExplorerRun run = ours;
+  run.title = bulletName() + (alone ? "" : ": " + ours.title);
+  run.end = bullet.frames.frames.back().time;
+  run.frames = &bullet.frames;
+  return run;
+}
+
+ExplorerRun explorerRunOf(const CheckedScenario& checked) {
+  const World& world = checked.again->simulation.world;
+  return {.title = checked.report.scenario,
+          .scenario = &checked.again->scenario,
+          .lineage = &world.lineage.entries,
+          .describe = [&world](StateId state) { return world.biology->describe(state); },
+          .end = checked.again->simulation.end.time,
+          .frames = &checked.again->frames};
+}
+
+void showBullet(BulletAgain& bullet, const ExplorerRun& ours, bool alone, Explored& explored) {
+  if (bullet.frames.frames.empty() || explored.runs.size() >= mostExplored) return;
+  explored.runs.push_back(explorerRunOf(bullet, ours, alone));
+  explored.frames.push_back(&bullet.frames);
+}
+
+/// Bullet's runs of the same scenarios, behind ours.
+void addBullet(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
+  std::size_t made = 0;
+  for (RunFacts& run : runs) {
+    if (!question.bullet || made == mostInBullet) return;
+    if (!run.again || !run.scenario.check.bullet || run.run.status != RunStatus::done) continue;
+    run.bullet = runInBulletAgain(run.scenario, run.again->simulation.world, question.frames, question.quiet);
+    ++made;
+    showBullet(*run.bullet, explorerRunOf(run), runs.size() == 1, explored);
+  }
+}
+
+}  // namespace
+
+void exploreChecked(std::vector<CheckedScenario>& checked, Explored& explored) {
+  for (CheckedScenario& c : checked) {
+    if (!c.again || explored.runs.size() >= mostExplored) continue;
+    const ExplorerRun run = explorerRunOf(c);
+    explored.runs.push_back(run);
+    explored.frames.push_back(&c.again->frames);
+    if (c.bullet) showBullet(*c.bullet, run, false, explored);
+  }
+}
+
+int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
+  std::size_t again = explored.runs.size();
+  for (RunFacts& run : runs)
+    if (question.frames > 0 && again < mostExplored && canRunAgain(run)) {
+      ++again;
+      if (const int signal = runAgain(run, question.execution, question.frames, question.quiet))
+        return signal;
+      explored.frames.push_back(&run.again->frames);
+    }
+  for (const RunFacts& run : runs)
+    if (!run.results.lineage.empty() && explored.runs.size() < mostExplored && (run.again || again == 0))
+      explored.runs.push_back(explorerRunOf(run));
+  addBullet(runs, question, explored);
+  return 0;
+}
+
+}  // namespace morula

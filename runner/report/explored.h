@@ -1,0 +1,19 @@
+#pragma once
+// Which runs of a page are made again, and shown in three dimensions.
+#include "report/parts.h"
+
+namespace morula {
+
+struct Explored {
+  std::vector<ExplorerRun> runs;  // at most mostExplored
+  std::vector<Frames*> frames;    // of those that were made again
+};
+
+/// The failed scenarios of a check that were run again, each before its run in Bullet.
+void exploreChecked(std::vector<CheckedScenario>& checked, Explored& explored);
+
+/// Makes runs again, up to what there is room for, and some in Bullet, which stand behind ours. Where none is made again, their trees are
+/// shown. Returns the signal that interrupted it, or 0.
+int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored);
+
+}  // namespace morula

@@ -1,0 +1,13 @@
+#pragma once
+// Golden, now and their distance, on a page.
+#include <string>
+
+#include "check/beside_golden.h"
+
+namespace morula {
+
+/// HTML: the three pictures, or the only one that there is, and what is to be known of them. `name`: of what. `swiped`: golden and now
+/// lie over each other, too, to be swiped and blinked between where programs run; for one block of a page.
+std::string goldenPictures(const BesideGolden& beside, const std::string& name, bool swiped);
+
+}  // namespace morula

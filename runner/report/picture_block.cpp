@@ -1,0 +1,118 @@
+// Pictures of runs: organisms, meshes, trees.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/number_text.h"
+#include "page/html.h"
+#include "pictures/pictures.h"
+#include "report/golden_pictures.h"
+#include "report/run_blocks.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::size_t mostPictured = 8;   // runs with pictures
+constexpr std::size_t treeLimit = 20000;  // cells in a tree that is drawn
+constexpr std::size_t fewCells = 32;      // of a tree that is legible when it is small
+
+/// What stands at the same place of the tree in two runs has the same key.
+std::string treeKey(const RunFacts& facts) {
+  std::string key = numberText(facts.run.time, 17);
+  for (const LineageEntry& c : facts.results.lineage)
+    key += '|' + c.path.text() + ' ' + exactText(c.born) + ' ' + exactText(c.ended) + ' ' + name(c.fate) +
+           ' ' + facts.results.stateTexts.at(c.state);
+  return key;
+}
+
+std::string treeOf(const RunFacts& facts, const std::string& of) {
+  const auto describe = [&](StateId state) { return facts.results.stateTexts.at(state); };
+  TreePicture tree = lineagePictureOf(facts.results.lineage, describe, facts.run.time, facts.scenario);
+  const bool few = facts.results.lineage.size() <= fewCells;
+  if (few) tree.width = 560, tree.height = 420;
+  const Drawing drawing = drawLineage(tree);
+  return htmlPicture(few ? "image/svg+xml" : "image/png",
+                     few ? drawing.file(PictureFormat::svg) : pngFile(drawing.pixels()),
+                     of + "the tree of " + counted(facts.results.lineage.size(), "cell"), of + "the lineage");
+}
+
+/// Whether its last state can be drawn: that of a failed run may hold what are no numbers.
+bool canBeDrawn(const RunFacts& facts) {
+  if (!facts.again || !facts.again->simulation.world.bodies) return false;
+  const OrganismPicture picture = pictureOf(facts.again->simulation.world, facts.scenario);
+  for (const CellShape& cell : picture.cells)
+    for (const Point& p : cell.vertices)
+      // Pixels and depths are single precision.
+      if (!(std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6 && std::abs(p.z) < 1e6)) return false;
+  return true;
+}
+
+struct Pictured {
+  const RunFacts* run;
+  OrganismPicture picture;
+};
+
+/// The first two of one scenario, as places in `all`; none: both are 0.
+std::pair<std::size_t, std::size_t> firstTwo(const std::vector<Pictured>& all) {
+  for (std::size_t b = 1; b < all.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a)
+      if (all[a].run->run.record.scenario == all[b].run->run.record.scenario) return {a, b};
+  return {0, 0};
+}
+
+std::string overlay(std::vector<Pictured>& all) {
+  const auto [a, b] = firstTwo(all);
+  if (a == b) return {};
+  std::vector<OrganismPicture> both{all[a].picture, all[b].picture};
+  shareLegend(both);
+  both[0].camera.framing = both[1].camera.framing = fitFraming(both);
+  all[a].picture = both[0], all[b].picture = both[1];
+  return "<div id=\"compare\" data-first=\"picture-" + std::to_string(a) + "\" data-second=\"picture-" +
+         std::to_string(b) + "\" data-names=\"" +
+         htmlText(shown(titleOf(*all[a].run)) + " | " + shown(titleOf(*all[b].run))) + "\"></div>\n";
+}
+
+}  // namespace
+
+PageBlock pictureBlock(const std::vector<RunFacts>& runs) {
+  PageBlock block{"pictures", "Pictures", "", {}};
+  std::vector<Pictured> pictured;
+  for (const RunFacts& r : runs)
+    if (pictured.size() < mostPictured && canBeDrawn(r))
+      pictured.push_back({&r, pictureOf(r.again->simulation.world, r.scenario)});
+  block.html = overlay(pictured) + "<div class=\"pictures\">\n";
+  const auto before = [&](const RunFacts& r) { return runs.size() > 1 ? titleOf(r) + ": " : ""; };
+  for (std::size_t i = 0; i < pictured.size(); ++i) {
+    const RunFacts& r = *pictured[i].run;
+    const std::string when = r.run.status == RunStatus::done ? "at the end" : "where it failed";
+    block.html += "<div id=\"picture-" + std::to_string(i) + "\">" +
+                  htmlPicture("image/png", pngFile(drawOrganism(pictured[i].picture)),
+                              before(r) + "the organism at time " + numberText(r.run.time, 6) + ", " +
+                                  counted(r.run.cells, "cell"),
+                              before(r) + "the organism " + when) +
+                  "</div>\n";
+    if (runs.size() == 1)
+      block.html += htmlPicture("image/png", pngFile(drawOrganism(pictured[i].picture, Style::wireframe)),
+                                before(r) + "the same as meshes", before(r) + "the meshes");
+    if (r.run.status == RunStatus::done) block.commands.push_back(commandFor(r, "render", "-o organism.png"));
+  }
+  std::set<std::string> trees;
+  std::size_t drawn = 0;
+  for (const RunFacts& r : runs) {
+    if (r.results.lineage.empty() || r.results.lineage.size() > treeLimit || drawn >= mostPictured) continue;
+    if (!trees.insert(treeKey(r)).second) continue;
+    ++drawn;
+    block.html += treeOf(r, before(r));
+    block.commands.push_back(commandFor(r, "lineage", "-o lineage.png"));
+  }
+  block.html += "</div>\n";
+  if (runs.size() == 1 && runs[0].beside)
+    block.html += goldenPictures(*runs[0].beside, titleOf(runs[0]), true);
+  if (runs.size() > 1 && trees.size() == 1 && drawn == 1)
+    block.html += "<p class=\"note\">The lineage is the same in all runs.</p>\n";
+  if (block.commands.size() > 6) block.commands.resize(6);
+  return block;
+}
+
+}  // namespace morula

@@ -1,0 +1,78 @@
+// Runs on a page, from the verdict to the downloads.
+#include <algorithm>
+
+#include "files/printable.h"
+#include "report/bullet_block.h"
+#include "report/check_tables.h"
+#include "report/parts.h"
+#include "report/run_blocks.h"
+#include "report/verdict.h"
+
+namespace morula {
+
+namespace {
+
+bool areOfOneScenario(const std::vector<RunFacts>& runs) {
+  return std::all_of(runs.begin(), runs.end(),
+                     [&](const RunFacts& r) { return r.run.record.scenario == runs[0].run.record.scenario; });
+}
+
+std::string titleOfRuns(const std::vector<RunFacts>& runs, std::size_t own) {
+  const std::size_t ofStudies = runs.size() - own;
+  if (own == 0)
+    return (ofStudies == 1 ? "a run that stands for " : "runs that stand for ") +
+           counted(ofStudies, "condition");
+  if (runs.size() == 1) return titleOf(runs[0]);
+  return (areOfOneScenario(runs) ? runs[0].run.record.scenario + ", " : "") + counted(own, "run") +
+         (ofStudies ? " and " + std::to_string(ofStudies) + " for conditions of studies" : "");
+}
+
+std::string checksOfAll(const std::vector<RunFacts>& runs) {
+  std::string html;
+  for (const RunFacts& run : runs) {
+    if (run.checks.empty()) continue;
+    const bool differs =
+        std::any_of(run.checks.begin(), run.checks.end(), [](const CheckResult& c) { return !c.passed; });
+    const std::string checks = checksOf(run.checks, run.scenario.names);
+    if (runs.size() == 1) html += checks;
+    else if (differs) html += "<h3>" + shown(titleOf(run)) + "</h3>\n" + checks;
+    else if (runs.size() <= mostExplored)
+      html += htmlFolded(titleOf(run) + ": all " + counted(run.checks.size(), "check") + " passed", checks);
+  }
+  return html;
+}
+
+}  // namespace
+
+PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
+  // What is said of a study is said of all of its runs, not of those that stand for its conditions.
+  std::vector<const RunFacts*> judged;
+  for (const RunFacts& run : runs)
+    if (run.label.empty()) judged.push_back(&run);
+  PagePart part{.title = titleOfRuns(runs, judged.size()),
+                .summary = areOfOneScenario(runs) ? printable(runs[0].scenario.summary) : "",
+                .verdict = {},
+                .change = {},
+                .blocks = {},
+                .isAside = judged.empty()};
+  if (!judged.empty()) part.verdict = verdictOf(judged);
+  if (const std::string changes = changesOf(runs); !changes.empty())
+    part.change.push_back({"change", "What changed", changes, {}});
+  if (PageBlock bullet = bulletBlock(runs); !bullet.html.empty()) part.blocks.push_back(std::move(bullet));
+  part.blocks.push_back(pictureBlock(runs));
+  part.blocks.push_back(chartBlock(runs));
+  if (const std::string checks = checksOfAll(runs); !checks.empty()) {
+    part.blocks.push_back({"checks", "Checks", checks, {}});
+    const auto ofGolden = [](const CheckResult& c) { return c.kind == "golden"; };
+    if (runs.size() == 1 && !runs[0].golden.empty() &&
+        std::any_of(runs[0].checks.begin(), runs[0].checks.end(), ofGolden))
+      part.blocks.back().commands = {"./morula check " + shellWord(sourceOf(runs[0])),
+                                     "./morula explain " + shellWord(sourceOf(runs[0]))};
+  }
+  part.blocks.push_back(provenanceBlock(runs));
+  part.blocks.push_back(parameterBlock(runs));
+  part.blocks.push_back(downloadBlock(runs, mostBytes / 10));
+  return part;
+}
+
+}  // namespace morula

@@ -1,0 +1,119 @@
+// What must be known first of a study: which runs failed or are not sane, which are no replicates, which cut an ambiguous axis.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "check/ambiguous.h"
+#include "database/database.h"
+#include "division/record.h"
+#include "loop/stored_scenario.h"
+#include "report/study_part.h"
+#include "store/store.h"
+
+namespace morula {
+
+namespace {
+
+struct Trouble {
+  std::string condition, status, reason;
+  auto operator<=>(const Trouble&) const = default;
+};
+
+/// Runs that failed, are missing or are not sane: those of one condition with one reason once.
+void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
+  std::vector<std::pair<Trouble, std::vector<std::string>>> found;  // with the seeds
+  std::vector<bool> told(r.tasks.size());
+  for (const ResultCondition& condition : r.conditions)
+    for (std::size_t s = 0; s < r.seeds.size(); ++s) {
+      const std::size_t t = condition.tasks[s];
+      if (t == noTask || told[t] || (r.tasks[t].status == "done" && r.tasks[t].isSane)) continue;
+      told[t] = true;
+      const Trouble trouble{r.nameOf(condition), r.tasks[t].status, r.tasks[t].reason};
+      auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == trouble; });
+      if (same == found.end()) same = found.insert(found.end(), {trouble, {}});
+      same->second.push_back(std::to_string(r.seeds[s]));
+    }
+  for (const auto& [trouble, seeds] : found) {
+    const std::string which = "<b>" + shown(trouble.condition) + "</b>, " +
+                              (seeds.size() == 1 ? "seed " : "seeds ") + listed(seeds, 12) + ": ";
+    if (trouble.status == "done")
+      findings.push_back(
+          {Finding::Kind::bad,
+           which + "not sane: bodies ended in a state that cannot be. The values count all the same"});
+    else if (trouble.status == "missing")
+      findings.push_back(
+          {Finding::Kind::warning, which + "missing; morula study run goes on with the study"});
+    else
+      findings.push_back(
+          {Finding::Kind::bad, which + shown(trouble.status) +
+                                   (trouble.reason.empty() ? "" : ": " + failureHtml(trouble.reason))});
+  }
+}
+
+/// Conditions that are the same runs, and those whose seeds change nothing.
+void judgeConditions(const StudyComparison& c, std::vector<Finding>& findings) {
+  const StudyResults& r = c.results;
+  std::map<std::vector<std::size_t>, std::vector<std::string>> byTasks;
+  for (const ResultCondition& condition : r.conditions)
+    byTasks[condition.tasks].push_back("<b>" + shown(r.nameOf(condition)) + "</b>");
+  for (const auto& [tasks, names] : byTasks)
+    if (names.size() > 1)
+      findings.push_back({Finding::Kind::warning, listed(names, 12) + " are the same runs"});
+  for (const std::size_t k : c.seedless)
+    findings.push_back({Finding::Kind::warning,
+                        "Seeds change nothing under <b>" + shown(r.nameOf(r.conditions[k])) +
+                            "</b>: its runs are one run, no replicates, and its mean has no interval"});
+}
+
+/// Runs with divisions whose axis is ambiguous.
+void judgeDivisions(const StudyResults& r, const std::string& database, std::vector<Finding>& findings) {
+  std::set<std::string> suspects;
+  {
+    Database db(database, Database::Mode::existing, std::chrono::milliseconds(30'000));
+    Statement find(db, "SELECT DISTINCT run_id FROM division WHERE extent_ratio < ?");
+    find.start(ambiguousExtentRatio);
+    while (find.next()) suspects.insert(find.line(0));
+  }
+  auto store = Store::openForReading(database);
+  std::vector<std::string> conditions;
+  std::size_t runs = 0;
+  std::set<std::string> seen;
+  for (const ResultCondition& condition : r.conditions) {
+    const std::size_t before = runs;
+    for (const std::size_t t : condition.tasks) {
+      if (t == noTask || !suspects.contains(r.tasks[t].runId) || !seen.insert(r.tasks[t].runId).second)
+        continue;
+      const StoredRun run = store.find(r.tasks[t].runId);
+      const RunResults results = store.results(run.id);
+      const Scenario scenario = storedScenario(database, run.id);
+      runs += !ambiguousDivisions(
+                   scenario.scene, results.lineage,
+                   [&](StateId state) { return results.stateTexts.at(state); }, results.divisions)
+                   .empty();
+    }
+    if (runs > before) conditions.push_back("<b>" + shown(r.nameOf(condition)) + "</b>");
+  }
+  if (runs)
+    findings.push_back(
+        {Finding::Kind::warning,
+         counted(runs, "run") + (runs == 1 ? " has" : " have") + " divisions with an ambiguous axis, under " +
+             listed(conditions) +
+             ": the longest extent of a mother is hardly longer than her next one. With another mesh, "
+             "time step or precision such a cut may lie elsewhere"});
+}
+
+}  // namespace
+
+std::vector<Finding> findingsOf(const StudyComparison& c, const std::string& database) {
+  const StudyResults& r = c.results;
+  std::vector<Finding> findings;
+  judgeTasks(r, findings);
+  judgeConditions(c, findings);
+  judgeDivisions(r, database, findings);
+  if (std::all_of(r.tasks.begin(), r.tasks.end(),
+                  [](const ResultTask& t) { return t.status == "done" && t.isSane; }))
+    findings.push_back({Finding::Kind::good, "Every run is done, and sane"});
+  return findings;
+}
+
+}  // namespace morula

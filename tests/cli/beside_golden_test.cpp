@@ -1,0 +1,124 @@
+// Pictures of what differs from a golden, and of two pictures, as users ask for them.
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "drawing/drawing.h"
+#include "launch.h"
+
+using namespace morula::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  text.replace(text.find(what), what.size(), by);
+  return text;
+}
+
+const std::string pair =
+    "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.25}\n"
+    "physics: {mesh: {icosphere: 1}, drag: 5, contact: {}}\n";
+
+}  // namespace
+
+TEST_CASE(
+    "a run that differs from its golden is drawn beside it, and one that does not takes the picture away") {
+  const TemporaryFolder folder;
+  const auto scenario = folder / "pair.yaml", picture = folder / "pair-1/golden.png";
+  writeWhole(scenario, pair);
+  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code ==
+          0);
+  const std::vector<std::string> run{"run", scenario, "--out", folder.path(), "--json", "--quiet"};
+  const auto passing = launch(run);
+  REQUIRE(passing.code == 0);
+  const fs::path results = fs::path(nlohmann::json::parse(passing.out).at("db")).parent_path();
+  CHECK_FALSE(fs::exists(results / "golden.png"));
+
+  writeWhole(scenario, replaced(pair, "drag: 5", "drag: 8"));
+  const auto differing = launch(run);
+  CHECK(differing.code == 1);
+  CHECK(fs::exists(results / "golden.png"));
+  CHECK(nlohmann::json::parse(differing.out).at("pictures").back() == (results / "golden.png").string());
+  writeWhole(scenario, pair);
+  CHECK(launch(run).code == 0);
+  CHECK_FALSE(fs::exists(results / "golden.png"));
+}
+
+TEST_CASE("a page of a failed check shows the golden's organism: from git, or else from its numbers") {
+  const TemporaryFolder folder;
+  std::string genes;  // more than a golden records word for word
+  for (int i = 0; i < 20; ++i) genes += "  h" + std::to_string(i) + "(p" + std::to_string(i) + "|a0,A)\n";
+  const auto scenario = folder / "pair.yaml";
+  writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
+  REQUIRE(launch({"review", scenario, "--accept", "--by", "tests", "--why", "first"}, {{"CI", ""}}).code ==
+          0);
+  const auto pageOf = [&](const std::string& text) {
+    writeWhole(scenario, text);
+    const auto checked = launch({"check", scenario, "--reports", folder / "out", "--quiet"});
+    INFO(checked.err);
+    CHECK(checked.code == 1);
+    return readWhole(folder / "out/report.html");
+  };
+  const std::string changed = replaced(pair, "stop:", genes + "  h20(p20|a0,B)\nstop:");
+  const std::string without = pageOf(changed);
+  CHECK_THAT(without,
+             ContainsSubstring("spheres with the accepted volumes") && ContainsSubstring("git has no other"));
+
+  writeWhole(scenario, replaced(pair, "stop:", genes + "stop:"));
+  const auto git = [&](const std::string& words) {
+    return std::system(("git -C '" + folder.path() + "' -c user.name=tests -c user.email=tests " + words +
+                        " >/dev/null 2>&1")
+                           .c_str()) == 0;
+  };
+  if (!git("init") || !git("add pair.yaml pair.golden") || !git("commit -m first")) {
+    WARN("skipped: no git here");
+    return;
+  }
+  CHECK_THAT(pageOf(changed), ContainsSubstring("to the accepted state, bit for bit"));
+  // Also where the change has been committed since: the golden's own commit has its scenario.
+  REQUIRE(git("commit -a -m second"));
+  CHECK_THAT(pageOf(changed), ContainsSubstring("to the accepted state, bit for bit"));
+}
+
+TEST_CASE("compare tells how different two pictures look") {
+  const TemporaryFolder folder;
+  morula::Image image(60, 40, morula::paper);
+  writeWhole(folder / "one.png", morula::pngFile(image));
+  image.at(20, 10).r -= 1;
+  writeWhole(folder / "rounded.png", morula::pngFile(image));
+  for (int x = 10; x < 30; ++x) image.at(x, 20) = {0, 0, 0};
+  writeWhole(folder / "other.png", morula::pngFile(image));
+  writeWhole(folder / "small.png", morula::pngFile(morula::Image(30, 40, morula::paper)));
+
+  const auto same = launch({"compare", folder / "one.png", folder / "one.png"});
+  CHECK(same.code == 0);
+  CHECK(same.out == "the same pixels\n");
+  const auto rounded = launch({"compare", folder / "one.png", folder / "rounded.png"});
+  CHECK(rounded.code == 0);
+  CHECK_THAT(rounded.out,
+             ContainsSubstring("they look the same: at most") && ContainsSubstring("needs at most 2.3"));
+  const auto other =
+      launch({"compare", folder / "one.png", folder / "other.png", "--json", "-o", folder / "map.png"});
+  CHECK(other.code == 1);
+  const auto json = nlohmann::json::parse(other.out);
+  CHECK(json.at("passed") == false);
+  CHECK(json.at("most") > json.at("threshold"));
+  CHECK(json.at("y") == 20);
+  CHECK(json.at("unequal_pixels") == 21);
+  CHECK(readWhole(folder / "map.png").substr(1, 3) == "PNG");
+
+  const auto fails = [&](int code, const std::string& words, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"compare", folder / "one.png"});
+    const auto run = launch(arguments);
+    CHECK(run.code == code);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, ContainsSubstring(words));
+  };
+  fails(3, "60 x 40 and 30 x 40 pixels cannot be compared", {folder / "small.png"});
+  fails(3, "README.md: not a PNG picture", {"README.md"});
+  fails(6, "no such file", {folder / "none.png"});
+  fails(2, "the other options are for a study", {folder / "other.png", "--csv"});
+  fails(2, "one study or two pictures, not 3 files", {folder / "other.png", folder / "small.png"});
+}

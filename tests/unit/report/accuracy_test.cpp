@@ -1,0 +1,155 @@
+// Pages of accuracy runs: the verdict, the cheapest settings, and texts that stay texts.
+#include <fstream>
+
+#include "catch.h"
+#include "report/accuracy_read.h"
+#include "report/parts.h"
+#include "temporary_folder.h"
+
+namespace morula {
+namespace {
+
+Json setting(const std::string& integrator, double timeStep) {
+  return {{"integrator", integrator}, {"time_step", timeStep}, {"automatic_share", nullptr},
+          {"icosphere", 2},           {"substeps", 1},         {"precision", "double"},
+          {"contact_law", nullptr},   {"cell_model", nullptr}, {"set", {"physics.integrator=" + integrator}}};
+}
+
+Json row(const std::string& engine, const std::string& series, double timeStep, double error,
+         double seconds) {
+  return {{"settings", setting("rk4", timeStep)},
+          {"engine", engine},
+          {"series", series},
+          {"error", error + 0.01},
+          {"parts", {{"time", error}, {"mesh", 0.01}, {"precision", 1e-15}, {"model", nullptr}}},
+          {"error_on_scenario_mesh", error},
+          {"divided_elsewhere", nullptr},
+          {"errors", {{"centroid", 0.0}, {"volume", error}, {"surface", 0.0}, {"birth_times", 0.0}}},
+          {"resolved", true},
+          {"lineages_part_at", nullptr},
+          {"cpu_seconds", seconds},
+          {"force_evaluations", 100},
+          {"vertex_steps", 4200},
+          {"steps", 100},
+          {"failed", false},
+          {"failure", nullptr}};
+}
+
+/// What accuracy --json would say of four runs.
+Json output() {
+  Json level{
+      {"icosphere", 2},
+      {"error", 0.01},
+      {"largest",
+       {{"position", 0.0}, {"volume", 0.01}, {"surface", 0.0}, {"pressure", 0.0}, {"contact_area", 0.0}}}};
+  Json rows = Json::array();
+  rows.push_back(row("morula", "velocity-verlet", 0.25, 0.05, 1));
+  rows.push_back(row("morula", "rk4", 0.25, 0.0005, 2));
+  rows.push_back(row("bullet-b1", "bullet b1", 0.125, 0.04, 3));
+  rows.push_back(row("bullet-b1", "bullet b1", 0.0625, 0.03, 6));
+  return {{"morula", 1},
+          {"scenario", "<script>alert(1)</script>"},
+          {"times", {0.5, 1.0}},
+          {"end", 2.0},
+          {"reference",
+           {{"settings", setting("rk4", 0.01)},
+            {"own_error", 1e-6},
+            {"observed_order", 4.0},
+            {"witness", setting("velocity-verlet", 0.01)},
+            {"witness_distance", 1e-7},
+            {"witness_own_error", 1e-7},
+            {"agrees", true}}},
+          {"mesh",
+           {{"error", 0.01},
+            {"unknown", nullptr},
+            {"limit", nullptr},
+            {"icosphere", 2},
+            {"levels", Json::array({level})},
+            {"order", 2.0},
+            {"order_is_observed", true},
+            {"lineages_part_at", nullptr}}},
+          {"as_it_is", row("morula", "as it is", 0.25, 0.05, 1)},
+          {"rival", nullptr},
+          {"rows", rows},
+          {"orders", Json::array()},
+          {"speed_at_error", Json::array()},
+          {"beside_bullet", Json::array()},
+          {"remarks", {"a <remark>"}},
+          {"picture", ""}};
+}
+
+PagePart partOf(const Json& json) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "a.json";
+  std::ofstream(file) << jsonText(json);
+  return accuracyPart(file);
+}
+
+std::string blockOf(const PagePart& part, const std::string& id) {
+  for (const PageBlock& block : part.blocks)
+    if (block.id == id) return block.html;
+  return {};
+}
+
+TEST_CASE("The cheapest settings for an error are those of the runs made, ours and Bullet's") {
+  const AccuracyRead read = accuracyFrom(output());
+  REQUIRE(cheapestFor(read, 0.1, true));
+  CHECK(cheapestFor(read, 0.1, true)->series == "velocity-verlet");
+  CHECK(cheapestFor(read, 0.01, true)->series == "rk4");
+  CHECK(cheapestFor(read, 0.1, false)->timeStep == 0.125);
+  CHECK(cheapestFor(read, 0.01, false) == nullptr);
+  CHECK(cheapestFor(read, 0.0005, true) == nullptr);  // the reference's own error is added
+}
+
+TEST_CASE("An accuracy page says first what does not hold") {
+  const auto verdict = [](const Json& json) { return partOf(json).verdict; };
+  CHECK_THAT(verdict(output()), ContainsSubstring("error 0.06: 0.05 of the time step, 0.01 of the mesh"));
+  CHECK_THAT(verdict(output()), ContainsSubstring("Compared up to time 1 of 2"));
+  CHECK_THAT(verdict(output()), !ContainsSubstring("mark bad"));
+  Json diverged = output();
+  diverged["reference"]["observed_order"] = 0.0;
+  CHECK_THAT(verdict(diverged), ContainsSubstring("No converged reference"));
+  CHECK_THAT(verdict(diverged), ContainsSubstring("mark bad"));
+  Json alone = output();
+  alone["reference"]["agrees"] = false;
+  CHECK_THAT(verdict(alone), ContainsSubstring("The reference is not confirmed"));
+  Json unknown = output();
+  unknown["mesh"]["error"] = nullptr, unknown["mesh"]["unknown"] = "it comes from a file";
+  unknown["as_it_is"]["parts"]["mesh"] = nullptr;
+  CHECK_THAT(verdict(unknown), ContainsSubstring("error at least 0.06"));
+  CHECK_THAT(verdict(unknown), ContainsSubstring("What the mesh adds is not known"));
+  Json untargeted = output();
+  untargeted["target"] = {{"error", 1e-9}, {"run_to_the_end", nullptr}};
+  CHECK_THAT(verdict(untargeted), ContainsSubstring("None of the settings tried holds an error of 1e-09"));
+}
+
+TEST_CASE("Bullet's best stands beside ours, and failures have a table of their own") {
+  Json json = output();
+  json["rows"].push_back(row("morula", "explicit-euler", 0.25, 0, 0));
+  Json& failed = json["rows"].back();
+  failed["failed"] = true, failed["failure"] = "unstable, \"they\" say";
+  failed["error"] = failed["parts"] = failed["errors"] = failed["error_on_scenario_mesh"] = nullptr;
+  const PagePart part = partOf(json);
+  CHECK_THAT(blockOf(part, "cheapest"), ContainsSubstring("bullet b1, time step 1/8"));
+  CHECK_THAT(blockOf(part, "cheapest"), ContainsSubstring("<td>3</td>"));
+  CHECK_THAT(blockOf(part, "rows"), ContainsSubstring("What failed"));
+  CHECK_THAT(part.verdict, ContainsSubstring("1 of 5 settings failed"));
+  const std::string csv = accuracyCsv(json["rows"]);
+  CHECK_THAT(csv, ContainsSubstring("true,\"unstable, \"\"they\"\" say\"\r\n"));
+  CHECK(csv.starts_with("series,engine,integrator,time_step,"));
+}
+
+TEST_CASE("Texts of an accuracy run stay texts, and the page the same; other JSON is refused") {
+  const PagePart part = partOf(output());
+  std::string all = part.verdict;
+  for (const PageBlock& block : part.blocks) all += block.html;
+  CHECK_THAT(all, !ContainsSubstring("<script"));
+  CHECK_THAT(all, ContainsSubstring("a &lt;remark&gt;"));
+  Json broken = output();
+  broken["rows"][0].erase("series");
+  CHECK_THROWS_WITH(partOf(broken), ContainsSubstring("none of an accuracy run"));
+  CHECK_THROWS_WITH(partOf({{"rows", 3}}), ContainsSubstring("accuracy --json"));
+}
+
+}  // namespace
+}  // namespace morula

@@ -1,0 +1,128 @@
+// Bullet's run on a page: its shapes as frames, what is said of it, and that it is held to what is stored.
+#include "report/bullet_again.h"
+
+#include "catch.h"
+#include "engines/bullet_scene.h"
+#include "loop/simulate.h"
+#include "report/bullet_block.h"
+#include "simulation/measures.h"
+
+namespace morula {
+namespace {
+
+const char* const scene = R"(morula: 1
+name: "<b>one</b>"
+dna: |
+  START: a0
+  g1(a0|a0)
+cycle: {length: 100}
+stop: {time: 0.25}
+cells: [{at: [-1.5, 0, 0]}, {at: [1.5, 0, 0]}]
+physics: {time_step: 0.0078125, mesh: {icosphere: 1}}
+check: {bullet: {}}
+)";
+
+std::vector<std::vector<Point>> shapesOf(const World& world) {
+  std::vector<std::vector<Point>> shapes;
+  for (const CellPath& path : world.cells.path) shapes.push_back(cellVertices(world, path));
+  return shapes;
+}
+
+/// What Bullet would have found: these shapes.
+BulletAgain answered(const Scenario& scenario, const World& ours, std::vector<std::vector<Point>> shapes) {
+  BulletAgain again;
+  again.found.results = compareWithBullet(ours, shapes, tolerancesFor(scenario));
+  again.found.bullet.emplace().shapes = std::move(shapes);
+  return again;
+}
+
+TEST_CASE("Shapes of another engine make the frames that a world of these shapes makes") {
+  const Scenario scenario = readScenario(scene, "one.yaml", "");
+  const World world = makeScenarioWorld(scenario, {});
+  FrameTaker taker(0, 1);
+  taker.take(world);
+  auto shapes = shapesOf(world);
+  const Frames same = framesOf(scenario, {{0, 0, shapes}});
+  REQUIRE(same.frames.size() == 1);
+  CHECK(same.frames[0].bytes == taker.frames().frames[0].bytes);
+  for (Point& p : shapes[1]) p.x += 0.5;
+  const Frames moved = framesOf(scenario, {{0, 0, shapesOf(world)}, {0.125, 16, shapes}});
+  REQUIRE(moved.frames.size() == 2);
+  CHECK(moved.frames[0].bytes == same.frames[0].bytes);
+  CHECK(moved.frames[1].bytes != same.frames[0].bytes);
+  CHECK(moved.frames[1].bytes.size() == same.frames[0].bytes.size());
+  CHECK(moved.frames[1].time == 0.125);
+  CHECK(moved.frames[1].step == 16);
+  CHECK(moved.frames[1].cells == 2);
+}
+
+TEST_CASE("What Bullet gives now is held to what is stored, digit for digit") {
+  const std::vector<CheckResult> now{
+      {.check = "bullet volume", .kind = "bullet", .expected = "1.5", .actual = "1.25"}};
+  auto then = now;
+  then.insert(then.begin(), CheckResult{.check = "lineage", .kind = "golden"});
+  CHECK(compareWithStored(now, then) == BulletStored::same);
+  then[1].expected = "1.5000000000000002";
+  CHECK(compareWithStored(now, then) == BulletStored::other);
+  CHECK(compareWithStored(now, {}) == BulletStored::none);
+}
+
+TEST_CASE("A block beside Bullet says which geometry decides, how far the surfaces are apart, and where") {
+  const Scenario scenario = readScenario(scene, "one.yaml", "");
+  const World world = makeScenarioWorld(scenario, {});
+  auto shapes = shapesOf(world);
+  const std::string same = besideBullet(scenario, world, answered(scenario, world, shapes), nullptr, {});
+  CHECK_THAT(same, ContainsSubstring("come to the same end within every tolerance"));
+  CHECK_THAT(same, ContainsSubstring("vertex by vertex"));
+  CHECK_THAT(same, ContainsSubstring("✓ holds"));
+  // Bullet's second cell is as much larger as makes each vertex lie 0.25 radii off, along its own radius.
+  for (Point& p : shapes[1]) p = Point{1.5, 0, 0} + 1.25 * (p - Point{1.5, 0, 0});
+  const auto larger = answered(scenario, world, shapes);
+  const std::string differs =
+      besideBullet(scenario, world, larger, &larger.found.results, {.picture = "picture-1", .swipe = true});
+  CHECK_THAT(differs, ContainsSubstring("farther apart than they may be in 1 of 1 quantity"));
+  CHECK_THAT(differs, ContainsSubstring("✗ does not hold"));
+  CHECK_THAT(differs, ContainsSubstring("id=\"picture-1\""));
+  CHECK_THAT(differs, ContainsSubstring("digit for digit"));
+  // From a vertex of ours to the faces of the larger icosphere: their distance from the centre, 1.25 · 0.9, less 1 to 1.25 - 1.
+  const auto at = differs.find("farthest apart at cell B: ");
+  REQUIRE(at != differs.npos);
+  const double distance = std::stod(differs.substr(at + 26));
+  CHECK(distance > 0.12);
+  CHECK(distance < 0.25);
+  CHECK_THAT(differs, !ContainsSubstring("<b>one"));
+}
+
+TEST_CASE("A Bullet that gave no answer, or is not there, is said to") {
+  const Scenario scenario = readScenario(scene, "one.yaml", "");
+  const World world = makeScenarioWorld(scenario, {});
+  BulletAgain broken;
+  broken.found.results = {judged({.check = "bullet",
+                                  .kind = "bullet",
+                                  .expected = "an answer",
+                                  .actual = "its process was ended by signal <9>"},
+                                 false, "bullet", "SETUP")};
+  const std::string html = besideBullet(scenario, world, broken, nullptr, {});
+  CHECK_THAT(html, ContainsSubstring("Bullet: its process was ended by signal &lt;9&gt;."));
+  CHECK_THAT(html, !ContainsSubstring("<img"));
+  RunFacts facts{.database = {},
+                 .run = {},
+                 .scenario = scenario,
+                 .documents = {},
+                 .results = {},
+                 .checks = {},
+                 .ambiguous = {},
+                 .golden = {},
+                 .change = {},
+                 .unusableGolden = {},
+                 .again = {},
+                 .bullet = std::make_unique<BulletAgain>(broken)};
+  std::vector<Finding> findings;
+  judgeBullet(facts, findings);
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].kind == Finding::Kind::warning);
+  if (bulletIsAvailable()) CHECK(bulletName().starts_with("Bullet 3"));
+}
+
+}  // namespace
+}  // namespace morula

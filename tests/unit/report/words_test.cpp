@@ -1,0 +1,121 @@
+// What a page says in words, and that texts of others stay texts.
+#include "report/words.h"
+
+#include "catch.h"
+#include "report/check_tables.h"
+
+namespace morula {
+namespace {
+
+TEST_CASE("The worst stands first, each kind with a word for it") {
+  const std::string html =
+      findingsHtml({{Finding::Kind::good, "g"}, {Finding::Kind::warning, "w"}, {Finding::Kind::bad, "b"}});
+  CHECK(html.find("Fault") < html.find("Warning"));
+  CHECK(html.find("Warning") < html.find("</span>g"));
+}
+
+TEST_CASE("Failed checks show what differs, and their texts stay texts") {
+  CheckResult failed{.check = "values <b>",
+                     .kind = "golden",
+                     .expected = "1",
+                     .actual = "2",
+                     .tolerance = "rel 1e-9",
+                     .passed = false,
+                     .failureClass = "COMPUTATION",
+                     .firstStep = 7,
+                     .cell = "AB",
+                     .field = "volume",
+                     .share = 12.5,
+                     .message = "<script>"};
+  const std::string html = checksOf({{.check = "counts", .kind = "golden"}, failed}, {});
+  CHECK_THAT(html, ContainsSubstring("values &lt;b&gt;"));
+  CHECK_THAT(html, ContainsSubstring("12.5 times"));
+  CHECK_THAT(html, ContainsSubstring("from step 7 on, cell AB, volume"));
+  CHECK_THAT(html, !ContainsSubstring("<script>"));
+  CHECK(html.find("values") < html.find("counts"));  // what failed stands first
+}
+
+TEST_CASE("A share of a tolerance is read at a glance") {
+  CHECK(shareText({}).empty());
+  CHECK(shareText(0) == "0 %");
+  CHECK(shareText(0.0716) == "7.16 %");
+  CHECK(shareText(1e-9) == "below\u00a00.01\u00a0%");
+  CHECK(shareText(2.23e9) == "2.23e+09 times");
+}
+
+// As changeInWords writes it.
+const std::string change =
+    "  changed   physics.pressure.constant: 155 → 155.5\n"
+    "            physics.drag: 1 → <i>2</i>\n"
+    "  lineage   the same\n"
+    "  moved     cell AB the farthest: 0.02 radii of the egg\n"
+    "  pressure  +3 % in the mean, cell AB the most: 4 %\n";
+
+TEST_CASE("What changed is one sentence, and a table") {
+  CHECK(changeSentence(change, {}) ==
+        "physics.pressure.constant: 155 → 155.5 and 1 more; same lineage; cell AB moved farthest, by 0.02 "
+        "radii "
+        "of the egg; pressure: +3 % in the mean, cell AB the most: 4 %");
+  const std::string table = changeTable(change, {});
+  CHECK_THAT(table,
+             ContainsSubstring("physics.pressure.constant: 155 → 155.5<br>physics.drag: 1 → &lt;i&gt;2"));
+  CHECK_THAT(table, ContainsSubstring(">moved</th><td>cell AB the farthest"));
+  CHECK(changeSentence("", {}).empty());
+}
+
+TEST_CASE("A failure is told clause by clause") {
+  CHECK(failureHtml("step 5: it <b>burst</b>") == "step 5: it &lt;b&gt;burst&lt;/b&gt;");
+  CHECK(failureHtml("one; two; three") == "one<ul class=\"why\"><li>two</li><li>three</li></ul>");
+}
+
+TEST_CASE("Lists and sizes as people write them") {
+  CHECK(listed({}).empty());
+  CHECK(listed({"a"}) == "a");
+  CHECK(listed({"a", "b"}) == "a and b");
+  CHECK(listed({"a", "b", "c"}) == "a, b and c");
+  CHECK(listed({"a", "b", "c"}, 2) == "a, b and 1 more");
+  CHECK(inBytes(1) == "1 byte");
+  CHECK(inBytes(178) == "178 bytes");
+  CHECK(inBytes(2750) == "2.75 kB");
+  CHECK(inBytes(1'200'000) == "1.2 MB");
+}
+
+TEST_CASE("A word of a command line is one word") {
+  CHECK(shellWord("a/b-1.db") == "a/b-1.db");
+  CHECK(shellWord("it's $HOME") == "'it'\\''s $HOME'");
+  CHECK(shellWord("") == "''");
+}
+
+TEST_CASE("Runs are told apart by seed, by what their scenarios differ in, and by their ids") {
+  const auto run = [](double drag, std::uint64_t seed, const std::string& id) {
+    RunFacts facts;
+    facts.run.id = id;
+    facts.run.record.scenario = "small";
+    facts.run.record.seed = seed;
+    facts.scenario.scene.mechanics.emplace().physics.drag = drag;
+    return facts;
+  };
+  const auto titles = [](std::vector<RunFacts> runs) {
+    nameRuns(runs);
+    std::vector<std::string> all;
+    for (const RunFacts& r : runs) all.push_back(titleOf(r));
+    return all;
+  };
+  std::vector<RunFacts> runs;
+  runs.push_back(run(1, 1, "p")), runs.push_back(run(1, 2, "q"));
+  CHECK(titles(std::move(runs)) == std::vector<std::string>{"small, seed 1", "small, seed 2"});
+  runs.clear();
+  runs.push_back(run(1, 1, "p")), runs.push_back(run(4, 1, "q"));
+  CHECK(titles(std::move(runs)) == std::vector<std::string>{"physics.drag 1", "physics.drag 4"});
+  runs.clear();
+  runs.push_back(run(1, 1, "p")), runs.push_back(run(4, 1, "q")), runs.push_back(run(4, 2, "r"));
+  CHECK(titles(std::move(runs)) == std::vector<std::string>{"small, seed 1, physics.drag 1",
+                                                            "small, seed 1, physics.drag 4",
+                                                            "small, seed 2"});
+  runs.clear();
+  runs.push_back(run(1, 1, "p")), runs.push_back(run(1, 1, "q"));
+  CHECK(titles(std::move(runs)) == std::vector<std::string>{"small, seed 1 (p)", "small, seed 1 (q)"});
+}
+
+}  // namespace
+}  // namespace morula

@@ -1,0 +1,54 @@
+// PNG files read back, and those that cannot be.
+#include "drawing/read_png.h"
+
+#include "base/error.h"
+#include "catch.h"
+#include "drawing/drawing.h"
+
+namespace morula {
+
+namespace {
+
+Image speckled() {
+  Image image(17, 9, paper);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = {std::uint8_t(i * 37), std::uint8_t(i * 91), std::uint8_t(i * 53)};
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("pixels are read as they were written; what shines through lies on paper", "[drawing]") {
+  Image image = speckled();
+  CHECK(readPng(pngFile(image), "one.png") == image);
+  image.opacity.assign(image.pixels.size(), 255);
+  image.opacity[3] = 0, image.opacity[4] = 128;
+  const Image read = readPng(pngFile(image), "one.png");
+  CHECK(read.opacity.empty());
+  CHECK(read.pixels[2] == image.pixels[2]);
+  CHECK(read.pixels[3] == paper);
+  const double half = (128 * image.pixels[4].g + 127 * paper.g) / 255.0;
+  CHECK(read.pixels[4].g == Approx(half).margin(1.5));  // rounded twice
+}
+
+TEST_CASE("what is no PNG picture is refused by name", "[drawing]") {
+  const std::string whole = pngFile(speckled());
+  const auto refused = [](const std::string& bytes, const std::string& words) {
+    CHECK_THROWS_WITH(readPng(bytes, "one.png"), ContainsSubstring("one.png: ") && ContainsSubstring(words));
+  };
+  refused("", "not a PNG");
+  refused("a scenario, or any other text that is long enough", "not a PNG");
+  refused(whole.substr(0, 20), "not a PNG");
+  refused(whole.substr(0, whole.size() / 2), "damaged");
+  std::string other = whole;
+  other[60] = char(other[60] ^ 0x55);
+  refused(other, "damaged");
+  std::string large = whole;
+  large[17] = large[21] = 1;  // 65536 + 17 by 65536 + 9 pixels
+  refused(large, "too large");
+  std::string flat = whole;
+  flat[19] = 0;  // no width
+  refused(flat, "damaged");
+}
+
+}  // namespace morula
