@@ -100,7 +100,7 @@ void readReplicates(Database& db, const std::map<std::int64_t, std::size_t>& con
 
 /// Those that the plan asks for, in its order, whether there was something to measure or not.
 void readMeasures(Database& db, const std::string& plan, StudyResults& results) {
-  const Json json = Json::parse(plan, nullptr, false);
+  const Json json = Json::tryParse(plan);
   if (json.is_object() && json.contains("study") && json["study"].contains("measures"))
     for (const Json& name : json["study"]["measures"])
       if (name.is_string()) results.measures.push_back(name.get<std::string>());

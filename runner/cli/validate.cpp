@@ -32,7 +32,7 @@ Json validateStudy(const std::string& file, const ValidateOptions& options, cons
       makePlan(loadStudy(file, options.input.allowOutside), {.predict = false, .execution = how});
   tellWarnings(plan.warnings, options.output.quiet);
   Json summary = summaryOf(plan);
-  if (options.resolved && !options.output.json) print(summary.dump(2) + "\n");
+  if (options.resolved && !options.output.json) print(jsonText(summary, 2) + "\n");
   else if (!options.output.json)
     print(file + ": fine; conditions: " + std::to_string(plan.conditions.size()) +
           ", distinct runs: " + std::to_string(plan.tasks.size()) + "\n");

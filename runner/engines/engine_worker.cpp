@@ -40,8 +40,7 @@ Json lastMessage(const std::string& said) {
   for (auto end = said.rfind('\n'); end != said.npos && end > 0;) {
     const auto before = said.rfind('\n', end - 1);
     const auto begin = before == said.npos ? 0 : before + 1;
-    Json message = Json::parse(said.begin() + static_cast<std::ptrdiff_t>(begin),
-                               said.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
+    Json message = Json::tryParse(std::string_view(said).substr(begin, end - begin));
     if (message.is_object()) return message;
     end = before;
   }
@@ -52,7 +51,8 @@ Json lastMessage(const std::string& said) {
 
 void serveEngine(std::istream& in, std::ostream& out) {
   try {
-    out << jsonText({{"answer", answerTo(Json::parse(in), out)}}) << std::endl;
+    out << jsonText({{"answer", answerTo(Json::parse(std::string(std::istreambuf_iterator<char>(in), {})), out)}})
+        << std::endl;
   } catch (const Json::exception& error) {
     throw InputError(std::string("the question to another engine cannot be read: ") + error.what());
   }
@@ -75,7 +75,7 @@ ExternalRun runExternally(const Scenario& scenario, const ExternalQuestion& ques
   const Json message = lastMessage(end.said);
   ExternalRun silent;
   if (message.is_object() && message.contains("step") && message["step"].is_number_unsigned())
-    silent.step = message["step"];
+    message["step"].get_to(silent.step);
   if (end.outOfTime())
     silent.why = "no answer within " + std::to_string(question.cpuSeconds) + " s of CPU time";
   else if (!end.well()) silent.why = "its process " + end.text();

@@ -96,7 +96,10 @@ Json toJson(const BulletRequest& request) {
             {"vertices", flat(s.mesh.vertices)},
             {"faces", s.mesh.faces},
             {"bodies", listOf(s.cells)}};
-  if (const auto& shell = s.physics.shell) json["shell"] = shell->semiAxes;
+  if (const auto& shell = s.physics.shell) {
+    const auto& axes = shell->semiAxes;
+    json["shell"] = {axes[0], axes[1], axes[2]};
+  }
   return json;
 }
 
@@ -112,7 +115,10 @@ BulletRequest bulletRequestFrom(const Json& j) {
   j.at("damping").get_to(s.physics.membrane.damping);
   j.at("outside").get_to(s.physics.pressure.outside);
   j.at("drag").get_to(s.physics.drag);
-  if (j.contains("shell")) j["shell"].get_to(s.physics.shell.emplace().semiAxes);
+  if (j.contains("shell")) {
+    auto& axes = s.physics.shell.emplace().semiAxes;
+    for (std::size_t i = 0; i < 3; ++i) j["shell"].at(i).get_to(axes[i]);
+  }
   s.mesh.vertices = vectorsFrom(j.at("vertices"));
   j.at("faces").get_to(s.mesh.faces);
   s.cells = bodiesFrom(j.at("bodies"));
@@ -145,15 +151,17 @@ Json toJson(const Scenario& scenario, const ExternalQuestion& question) {
 
 Scenario scenarioFrom(const Json& j) {
   std::vector<NamedFile> files;
-  for (const Json& f : j.at("files")) files.push_back({f.at("role"), f.at("path"), f.at("content")});
-  return readScenario(j.at("scenario"), j.at("file"), "", {}, files);
+  for (const Json& f : j.at("files"))
+    files.push_back({f.at("role").text(), f.at("path").text(), f.at("content").text()});
+  return readScenario(j.at("scenario").text(), j.at("file").text(), "", {}, files);
 }
 
 ExternalQuestion externalQuestionFrom(const Json& j) {
   return {.engine = static_cast<Engine>(j.at("engine").get<int>()),
-          .margin = j.at("margin"),
+          .margin = j.at("margin").get<double>(),
           .integrator = static_cast<Integrator>(j.at("integrator").get<int>()),
-          .frameTimes = j.value("frame_times", std::vector<double>())};
+          .frameTimes = j.contains("frame_times") ? j["frame_times"].get<std::vector<double>>()
+                                                  : std::vector<double>()};
 }
 
 namespace {
@@ -194,10 +202,11 @@ ExternalRun externalRunFrom(const Json& j) {
   run.shapes = shapesFrom(j.at("shapes"));
   if (j.contains("frames"))
     run.frames = listFrom<ExternalFrame>(j["frames"], [](const Json& f) {
-      return ExternalFrame{f.at("time"), f.at("step"), shapesFrom(f.at("shapes"))};
+      return ExternalFrame{f.at("time").get<double>(), f.at("step").get<std::uint64_t>(),
+                           shapesFrom(f.at("shapes"))};
     });
   for (const Json& s : j.at("samples")) {
-    run.samples.emplace_back().world.time = s.at("time");
+    s.at("time").get_to(run.samples.emplace_back().world.time);
     run.samples.back().cells = listFrom<CellMeasures>(s.at("cells"), cellFrom);
   }
   return run;

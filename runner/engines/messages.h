@@ -1,7 +1,7 @@
 #pragma once
 // What the program and its worker (engine_worker.h) tell each other, as JSON. Numbers are written in their shortest
 // exact form, vectors of one kind as one flat list x, y, z, x, …; a number that is not finite becomes null, and NaN again.
-// What reads throws nlohmann's exceptions for anything that its counterpart did not write.
+// What reads throws Json::exception for anything that its counterpart did not write.
 #include "engines/bullet_scene.h"
 #include "engines/external_run.h"
 #include "system/json.h"

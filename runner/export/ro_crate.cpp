@@ -71,7 +71,7 @@ class Graph {
  public:
   Json add(const Json& entity) {
     entities_.push_back(entity);
-    return reference(entity["@id"]);
+    return reference(entity["@id"].text());
   }
   /// A named value: one number or text that is in no file.
   Json addValue(const std::string& kind, const std::string& name, const std::string& value) {

@@ -6,7 +6,7 @@
 namespace morula {
 
 Json toJson(const CheckResult& result);
-/// Throws nlohmann's exceptions for anything that toJson did not write.
+/// Throws Json::exception for anything that toJson did not write.
 CheckResult checkResultFrom(const Json& json);
 
 }  // namespace morula

@@ -15,14 +15,13 @@ std::string textOr(const Json& j) { return j.is_string() ? j.get<std::string>() 
 /// The value of a key that older outputs have not.
 const Json& valueOf(const Json& j, const char* key) {
   static const Json none;
-  const auto found = j.find(key);
-  return found == j.end() ? none : *found;
+  return j.contains(key) ? j.at(key) : none;
 }
 
 AccuracyEntry entryFrom(const Json& j) {
   AccuracyEntry e;
-  e.series = j.at("series"), e.engine = j.at("engine");
-  e.timeStep = j.at("settings").at("time_step");
+  j.at("series").get_to(e.series), j.at("engine").get_to(e.engine);
+  j.at("settings").at("time_step").get_to(e.timeStep);
   e.set = j.at("settings").at("set").get<std::vector<std::string>>();
   e.whole = realOr(j.at("error")), e.onMesh = realOr(j.at("error_on_scenario_mesh"));
   if (const Json& parts = j.at("parts"); parts.is_object()) {
@@ -30,9 +29,9 @@ AccuracyEntry entryFrom(const Json& j) {
     e.precision = realOr(parts.at("precision")), e.model = realOr(parts.at("model"));
   }
   e.partedAt = realOr(j.at("lineages_part_at"));
-  e.resolved = j.at("resolved"), e.cutElsewhere = j.at("divided_elsewhere").is_object();
-  e.cpuSeconds = j.at("cpu_seconds");
-  e.evaluations = j.at("force_evaluations"), e.steps = j.at("steps");
+  j.at("resolved").get_to(e.resolved), e.cutElsewhere = j.at("divided_elsewhere").is_object();
+  j.at("cpu_seconds").get_to(e.cpuSeconds);
+  j.at("force_evaluations").get_to(e.evaluations), j.at("steps").get_to(e.steps);
   if (j.at("failed").get<bool>()) {
     e.failure = textOr(j.at("failure"));
     if (e.failure.empty()) e.failure = "it says not why";
@@ -42,9 +41,10 @@ AccuracyEntry entryFrom(const Json& j) {
 
 void readReference(const Json& j, AccuracyRead& read) {
   auto& r = read.reference;
-  r.integrator = j.at("settings").at("integrator"), r.witness = j.at("witness").at("integrator");
-  r.timeStep = j.at("settings").at("time_step"), r.witnessTimeStep = j.at("witness").at("time_step");
-  r.order = j.at("observed_order"), r.agrees = j.at("agrees");
+  j.at("settings").at("integrator").get_to(r.integrator), j.at("witness").at("integrator").get_to(r.witness);
+  j.at("settings").at("time_step").get_to(r.timeStep),
+      j.at("witness").at("time_step").get_to(r.witnessTimeStep);
+  j.at("observed_order").get_to(r.order), j.at("agrees").get_to(r.agrees);
   r.error = realOr(j.at("own_error")), r.witnessDistance = realOr(j.at("witness_distance"));
   r.witnessError = realOr(j.at("witness_own_error"));
 }
@@ -53,12 +53,13 @@ void readMesh(const Json& j, AccuracyRead& read) {
   auto& m = read.mesh;
   m.error = realOr(j.at("error")), m.unknown = textOr(j.at("unknown")), m.limit = textOr(j.at("limit"));
   if (j.at("icosphere").is_number()) m.icosphere = j.at("icosphere").get<int>();
-  m.order = j.at("order"), m.orderIsObserved = j.at("order_is_observed");
+  j.at("order").get_to(m.order), j.at("order_is_observed").get_to(m.orderIsObserved);
   m.partedAt = realOr(j.at("lineages_part_at"));
   for (const Json& level : j.at("levels")) {
     const Json& most = level.at("largest");
-    m.levels.push_back({level.at("icosphere"), level.at("error"), most.at("position"), most.at("volume"),
-                        most.at("surface"), most.at("pressure"), most.at("contact_area")});
+    const auto number = [&](const char* name) { return most.at(name).get<double>(); };
+    m.levels.push_back({level.at("icosphere").get<int>(), level.at("error").get<double>(), number("position"),
+                        number("volume"), number("surface"), number("pressure"), number("contact_area")});
   }
 }
 
@@ -80,22 +81,26 @@ bool AccuracyEntry::holds(double error, double referenceError) const {
 
 AccuracyRead accuracyFrom(const Json& j) {
   AccuracyRead read;
-  read.scenario = j.at("scenario");
+  j.at("scenario").get_to(read.scenario);
   read.file = textOr(valueOf(j, "file"));
-  read.until = j.at("times").empty() ? 0 : j.at("times").back().get<double>();
+  if (const Json& times = j.at("times"); !times.empty()) times.at(times.size() - 1).get_to(read.until);
   read.end = realOr(j.at("end"));
   readReference(j.at("reference"), read);
   readMesh(j.at("mesh"), read);
   read.own = entryFrom(j.at("as_it_is"));
   if (const Json& rival = j.at("rival"); rival.is_object())
-    read.rival = rival.at("series"), read.rivalSpeed = rival.at("speed");
+    rival.at("series").get_to(read.rival), rival.at("speed").get_to(read.rivalSpeed);
   for (const Json& row : j.at("rows")) read.rows.push_back(entryFrom(row));
   for (const Json& o : j.at("orders"))
-    read.orders.push_back({o.at("series"), o.at("theory"), realOr(o.at("standard_error")).value_or(0),
-                           realOr(o.at("observed")), o.at("points")});
-  for (const Json& s : j.at("beside_bullet"))
-    read.besideBullet.push_back({s.at("error"), s.at("cpu_seconds"), s.at("bullet_cpu_seconds"),
-                                 s.at("bullet_slowest_cpu_seconds"), s.at("series"), s.at("bullet_series")});
+    read.orders.push_back({o.at("series").text(), o.at("theory").get<double>(),
+                           realOr(o.at("standard_error")).value_or(0), realOr(o.at("observed")),
+                           o.at("points").get<int>()});
+  for (const Json& s : j.at("beside_bullet")) {
+    const auto number = [&](const char* name) { return s.at(name).get<double>(); };
+    read.besideBullet.push_back({number("error"), number("cpu_seconds"), number("bullet_cpu_seconds"),
+                                 number("bullet_slowest_cpu_seconds"), s.at("series").text(),
+                                 s.at("bullet_series").text()});
+  }
   read.remarks = j.at("remarks").get<std::vector<std::string>>();
   read.target = valueOf(j, "target");
   if (const Json& made = valueOf(j, "made_by"); made.is_object())

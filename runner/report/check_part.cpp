@@ -81,8 +81,8 @@ std::string blockOf(const CheckedScenario& c, bool isFirst) {
 }  // namespace
 
 std::vector<CheckedScenario> readChecked(const std::string& file) {
-  const Json json = Json::parse(readFile(file), nullptr, false);
-  if (json.is_discarded() || !json.is_object() || !json.contains("results"))
+  const Json json = Json::tryParse(readFile(file));
+  if (!json.is_object() || !json.contains("results"))
     refuse(file, "no results of a check");
   std::vector<CheckedScenario> checked;
   std::map<std::string, std::size_t> places;

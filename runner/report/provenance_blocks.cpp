@@ -109,8 +109,8 @@ std::string differences(const std::vector<RunFacts>& runs) {
 
 /// JSON with line breaks, for people; as it is if it cannot be read.
 std::string indented(const std::string& json) {
-  const Json read = Json::parse(json, nullptr, false);
-  return read.is_discarded() ? json : jsonText(read, 2);
+  const Json read = Json::tryParse(json);
+  return read.is_null() ? json : jsonText(read, 2);
 }
 
 }  // namespace

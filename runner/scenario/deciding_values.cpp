@@ -12,20 +12,24 @@ constexpr std::size_t longestList = 16;    // told item by item
 
 std::string oneLine(const Json& value) {
   if (value.is_number_float()) return exactText(value.get<double>());
-  if (value.is_object() || value.is_array()) {
-    std::string text;
-    for (const auto& [key, member] : value.items())
-      text += (text.empty() ? "" : ", ") + (value.is_object() ? key + ": " : "") + oneLine(member);
-    return value.is_object() ? '{' + text + '}' : '[' + text + ']';
+  std::string inside;
+  const auto append = [&](const std::string& item) { inside += (inside.empty() ? "" : ", ") + item; };
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items()) append(key + ": " + oneLine(member));
+    return '{' + inside + '}';
   }
-  if (!value.is_string()) return value.dump();
-  const std::string& text = value.get_ref<const std::string&>();
+  if (value.is_array()) {
+    for (const Json& item : value) append(oneLine(item));
+    return '[' + inside + ']';
+  }
+  if (!value.is_string()) return jsonText(value);
+  const std::string& text = value.text();
   const auto plain = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
            c == '_' || c == '.';
   };
   const bool isWord = !text.empty() && std::all_of(text.begin(), text.end(), plain);
-  return isWord ? text : value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return isWord ? text : jsonText(value, -1, JsonCharacters::ascii);
 }
 
 std::string digest(const std::string& text) {

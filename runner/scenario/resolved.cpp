@@ -53,7 +53,7 @@ void hash(const Json& value, Hasher& hasher) {
   } else if (value.is_number()) {
     hasher.add("natural").add(value.get<std::uint64_t>());
   } else {
-    hasher.add("text").add(value.get_ref<const std::string&>());
+    hasher.add("text").add(value.text());
   }
 }
 
@@ -64,16 +64,13 @@ void addMesh(Hasher& hasher, const Mesh& mesh) {
     for (const auto corner : face) hasher.add(corner);
 }
 
-/// A scenario is UTF-8; what a name on the command line holds of other bytes must not end the program.
-std::string text(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 void write(const Json& value, const std::string& indent, std::string& out) {
   const auto inner = indent + "  ";
   if (value.is_object() && !value.empty()) {
     out += "{";
     bool first = true;
     for (const auto& [key, member] : value.items()) {
-      out += (first ? "\n" : ",\n") + inner + text(Json(key)) + ": ";
+      out += (first ? "\n" : ",\n") + inner + jsonText(key) + ": ";
       write(member, inner, out);
       first = false;
     }
@@ -88,7 +85,7 @@ void write(const Json& value, const std::string& indent, std::string& out) {
   } else if (value.is_number_float()) {
     out += exactText(value.get<double>());
   } else {
-    out += text(value);
+    out += jsonText(value);
   }
 }
 

@@ -102,7 +102,7 @@ std::string scenarioSchema() {
   using namespace scenario;
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Morula scenario"}};
   schema.update(sectionSchema(*parameterTable().section(""), allDefaults()));
-  return schema.dump(2) + "\n";
+  return jsonText(schema, 2) + "\n";
 }
 
 std::string scenarioParametersAsMarkdown() {

@@ -119,18 +119,19 @@ E choiceOf(const Json& json) {
 
 Study studyOf(const Json& json) {
   Study s;
-  s.file = json.at("file");
-  s.bytes = json.at("text");
-  s.name = json.at("name");
-  s.summary = json.at("summary");
-  for (const Json& base : json.at("bases")) s.bases.push_back({base.at("label"), base.at("file"), {}});
+  s.file = json.at("file").text();
+  s.bytes = json.at("text").text();
+  s.name = json.at("name").text();
+  s.summary = json.at("summary").text();
+  for (const Json& base : json.at("bases"))
+    s.bases.push_back({base.at("label").text(), base.at("file").text(), {}});
   for (const Json& axis : json.at("axes")) {
-    s.axes.push_back({axis.at("name"), {}});
+    s.axes.push_back({axis.at("name").text(), {}});
     for (const Json& level : axis.at("levels")) {
-      Level& made = s.axes.back().levels.emplace_back(Level{level.at("label"), {}});
+      Level& made = s.axes.back().levels.emplace_back(Level{level.at("label").text(), {}});
       for (const Json& change : level.at("changes"))
-        made.overrides.push_back(
-            {change.at("key"), change.at("value"), change.at("place"), change.at("removes")});
+        made.overrides.push_back({change.at("key").text(), change.at("value").text(),
+                                  change.at("place").text(), change.at("removes").get<bool>()});
     }
     if (s.axes.back().levels.empty()) throw FileError("an axis has no levels");
   }
@@ -151,7 +152,7 @@ Study studyOf(const Json& json) {
 
 NamedFile fileOf(const Json& files, const Json& number) {
   const Json& file = files.at(number.get<std::size_t>());
-  return {file.at("role"), file.at("path"), file.at("text")};
+  return {file.at("role").text(), file.at("path").text(), file.at("text").text()};
 }
 
 Plan planOf(const Json& json) {
@@ -175,7 +176,8 @@ Plan planOf(const Json& json) {
   }
   study::addTasks(plan);
   for (const Json& c : json.at("costs"))
-    plan.costs.push_back({c.at("cpu_seconds"), c.at("memory"), c.at("disk"), c.at("tried")});
+    plan.costs.push_back({c.at("cpu_seconds").get<double>(), c.at("memory").get<double>(),
+                          c.at("disk").get<double>(), c.at("tried").get<bool>()});
   if (!plan.costs.empty() && plan.costs.size() != plan.conditions.size()) throw FileError("it lacks costs");
   plan.id = study::planId(plan);
   if (plan.id != json.at("id").get<std::string>() || membersOf(plan) != json)
@@ -194,7 +196,7 @@ Plan readPlan(const std::string& text, const std::string& file) {
   const auto fail = [&](const std::string& what, const std::string& remedy) {
     return FileError("'" + file + "' " + what + "; " + remedy);
   };
-  Json json = Json::parse(text, nullptr, false);
+  Json json = Json::tryParse(text);
   if (!json.is_object() || !json.contains("morula-plan"))
     throw fail("is no plan of a study", "morula study plan makes one");
   if (json["morula-plan"] != formatVersion)

@@ -27,7 +27,7 @@ std::string studySchema() {
     }
     if (key.absent.empty()) schema["required"].push_back(key.path);
   }
-  return schema.dump(2) + "\n";
+  return jsonText(schema, 2) + "\n";
 }
 
 std::string studyKeysAsMarkdown() {

@@ -45,9 +45,9 @@ std::optional<std::string> valueAt(const Json& resolved, const std::string& path
   const Json* value = &resolved;
   for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
-    const auto found = value->is_object() ? value->find(path.substr(begin, end - begin)) : value->end();
-    if (!value->is_object() || found == value->end()) return std::nullopt;
-    value = &*found;
+    const std::string key = path.substr(begin, end - begin);
+    if (!value->contains(key)) return std::nullopt;
+    value = &value->at(key);
     begin = end + 1;
   }
   return value->is_string() ? value->get<std::string>() : jsonText(*value);

@@ -44,7 +44,7 @@ Json takenSchema(Takes takes) {
 }
 
 Json planeSchema() {
-  Json words = Json::array(), forms = Json::array();
+  Json words = Json::array(), forms = Json::array({nullptr});
   for (const DivisionPlaneKind& kind : divisionPlanes()) {
     if (kind.takes == Takes::nothing) words.push_back(kind.name);
     else
@@ -53,7 +53,7 @@ Json planeSchema() {
                        {"required", {kind.name}},
                        {"additionalProperties", false}});
   }
-  forms.insert(forms.begin(), {{"enum", words}});
+  forms[0] = {{"enum", words}};
   return {{"oneOf", forms}};
 }
 

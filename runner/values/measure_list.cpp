@@ -22,7 +22,7 @@ std::string tableOf(const char* title, const char* about, const Json& rows) {
   std::string text = std::string("## ") + title + "\n\n" + about +
                      "\n\n| name | unit | needs | meaning |\n|---|---|---|---|\n";
   for (const Json& row : rows) {
-    const bool sampled = row.at("sampled");
+    const auto sampled = row.at("sampled").get<bool>();
     text += "| `" + row.at("name").get<std::string>() + "`" + (sampled ? "" : " (on demand)") + " | " +
             row.at("unit").get<std::string>() + " | " + row.at("needs").get<std::string>() + " | " +
             row.at("meaning").get<std::string>() + " |\n";
@@ -57,7 +57,7 @@ std::string measuresAsJson() {
   const Json all{{"world", rowsAsJson<Observation>()},
                  {"cell", rowsAsJson<CellContext>()},
                  {"pair", rowsAsJson<Touch>()}};
-  return all.dump(2) + "\n";
+  return jsonText(all, 2) + "\n";
 }
 
 std::string lackingFor(Needs needs, const Scenario& scenario) {

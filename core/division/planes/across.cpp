@@ -1,7 +1,7 @@
 // The plane cuts the contact in two, so both daughters keep a part of it, as skin cells do that stay on what
 // they cover.
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
@@ -9,7 +9,7 @@ namespace {
 
 /// The axis lies in the contact's plane: of those directions the one of the cell's largest extent.
 struct AcrossContact final : DivisionPolicy {
-  explicit AcrossContact(const std::string& s) : substance(s) {}
+  explicit AcrossContact(const PlaneChoice& p) : substance(p.substance) {}
   Cut findCut(const CellContext& cell) const override {
     const std::optional<Vector> contact = contactDirection(cell, substance);
     return throughCentre(cell, contact ? longestExtentAcross(cell, *contact) : longestExtent(cell));
@@ -27,8 +27,7 @@ const DivisionPlaneKind acrossPlane{
     .takes = Takes::substance,
     .needsShape = true,
     .needsContact = true,
-    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<AcrossContact>(p.substance);
-    }};
+    .make = makeFromChoice<AcrossContact>,
+};
 
 }  // namespace morula

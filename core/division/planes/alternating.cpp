@@ -1,6 +1,6 @@
 // The new wall meets the one before at right angles [Sachs 1877].
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 #include "division/record.h"
 
 namespace morula {
@@ -10,7 +10,7 @@ namespace {
 /// Of the directions within the mother's plane, the one of the cell's largest extent. Cells that no division
 /// made are cut across the given axis.
 struct AlternatingPlane final : DivisionPolicy {
-  explicit AlternatingPlane(const Vector& a) : first(a / norm(a)) {}
+  explicit AlternatingPlane(const PlaneChoice& p) : first(p.axis / norm(p.axis)) {}
   Cut findCut(const CellContext& cell) const override {
     const DivisionRecord* mother = cell.motherDivision();
     return throughCentre(cell, mother ? longestExtentAcross(cell, mother->axis) : first);
@@ -29,8 +29,7 @@ const DivisionPlaneKind alternatingPlane{
         "the given one",
     .takes = Takes::axis,
     .needsShape = true,
-    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<AlternatingPlane>(p.axis);
-    }};
+    .make = makeFromChoice<AlternatingPlane>,
+};
 
 }  // namespace morula

@@ -1,13 +1,13 @@
 // Daughter B at the contact, and A away from it.
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
 namespace {
 
 struct AwayFromContact final : DivisionPolicy {
-  explicit AwayFromContact(const std::string& s) : substance(s) {}
+  explicit AwayFromContact(const PlaneChoice& p) : substance(p.substance) {}
   Cut findCut(const CellContext& cell) const override {
     const std::optional<Vector> contact = contactDirection(cell, substance);
     return throughCentre(cell, contact ? -*contact : longestExtent(cell));
@@ -24,8 +24,7 @@ const DivisionPlaneKind awayFromPlane{
     .meaning = "the same direction with daughter B at the contact",
     .takes = Takes::substance,
     .needsContact = true,
-    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<AwayFromContact>(p.substance);
-    }};
+    .make = makeFromChoice<AwayFromContact>,
+};
 
 }  // namespace morula

@@ -1,13 +1,13 @@
 // One direction for all cells that are cut so.
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
 namespace {
 
 struct FixedAxis final : DivisionPolicy {
-  explicit FixedAxis(const Vector& a) : axis(a / norm(a)) {}
+  explicit FixedAxis(const PlaneChoice& p) : axis(p.axis / norm(p.axis)) {}
   Cut findCut(const CellContext& cell) const override { return throughCentre(cell, axis); }
   Vector axis;
 };
@@ -20,8 +20,7 @@ const DivisionPlaneKind axisPlane{
     .name = "axis",
     .meaning = "one fixed axis, which points to daughter A",
     .takes = Takes::axis,
-    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<FixedAxis>(p.axis);
-    }};
+    .make = makeFromChoice<FixedAxis>,
+};
 
 }  // namespace morula

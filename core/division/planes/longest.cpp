@@ -1,6 +1,6 @@
 // Cells tend to divide across their longest extent [Hertwig 1884; Nilsson 2008, §1.1].
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
@@ -18,8 +18,7 @@ const DivisionPlaneKind longestPlane{
     .name = "longest",
     .meaning = "the direction of their largest extent",
     .needsShape = true,
-    .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<LongestExtent>();
-    }};
+    .make = makeFromChoice<LongestExtent>,
+};
 
 }  // namespace morula

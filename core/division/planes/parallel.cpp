@@ -1,7 +1,7 @@
 // The axis lies along the organism's surface: both daughters stay as far out as their mother, and a layer of cells
 // stays one.
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
@@ -24,8 +24,7 @@ const DivisionPlaneKind parallelPlane{
     .meaning =
         "the direction of their largest extent along the organism's surface (in the middle as longest)",
     .needsShape = true,
-    .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<ParallelToSurface>();
-    }};
+    .make = makeFromChoice<ParallelToSurface>,
+};
 
 }  // namespace morula

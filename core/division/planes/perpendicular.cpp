@@ -1,6 +1,6 @@
 // The axis stands on the organism's surface: one daughter goes in, and daughter A stays outside.
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
@@ -22,8 +22,7 @@ const DivisionPlaneKind perpendicularPlane{
     .meaning =
         "the direction that stands on the organism's surface, with daughter A outside (in the middle as "
         "longest)",
-    .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<PerpendicularToSurface>();
-    }};
+    .make = makeFromChoice<PerpendicularToSurface>,
+};
 
 }  // namespace morula

@@ -3,7 +3,7 @@
 // direction to that contact (or away from it), and its daughters inherit this one: as in the worm, whose P lineage
 // turns its polarity round at P2, where it meets EMS.
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
@@ -38,8 +38,7 @@ const DivisionPlaneKind polarityPlane{
         "turns-towards or turns-away-from a substance first turns to the contact with cells that hold it)",
     .takes = Takes::polarity,
     .keepsPolarity = true,
-    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<Polarity>(p);
-    }};
+    .make = makeFromChoice<Polarity>,
+};
 
 }  // namespace morula

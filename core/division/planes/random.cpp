@@ -2,7 +2,7 @@
 #include "base/random.h"
 
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
@@ -25,8 +25,7 @@ const DivisionPlaneKind randomPlane{
     .name = "random",
     .meaning = "a random direction",
     .usesSeed = true,
-    .make = [](const PlaneChoice&, std::uint64_t seed) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<RandomDirection>(seed);
-    }};
+    .make = makeFromChoice<RandomDirection>,
+};
 
 }  // namespace morula

@@ -1,7 +1,7 @@
 // Along the shell, whatever the cell's shape. Of semi-axes that are equally long x comes before y before z.
 #include "base/error.h"
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
@@ -26,8 +26,7 @@ const DivisionPlaneKind shellAxisPlane{
     .name = "shell-axis",
     .meaning = "the shell's longest semi-axis, with daughter A on its positive side",
     .needsLongShell = true,
-    .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<ShellAxis>();
-    }};
+    .make = makeFromChoice<ShellAxis>,
+};
 
 }  // namespace morula

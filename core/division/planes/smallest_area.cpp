@@ -1,7 +1,7 @@
 // The new wall has the least area of all that pass through the middle [Errera 1886; Besson & Dumais 2011].
 #include "division/planes/directions.h"
+#include "division/planes/make_from_choice.h"
 #include "division/planes/section.h"
-#include "division/policy.h"
 
 namespace morula {
 
@@ -22,8 +22,7 @@ const DivisionPlaneKind smallestAreaPlane{
     .name = "smallest-area",
     .meaning = "the direction across which the wall between their daughters has the least area",
     .needsShape = true,
-    .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<SmallestArea>();
-    }};
+    .make = makeFromChoice<SmallestArea>,
+};
 
 }  // namespace morula

@@ -2,7 +2,7 @@
 // towards the other cell's. Two pulls to opposite sides stretch a cell though they add up to none, so the axis is not
 // their sum but the first eigenvector of Σ u uᵀ over the unit vectors u along which they pull, all with one weight.
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 #include "division/principal_axis.h"
 
 namespace morula {
@@ -32,8 +32,7 @@ const DivisionPlaneKind tensionPlane{
     .name = "tension",
     .meaning = "the direction in which their connections pull most (without any as longest)",
     .needsConnections = true,
-    .make = [](const PlaneChoice&, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<AlongTension>();
-    }};
+    .make = makeFromChoice<AlongTension>,
+};
 
 }  // namespace morula

@@ -1,13 +1,13 @@
 // Daughter A at the contact: as the spindle of the worm's P2 turns to EMS, and that of EMS to P2.
 #include "division/planes/directions.h"
-#include "division/policy.h"
+#include "division/planes/make_from_choice.h"
 
 namespace morula {
 
 namespace {
 
 struct TowardsContact final : DivisionPolicy {
-  explicit TowardsContact(const std::string& s) : substance(s) {}
+  explicit TowardsContact(const PlaneChoice& p) : substance(p.substance) {}
   Cut findCut(const CellContext& cell) const override {
     const std::optional<Vector> contact = contactDirection(cell, substance);
     return throughCentre(cell, contact ? *contact : longestExtent(cell));
@@ -26,8 +26,7 @@ const DivisionPlaneKind towardsPlane{
         "as longest)",
     .takes = Takes::substance,
     .needsContact = true,
-    .make = [](const PlaneChoice& p, std::uint64_t) -> std::unique_ptr<DivisionPolicy> {
-      return std::make_unique<TowardsContact>(p.substance);
-    }};
+    .make = makeFromChoice<TowardsContact>,
+};
 
 }  // namespace morula

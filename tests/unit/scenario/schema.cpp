@@ -46,6 +46,22 @@ TEST_CASE("every map in the schema is closed and every entry explained") {
   look(Json::parse(scenarioSchema()));
 }
 
+TEST_CASE("every choice in the schema is a schema") {
+  int choices = 0;
+  const std::function<void(const Json&)> look = [&](const Json& json) {
+    if (json.is_array())
+      for (const Json& item : json) look(item);
+    if (!json.is_object()) return;
+    for (const auto& [key, value] : json.items()) {
+      if (key == "oneOf" || key == "anyOf")
+        for (const Json& choice : value) CHECK((++choices && choice.is_object()));
+      look(value);
+    }
+  };
+  look(Json::parse(scenarioSchema()));
+  CHECK(choices > 20);
+}
+
 TEST_CASE("ranges, names and defaults stand in the schema") {
   const auto properties = Json::parse(scenarioSchema())["properties"];
   const auto& physics = properties["physics"]["properties"];

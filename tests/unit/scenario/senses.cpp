@@ -1,5 +1,4 @@
 // The section `senses`: what it says arrives, means something, and is written as it can be read.
-#include <nlohmann/json.hpp>
 
 #include "biology/sense.h"
 #include "simulation/scene_parts.h"
@@ -89,7 +88,7 @@ TEST_CASE("what a condition says arrives in its fields") {
 }
 
 TEST_CASE("every kind is in the schema and in the list for people") {
-  const Json schema = Json::parse(scenario::senses().schema.dump());
+  const Json schema = scenario::senses().schema;
   CHECK(schema["additionalProperties"]["oneOf"].size() == senseKinds().size());
   for (const SenseKindRow* row : senseKinds())
     CHECK(scenario::sensesAsMarkdown().find("| `" + std::string(row->name) + "` |") != std::string::npos);
