@@ -104,8 +104,10 @@ std::string meshText(const MeshError& mesh) {
 
 std::string orderText(const SeriesOrder& o) {
   if (!o.observed) return fmt::format("  {:<34} too few errors to fit\n", o.series);
-  return fmt::format("  {:<34} {:5.2f} ± {:.2f} from {} time steps; {:g} where all is smooth\n", o.series,
-                     o.observed->slope, o.observed->slopeError, o.observed->points, o.theory);
+  // Through two points a line goes without a rest.
+  const std::string spread = o.observed->points > 2 ? fmt::format(" ± {:.2f}", o.observed->slopeError) : "";
+  return fmt::format("  {:<34} {:5.2f}{} from {} time steps; {:g} where all is smooth\n", o.series,
+                     o.observed->slope, spread, o.observed->points, o.theory);
 }
 
 std::string referenceText(const AccuracyReference& r) {

@@ -20,12 +20,6 @@ namespace {
 
 constexpr int side = 700;  // [pixel] of each picture
 
-std::string goldenBits(const Golden& golden) {
-  for (const GoldenItem& item : golden.data.items)
-    if (item.kind == "bits" && !item.fields.empty()) return item.fields[0];
-  return {};
-}
-
 /// The golden's scenario, run to its end.
 struct MadeAgain {
   std::optional<OrganismPicture> picture;  // if it came to the golden's state
@@ -46,7 +40,7 @@ MadeAgain makeAgain(const Scenario& scenario, const Golden& golden, const Execut
     const auto run =
         simulate(makeScenarioWorld(*before, how), {.nameOf = before->names.function()}, progress);
     if (run.signal) return {{}, "", run.signal};
-    if (run.end.status != RunStatus::done || run.end.stateHash->text() != goldenBits(golden))
+    if (run.end.status != RunStatus::done || run.end.stateHash->text() != acceptedBits(golden))
       return {{}, "this build computes other bits from its scenario"};
     return {pictureOf(run.world, *before), ""};
   } catch (const InputError&) { return {{}, "this build does not take its scenario any more"}; }
@@ -101,7 +95,7 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
     result.notes = {why};
     return result;
   };
-  if (stateHash(world).text() == goldenBits(golden))
+  if (stateHash(world).text() == acceptedBits(golden))
     return alone("The end is the golden's, bit for bit: what differs is no place and no shape.");
   MadeAgain again = makeAgain(scenario, golden, how, quiet);
   if ((result.signal = again.signal)) return result;

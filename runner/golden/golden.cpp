@@ -299,4 +299,10 @@ Golden readGoldenFile(const std::filesystem::path& file) {
   return readGolden(readFile(file), file.string());
 }
 
+std::string acceptedBits(const Golden& golden) {
+  for (const GoldenItem& item : golden.data.items)
+    if (item.kind == "bits" && !item.fields.empty()) return item.fields[0];
+  return {};
+}
+
 }  // namespace morula

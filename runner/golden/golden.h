@@ -67,6 +67,9 @@ Golden readGolden(const std::string& text, const std::string& file);
 /// The same from a file; InputError also if there is none, FileError if it cannot be read.
 Golden readGoldenFile(const std::filesystem::path& file);
 
+/// The hash of the accepted end state; "" where the golden holds none.
+std::string acceptedBits(const Golden& golden);
+
 /// Holds what was observed against the golden. One result per check: scenario, completeness, tolerances,
 /// counts, lineage, time_steps, bits, step_hashes, and values by tolerance rule.
 CheckReport compareGolden(const Golden& golden, const GoldenData& observed);

@@ -165,10 +165,8 @@ PageBlock accuracyChartBlock(const AccuracyRead& read) {
                  " of Bullet's that others of its own beat in error and time are in the table alone.");
   return {"accuracy",
           "Error against cost",
-          "<div class=\"charts\">" +
-              htmlPicture("image/svg+xml", drawChart(chartOf(read, out)).file(PictureFormat::svg),
-                          "error against CPU time, a line for each series of settings", caption) +
-              "</div>\n",
+          htmlLarge("image/svg+xml", drawChart(chartOf(read, out)).file(PictureFormat::svg),
+                    "error against CPU time, a line for each series of settings", caption),
           {}};
 }
 
@@ -273,8 +271,9 @@ PageBlock referenceBlock(const AccuracyRead& read) {
   std::vector<std::vector<std::string>> orders;
   for (const auto& o : read.orders)
     orders.push_back({shown(o.series),
-                      o.observed ? numberText(*o.observed, 3) + " ± " + numberText(o.standardError, 2)
-                                 : "too few errors to fit",
+                      !o.observed    ? "too few errors to fit"
+                      : o.points > 2 ? numberText(*o.observed, 3) + " ± " + numberText(o.standardError, 2)
+                                     : numberText(*o.observed, 3),
                       std::to_string(o.points), numberText(o.theory, 3)});
   if (!orders.empty())
     html +=

@@ -68,6 +68,9 @@ class States {
   Json texts_ = Json::array(), colours_ = Json::array();
 };
 
+// Of these data and of frames.h; the explorer refuses others (reports/explorer/src/data.ts).
+constexpr int explorerFormat = 2;
+
 Json unitsOf() {
   Json units = Json::object();
   for (const auto& m : sampledMeasures<CellContext>()) units[m.name] = m.unit;
@@ -75,7 +78,9 @@ Json unitsOf() {
 }
 
 Json dataOf(const ExplorerRun& run) {
-  Json json{{"title", printableLine(run.title)}, {"end", run.end}};
+  Json json{{"title", printableLine(run.title)},
+            {"scenario", printableLine(run.scenario->scene.name)},
+            {"end", run.end}};
   States states(run);
   Json cells = Json::array();
   for (std::size_t i = 0; i < std::min(run.lineage->size(), mostTreeCells); ++i) {
@@ -106,12 +111,8 @@ Json dataOf(const ExplorerRun& run) {
 }  // namespace
 
 Json explorerData(const std::vector<ExplorerRun>& runs) {
-  Json json{{"morula", 1},
-            {"units", unitsOf()},
-            {"scale", Json::array()},
-            {"series", Json::array()},
-            {"forces", Json::array()},
-            {"runs", Json::array()}};
+  Json json{{"morula", explorerFormat}, {"units", unitsOf()},      {"scale", Json::array()},
+            {"series", Json::array()},  {"forces", Json::array()}, {"runs", Json::array()}};
   for (std::size_t i = 0; i < colourSteps; ++i)
     json["scale"].push_back(hex(scaleColour(double(i) / (colourSteps - 1))));
   for (std::size_t i = 0; i < manySeries; ++i) json["series"].push_back(hex(seriesColour(i)));

@@ -6,6 +6,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   # What the build system knows, fixed when it is configured.
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
   get_target_property(rules morula_flags INTERFACE_COMPILE_OPTIONS)
+  string(GENEX_STRIP "${rules}" rules)
   string(JOIN " " flags ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${rules})
   pkg_check_modules(XXHASH QUIET libxxhash)
   set(libraries "")

@@ -95,7 +95,11 @@ export class Clock {
   }
 
   update(): void {
-    const { time } = this.state.choice, living = this.shown().map((run) => run.cells.filter((c) => c.born <= time && (time < c.ended || (c.fate === "alive" && time <= c.ended))).length);
+    const { time } = this.state.choice;
+    const living = this.shown().map((run) => {
+      const at = Math.min(time, run.end);
+      return run.cells.filter((c) => c.born <= at && (at < c.ended || (c.fate === "alive" && at <= c.ended))).length;
+    });
     const text = `time ${numberText(time)}, ${living.map((n) => `${n} ${n === 1 ? "cell" : "cells"}`).join(" | ")}`;
     if (Number(this.slider.value) !== time) this.slider.value = String(time);
     this.slider.setAttribute("aria-valuetext", text);

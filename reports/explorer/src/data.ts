@@ -65,6 +65,7 @@ export class VertexForces {
 
 export class Run {
   readonly title: string;
+  readonly scenario: string;
   readonly end: number;
   readonly cells: Cell[];
   readonly byPath = new Map<string, Cell>();
@@ -86,6 +87,7 @@ export class Run {
 
   constructor(json: any, bytes: ArrayBuffer) {
     this.title = json.title;
+    this.scenario = json.scenario;
     this.end = json.end;
     this.states = json.states;
     this.colours = json.colours;
@@ -202,8 +204,12 @@ function bytesOf(text: string): ArrayBuffer {
   return bytes.buffer;
 }
 
-export function readData(): Data {
+const format = 2; // explorerFormat in runner/report/explorer_data.cpp
+
+/** Null where the page was made by a program of another format. */
+export function readData(): Data | null {
   const json = JSON.parse(document.getElementById("data")!.textContent!);
+  if (json.morula !== format) return null;
   return {
     units: json.units, scale: json.scale, series: json.series,
     forces: json.forces.map(([name, colour, meaning]: string[]) => ({ name, colour, meaning })),

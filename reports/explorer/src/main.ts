@@ -11,6 +11,11 @@ import { element, Tools } from "./tools";
 import { Tree } from "./tree";
 import { View } from "./view";
 
+/** The run that stands beside the first one: the other of two, of more the next of the same scenario; -1: none. */
+function beside({ runs }: Data): number {
+  return runs.length === 2 ? 1 : runs.findIndex((run, i) => i > 0 && run.scenario === runs[0].scenario);
+}
+
 class Explorer {
   private readonly state: State;
   private readonly colouring: Colouring;
@@ -27,9 +32,9 @@ class Explorer {
   private linking = false;
 
   constructor(root: HTMLElement, private readonly data: Data) {
-    const second = data.runs.length > 1 ? 1 : -1;
+    const second = beside(data);
     const initial: Choice = {
-      time: Math.max(data.runs[0].end, second > 0 ? data.runs[1].end : 0), selected: null, hovered: null, colour: "substance", scaleNow: false, surface: true, wireframe: false, normals: false,
+      time: Math.max(data.runs[0].end, second > 0 ? data.runs[second].end : 0), selected: null, hovered: null, colour: "substance", scaleNow: false, surface: true, wireframe: false, normals: false,
       connections: false, forces: false, kinds: "all", shell: true, opacity: 1, clip: "", clipAt: 0, left: 0, right: second, camera: null,
     };
     this.state = new State(initial, { runs: data.runs.length, time: Math.max(...data.runs.map((r) => r.end)), isCell: (path) => data.runs.some((r) => r.byPath.has(path)) });
@@ -257,5 +262,9 @@ class Explorer {
 }
 
 const place = document.getElementById("explore");
-if (place && document.getElementById("data")) new Explorer(place, readData());
+if (place && document.getElementById("data")) {
+  const data = readData();
+  if (data) new Explorer(place, data);
+  else place.textContent = "The program that made this page and its explorer are of two versions; ./morula report makes both anew.";
+}
 setUpCompare();
