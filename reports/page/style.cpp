@@ -133,7 +133,7 @@ button, select, input { font: inherit; color: inherit; }
   body { font-size: 10pt; } header, main, footer { max-width: none; padding: 0; }
   section { border: 0; padding: 0; margin: .8rem 0; } #verdict { padding-left: .6rem; }
   .wide, .large { overflow: visible; } td, tbody th { overflow-wrap: anywhere; } thead th { white-space: normal; }
-  .long { min-width: 0; } #compare { display: none; }
+  .long { min-width: 0; } .compare { display: none; }
   .tools, .views, .clock, .tip, .downloads, .swipe-tools, #explorer .bar, #info { display: none !important; }
   .panes { display: block; } .tree { height: auto; overflow: visible; border: 0; } pre { max-height: none; }
   h2, h3 { break-after: avoid; } figure, tr, li { break-inside: avoid; }

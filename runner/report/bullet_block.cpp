@@ -151,17 +151,17 @@ std::string pictures(const Scenario& scenario, const World& ours, const External
     return htmlPicture("image/png", pngFile(image), what, caption);
   };
   std::string html =
-      "<div class=\"pictures\">\n<div" + std::string(where.swipe ? " id=\"beside-ours\"" : "") + ">" +
+      "<div class=\"pictures\">\n<div" + std::string(where.swipe ? " data-picture=\"ours\"" : "") + ">" +
       picture(images.one, "our cells " + when, "ours, " + when) + "</div>\n<div" +
       (where.picture.empty() ? "" : " id=\"" + where.picture + "\"") + "><div" +
-      (where.swipe ? " id=\"beside-bullet\"" : "") + ">" +
+      (where.swipe ? " data-picture=\"bullet\"" : "") + ">" +
       picture(images.other, "Bullet's cells " + when, "Bullet's, " + when) + "</div></div>\n<div>" +
       picture(images.distance, "a map of the distances of the surfaces",
               "how far each vertex of ours is from Bullet's surface") +
       "</div>\n</div>\n";
   if (where.swipe)
     html +=
-        "<div id=\"compare\" data-first=\"beside-ours\" data-second=\"beside-bullet\" data-names=\"ours | "
+        "<div class=\"compare\" data-first=\"ours\" data-second=\"bullet\" data-names=\"ours | "
         "Bullet's\"></div>\n";
   return html;
 }

@@ -8,7 +8,7 @@ namespace morula {
 
 struct BulletShown {
   std::string picture;  // id of the element with Bullet's picture, where the explorer looks for it; "": none
-  bool swipe = false;   // ours and Bullet's over each other; once on a page
+  bool swipe = false;   // ours and Bullet's over each other; once in a block
 };
 
 /// HTML. `stored`: the checks that are stored with the run, and null where none can be. `ours`: the run made again.

@@ -59,11 +59,11 @@ std::string overview(const std::vector<CheckedScenario>& checked) {
   return htmlTable("Scenarios", {"Scenario", "Checks", "What differs", "Largest share of a tolerance"}, rows);
 }
 
-std::string blockOf(const CheckedScenario& c, bool isFirst) {
+std::string blockOf(const CheckedScenario& c) {
   std::string html;
   const CellNames names = c.again ? c.again->scenario.names : CellNames{};
   if (!c.report.change.empty()) html += changeTable(c.report.change, names);
-  if (c.again && c.again->beside) html += goldenPictures(*c.again->beside, c.report.scenario, isFirst);
+  if (c.again && c.again->beside) html += goldenPictures(*c.again->beside, c.report.scenario);
   else if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
     html += "<div class=\"pictures\">" +
             htmlPicture("image/png",
@@ -82,8 +82,7 @@ std::string blockOf(const CheckedScenario& c, bool isFirst) {
 
 std::vector<CheckedScenario> readChecked(const std::string& file) {
   const Json json = Json::tryParse(readFile(file));
-  if (!json.is_object() || !json.contains("results"))
-    refuse(file, "no results of a check");
+  if (!json.is_object() || !json.contains("results")) refuse(file, "no results of a check");
   std::vector<CheckedScenario> checked;
   std::map<std::string, std::size_t> places;
   try {
@@ -159,7 +158,7 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
              (c.report.change.empty() ? ""
                                       : ". <i>" + shown(changeSentence(c.report.change, names)) + "</i>")});
     if (++told > mostTold) continue;
-    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c, told == 1), {}});
+    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c), {}});
     if (!c.file.empty())
       part.blocks.back().commands = {"./morula check " + shellWord(c.file),
                                      "./morula explain " + shellWord(c.file),

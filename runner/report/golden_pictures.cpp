@@ -6,7 +6,7 @@
 
 namespace morula {
 
-std::string goldenPictures(const BesideGolden& beside, const std::string& name, bool swiped) {
+std::string goldenPictures(const BesideGolden& beside, const std::string& name) {
   std::string notes;
   for (const std::string& note : beside.notes) notes += "<p class=\"note\">" + shown(note) + "</p>\n";
   if (!beside.images.unmatched.empty())
@@ -16,18 +16,17 @@ std::string goldenPictures(const BesideGolden& beside, const std::string& name, 
            htmlPicture("image/png", pngFile(beside.images.other), name + ": the organism as it is now",
                        "as it is now") +
            "</div>\n" + notes;
-  std::string html;
-  if (swiped)
-    html += "<div id=\"compare\" data-first=\"as-accepted\" data-second=\"as-it-is\" data-names=\"" +
-            htmlText(shown("as accepted | as it is now")) + "\"></div>\n";
-  html += "<div class=\"pictures\">";
+  std::string html =
+      "<div class=\"compare\" data-first=\"accepted\" data-second=\"now\" data-names=\"as accepted | as it "
+      "is "
+      "now\"></div>\n<div class=\"pictures\">";
   const auto add = [&](const Image& image, const std::string& id, const std::string& what) {
-    const std::string picture = htmlPicture("image/png", pngFile(image), name + ": " + what, what);
-    html += swiped && !id.empty() ? "<div id=\"" + id + "\">" + picture + "</div>\n" : picture;
+    html += "<div data-picture=\"" + id + "\">" +
+            htmlPicture("image/png", pngFile(image), name + ": " + what, what) + "</div>\n";
   };
-  add(beside.images.one, "as-accepted", "as accepted");
-  add(beside.images.other, "as-it-is", "as it is now");
-  add(beside.images.distance, "", "how far it is from what is accepted");
+  add(beside.images.one, "accepted", "as accepted");
+  add(beside.images.other, "now", "as it is now");
+  add(beside.images.distance, "distance", "how far it is from what is accepted");
   return html + "</div>\n" + notes;
 }
 

@@ -6,8 +6,8 @@
 
 namespace morula {
 
-/// HTML: the three pictures, or the only one that there is, and what is to be known of them. `name`: of what. `swiped`: golden and now
-/// lie over each other, too, to be swiped and blinked between where programs run; for one block of a page.
-std::string goldenPictures(const BesideGolden& beside, const std::string& name, bool swiped);
+/// HTML: the three pictures, or the only one that there is, and what is to be known of them. Where programs run, golden and now lie
+/// over each other, too, to be swiped and blinked between. `name`: of what.
+std::string goldenPictures(const BesideGolden& beside, const std::string& name);
 
 }  // namespace morula

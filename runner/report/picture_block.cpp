@@ -68,7 +68,7 @@ std::string overlay(std::vector<Pictured>& all) {
   shareLegend(both);
   both[0].camera.framing = both[1].camera.framing = fitFraming(both);
   all[a].picture = both[0], all[b].picture = both[1];
-  return "<div id=\"compare\" data-first=\"picture-" + std::to_string(a) + "\" data-second=\"picture-" +
+  return "<div class=\"compare\" data-first=\"" + std::to_string(a) + "\" data-second=\"" +
          std::to_string(b) + "\" data-names=\"" +
          htmlText(shown(titleOf(*all[a].run)) + " | " + shown(titleOf(*all[b].run))) + "\"></div>\n";
 }
@@ -86,7 +86,8 @@ PageBlock pictureBlock(const std::vector<RunFacts>& runs) {
   for (std::size_t i = 0; i < pictured.size(); ++i) {
     const RunFacts& r = *pictured[i].run;
     const std::string when = r.run.status == RunStatus::done ? "at the end" : "where it failed";
-    block.html += "<div id=\"picture-" + std::to_string(i) + "\">" +
+    block.html += "<div id=\"picture-" + std::to_string(i) + "\" data-picture=\"" + std::to_string(i) +
+                  "\">" +
                   htmlPicture("image/png", pngFile(drawOrganism(pictured[i].picture)),
                               before(r) + "the organism at time " + numberText(r.run.time, 6) + ", " +
                                   counted(r.run.cells, "cell"),
@@ -107,8 +108,7 @@ PageBlock pictureBlock(const std::vector<RunFacts>& runs) {
     block.commands.push_back(commandFor(r, "lineage", "-o lineage.png"));
   }
   block.html += "</div>\n";
-  if (runs.size() == 1 && runs[0].beside)
-    block.html += goldenPictures(*runs[0].beside, titleOf(runs[0]), true);
+  if (runs.size() == 1 && runs[0].beside) block.html += goldenPictures(*runs[0].beside, titleOf(runs[0]));
   if (runs.size() > 1 && trees.size() == 1 && drawn == 1)
     block.html += "<p class=\"note\">The lineage is the same in all runs.</p>\n";
   if (block.commands.size() > 6) block.commands.resize(6);

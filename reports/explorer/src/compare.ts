@@ -1,9 +1,12 @@
-// Two stored pictures over each other: swiped, and blinked between.
+// Two stored pictures of a block over each other: swiped, and blinked between.
 
 export function setUpCompare(): void {
-  const place = document.getElementById("compare");
-  if (!place) return;
-  const [first, second] = [place.dataset.first!, place.dataset.second!].map((id) => document.querySelector<HTMLImageElement>(`#${id} img`));
+  for (const place of document.querySelectorAll<HTMLElement>(".compare")) compare(place);
+}
+
+function compare(place: HTMLElement): void {
+  const pictures = place.closest("section") ?? document;
+  const [first, second] = [place.dataset.first!, place.dataset.second!].map((name) => pictures.querySelector<HTMLImageElement>(`[data-picture="${name}"] img`));
   if (!first || !second) return;
   const under = second.cloneNode() as HTMLImageElement, over = first.cloneNode() as HTMLImageElement, box = document.createElement("div");
   over.className = "over";
