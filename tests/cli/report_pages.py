@@ -18,7 +18,7 @@ known_tags = set(
     " details summary pre code figure img figcaption a br sub script noscript footer".split())
 known_attributes = set(
     "lang charset http-equiv content name rel href id class aria-label scope tabindex role src alt title download type style"
-    " data-first data-second data-names".split())
+    " data-first data-second data-names data-picture".split())
 without_end = {"meta", "link", "img", "br"}
 faults = []
 
