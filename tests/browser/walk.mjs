@@ -147,7 +147,9 @@ export async function otherwise(browser, plain, file) {
   await page.emulateMediaFeatures([]);
   await page.emulateMediaType("print");
   for (const [what, isSeen] of [["#explorer .tools", false], ["#explorer canvas", false], ["#tree svg", true], ["#verdict", true]])
-    check(`${file}: on paper ${what} is ${isSeen ? "seen" : "not seen"}`, (await page.$eval(what, (e) => e.checkVisibility())) === isSeen);
+    await page // the tree is drawn anew when the medium changes
+      .waitForFunction((w, seen) => document.querySelector(w).checkVisibility() === seen, { timeout: 5000 }, what, isSeen)
+      .catch(() => check(`${file}: on paper ${what} is ${isSeen ? "seen" : "not seen"}`, false));
   await page.close();
   const without = await open(plain, file);
   check(`${file}: without WebGL the stored picture`, (await without.$("#explorer .view img")) !== null && (await without.$("#explorer canvas")) === null);
