@@ -1,8 +1,8 @@
 #pragma once
 // The blocks of a page of an accuracy run.
 #include "page/page.h"
-#include "report/accuracy_read.h"
-#include "report/words.h"
+#include "report_data/accuracy_read.h"
+#include "report_data/words.h"
 
 namespace morula {
 

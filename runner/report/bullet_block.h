@@ -2,7 +2,7 @@
 // Ours beside Bullet's: the numbers that decide, pictures, and how far the surfaces are apart.
 #include "page/page.h"
 #include "report/parts.h"
-#include "report/words.h"
+#include "report_data/words.h"
 
 namespace morula {
 

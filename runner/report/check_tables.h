@@ -1,6 +1,6 @@
 #pragma once
 // What a check found, on a page: a table of shares, what differs, and how the result has changed in words.
-#include "report/words.h"
+#include "report_data/words.h"
 
 namespace morula {
 

@@ -2,7 +2,7 @@
 
 #include "page/html.h"
 #include "page/page.h"
-#include "report/words.h"
+#include "report_data/words.h"
 
 namespace morula {
 

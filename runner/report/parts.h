@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "check/beside_golden.h"
-#include "report/explorer_data.h"
+#include "report_data/explorer_data.h"
 #include "report/report.h"
-#include "report/words.h"
+#include "report_data/words.h"
 
 namespace morula {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The blocks of a page that say what runs look like and where they come from.
 #include "page/page.h"
-#include "report/words.h"
+#include "report_data/words.h"
 
 namespace morula {
 

@@ -1,6 +1,6 @@
 #pragma once
 // What must be known first of the runs on a page: what failed, what is not sane, what is ambiguous, which seeds change nothing.
-#include "report/words.h"
+#include "report_data/words.h"
 
 namespace morula {
 

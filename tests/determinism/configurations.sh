@@ -3,8 +3,9 @@
 #   configuration NAME BUILD SCENES COMMAND...
 #
 # BUILD: ordinary, or one of build_as.sh's. SCENES: all; shorter: not the scene that takes minutes; short: not the one
-# that takes half a minute either, where it would take an hour. COMMAND: `morula` and `run_scene` in it stand for the
-# build's programs; run_scene is the simulator alone, for machines where the libraries of morula are not.
+# that takes half a minute either, where it would take an hour; quick: none of many steps of many cells. COMMAND: `morula`
+# and `run_scene` in it stand for the build's programs; run_scene is the simulator alone, for machines where the libraries
+# of morula are not, and for builds that differ in how it computes.
 
 configuration "as it is" ordinary all morula
 for isa in scalar narrow avx2 avx512; do configuration "instruction set $isa" ordinary shorter morula --isa $isa; done
@@ -26,4 +27,4 @@ configuration "gcc -O2" gcc-O2 shorter run_scene
 configuration "gcc -O3" gcc-O3 shorter run_scene
 configuration "everything with AVX2" gcc-O2-avx2 shorter run_scene
 configuration "everything with AVX-512" gcc-O2-avx512 shorter run_scene
-for isa in scalar narrow; do configuration "aarch64, $isa" aarch64-O2 short qemu-aarch64 run_scene --isa $isa; done
+for isa in scalar narrow; do configuration "aarch64, $isa" aarch64-O2 quick qemu-aarch64 run_scene --isa $isa; done

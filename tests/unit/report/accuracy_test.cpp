@@ -2,7 +2,7 @@
 #include <fstream>
 
 #include "catch.h"
-#include "report/accuracy_read.h"
+#include "report_data/accuracy_read.h"
 #include "report/parts.h"
 #include "temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // Bullet's run on a page: its shapes as frames, what is said of it, and that it is held to what is stored.
-#include "report/bullet_again.h"
+#include "report_data/bullet_again.h"
 
 #include "catch.h"
 #include "engines/bullet_scene.h"

@@ -1,12 +1,12 @@
 // Forces in frames: they add up to mass times acceleration, and measuring them changes nothing.
-#include "report/frame_forces.h"
+#include "report_data/frame_forces.h"
 
 #include <bit>
 #include <cmath>
 
 #include "catch.h"
 #include "loop/simulate.h"
-#include "report/frames.h"
+#include "report_data/frames.h"
 #include "simulation/stages.h"
 
 namespace morula {

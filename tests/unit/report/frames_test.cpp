@@ -1,5 +1,5 @@
 // Frames of a run: positions as good as promised, evenly over time, and thinned from the front.
-#include "report/frames.h"
+#include "report_data/frames.h"
 
 #include <bit>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What a page says in words, and that texts of others stay texts.
-#include "report/words.h"
+#include "report_data/words.h"
 
 #include "catch.h"
 #include "report/check_tables.h"

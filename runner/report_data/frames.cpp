@@ -1,10 +1,10 @@
-#include "report/frames.h"
+#include "report_data/frames.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "report/bytes.h"
+#include "report_data/bytes.h"
 
 namespace morula {
 

@@ -1,7 +1,7 @@
 // What the runs of a page are called.
 #include <map>
 
-#include "report/words.h"
+#include "report_data/words.h"
 #include "scenario/deciding_values.h"
 
 namespace morula {

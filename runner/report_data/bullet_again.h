@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engines/bullet_check.h"
-#include "report/frames.h"
+#include "report_data/frames.h"
 
 namespace morula {
 

@@ -1,4 +1,4 @@
-#include "report/words.h"
+#include "report_data/words.h"
 
 #include <map>
 

@@ -8,8 +8,8 @@
 
 #include "check/beside_golden.h"
 #include "loop/simulate.h"
-#include "report/bullet_again.h"
-#include "report/frames.h"
+#include "report_data/bullet_again.h"
+#include "report_data/frames.h"
 #include "store/store.h"
 
 namespace morula {

@@ -1,4 +1,4 @@
-#include "report/explorer_data.h"
+#include "report_data/explorer_data.h"
 
 #include <cstdio>
 #include <set>
@@ -7,7 +7,7 @@
 #include "files/printable.h"
 #include "pictures/picture_maker.h"
 #include "pictures/pictures.h"
-#include "report/words.h"
+#include "report_data/words.h"
 
 namespace morula {
 

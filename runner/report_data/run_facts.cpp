@@ -1,4 +1,4 @@
-#include "report/run_facts.h"
+#include "report_data/run_facts.h"
 
 #include "base/error.h"
 #include "check/ambiguous.h"

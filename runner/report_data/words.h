@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/run_facts.h"
+#include "report_data/run_facts.h"
 
 namespace morula {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/mesh.h"
-#include "report/frame_forces.h"
+#include "report_data/frame_forces.h"
 #include "simulation/measures.h"
 #include "simulation/world.h"
 

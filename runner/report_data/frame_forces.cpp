@@ -1,4 +1,4 @@
-#include "report/frame_forces.h"
+#include "report_data/frame_forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "physics/integrator.h"
-#include "report/bytes.h"
+#include "report_data/bytes.h"
 #include "simulation/checkpoint.h"
 
 namespace morula {

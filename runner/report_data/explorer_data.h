@@ -5,7 +5,7 @@
 
 #include "loop/simulate.h"
 #include "page/page.h"
-#include "report/frames.h"
+#include "report_data/frames.h"
 #include "system/json.h"
 
 namespace morula {

@@ -1,4 +1,4 @@
-#include "report/bullet_again.h"
+#include "report_data/bullet_again.h"
 
 #include <algorithm>
 

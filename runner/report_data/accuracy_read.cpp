@@ -1,4 +1,4 @@
-#include "report/accuracy_read.h"
+#include "report_data/accuracy_read.h"
 
 #include "base/number_text.h"
 
