@@ -119,6 +119,7 @@ TEST_CASE("By contact: a gene that produces release keeps cells apart, and ends 
 }
 
 TEST_CASE("Pairs: only cells that touch and hold the two substances connect, whichever holds which") {
+  using enum CellChange;
   const auto after = [](std::vector<ConnectedPair> pairs) {
     ConnectionParameters p = with(MakeConnections::pairs, ConnectionsOnDivision::plane);
     p.pairs = std::move(pairs);
