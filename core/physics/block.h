@@ -31,10 +31,17 @@ struct TemplateView {
   const double* restLengths;      // [edge] [length] of the template, at scale 1
   const std::int32_t* ringStart;  // [vertex + 1] into ring
   const RingStep* ring;
+  const double* ringShare;  // [as ring] 1 over the number of that vertex' own neighbours; 0 of a repeated one
   // Shape matching only, at scale 1
   const double* restShape;    // [vertex][3] [length] from the mean of the vertices
   const double* restInverse;  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz [1/length²]
   double restVolume;          // [length³]
+
+  /// Of a vertex: the first so many of its ring.
+  int neighbours(int vertex) const {
+    const int last = ringStart[vertex + 1];
+    return last - ringStart[vertex] - (ring[last - 1].edgeOffset == edgeCount * blockLanes);
+  }
 };
 
 /// Where a block's numbers lie. Lengths: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].

@@ -12,6 +12,7 @@ TemplateView MeshTemplate::view() const {
           .restLengths = restLengths.data(),
           .ringStart = ringStart.data(),
           .ring = ring.data(),
+          .ringShare = ringShare.data(),
           .restShape = rest.vertices.data(),
           .restInverse = rest.inverse.data(),
           .restVolume = rest.volume};
@@ -31,10 +32,15 @@ MeshTemplate makeTemplate(const Mesh& mesh) {
   t.restLengths.push_back(0);  // of the slack edge that evens out odd rings
   for (int v = 0; v < c.vertexCount; ++v) {
     t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
-    for (int k = c.ringStart[v]; k < c.ringStart[v + 1]; ++k)
-      t.ring.push_back({c.ringVertex[k] * vertexStride, c.ringEdge[k] * blockLanes});
-    if ((c.ringStart[v + 1] - c.ringStart[v]) % 2 == 1)
+    for (int k = c.ringStart[v]; k < c.ringStart[v + 1]; ++k) {
+      const int neighbour = c.ringVertex[k];
+      t.ring.push_back({neighbour * vertexStride, c.ringEdge[k] * blockLanes});
+      t.ringShare.push_back(1.0 / (c.ringStart[neighbour + 1] - c.ringStart[neighbour]));
+    }
+    if ((c.ringStart[v + 1] - c.ringStart[v]) % 2 == 1) {
       t.ring.push_back({t.ring.back().vertexOffset, c.edgeCount * blockLanes});
+      t.ringShare.push_back(0);
+    }
   }
   t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
   return t;

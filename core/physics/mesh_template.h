@@ -23,6 +23,7 @@ struct MeshTemplate {
   std::vector<double> restLengths;
   std::vector<std::int32_t> ringStart;  // [vertex + 1] into ring
   std::vector<RingStep> ring;           // TemplateView
+  std::vector<double> ringShare;        // TemplateView
   double meanRestLength = 0;            // [length]
   RestShape rest;                       // empty where no body is made by shape matching
 

@@ -14,28 +14,6 @@ namespace {
 
 constexpr double ballArea = 4 * std::numbers::pi;  // over the square of the radius
 
-/// Every edge once: in one of its two faces it runs upwards.
-double membraneEnergy(const Bodies& b, int slot) {
-  const Mesh& rest = b.meshOf(slot).mesh;
-  double sum = 0;
-  for (const Face& face : rest.faces)
-    for (int k = 0; k < 3; ++k) {
-      const int i = face[k], j = face[(k + 1) % 3];
-      if (i > j) continue;
-      const double length = norm(b.vertex(slot, i) - b.vertex(slot, j));
-      const double off = length - b.restScale[slot] * norm(rest.vertices[i] - rest.vertices[j]);
-      sum += off * off;
-    }
-  return 0.5 * b.parameters.membrane.stiffness * sum;
-}
-
-double fluidEnergy(const Bodies& b, int slot) {
-  const double k = b.pressureConstant[slot], outside = b.parameters.pressure.outside;
-  if (k == 0) return outside * b.volume[slot];
-  const double r = outside * b.volume[slot] / k;
-  return k * (r - 1 - naturalLog(r));
-}
-
 }  // namespace
 
 BodyShape measureShape(const Bodies& b, int slot) {
@@ -76,13 +54,6 @@ double measureKineticEnergy(const Bodies& b, int slot) {
     sum += dot(u, u);
   }
   return 0.5 * b.vertexMass[slot] * sum;
-}
-
-double measureEnergy(const Bodies& b) {
-  double sum = 0;
-  for (int slot : b.slots)
-    sum += measureKineticEnergy(b, slot) + membraneEnergy(b, slot) + fluidEnergy(b, slot);
-  return sum;
 }
 
 Vector measureMomentum(const Bodies& b) {

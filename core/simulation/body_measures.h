@@ -15,9 +15,6 @@ double measureRestVolume(const Bodies& bodies, int slot);
 
 /// [force·length] ½ Σ m v² over a cell's vertices.
 double measureKineticEnergy(const Bodies& bodies, int slot);
-/// [force·length] Of all cells: ½mv², ½k_s(l−l₀)² of every edge, and of the fluid k_p (r − 1 − ln r) with
-/// r = P₀V/k_p: nothing where they are at rest. Not what contacts hold, nor connections.
-double measureEnergy(const Bodies& bodies);
 /// [mass·length/time] Of all cells.
 Vector measureMomentum(const Bodies& bodies);
 

@@ -322,7 +322,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkEnergy(scenario, reading, root);
     checkCoarsening(scenario, reading, root);
     checkModel(scenario, reading, root);
-    checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law == ContactLaw::pair,
+    checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law != ContactLaw::thesis,
                     reading, root);
     checkSpheres(scenario, reading, root);
     checkDivision(scenario, reading, root);
