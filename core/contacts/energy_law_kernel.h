@@ -32,11 +32,13 @@
 //
 // Damping adds s C u² ḋ to E_D, with ḋ = −(v_i − v_j)·h how fast the surfaces close, where the sum pushes: it acts
 // along the gradient of D, with its couple, so it keeps both momenta. ḋ leaves out how fast normals turn, which in the
-// sum over a surface cancels: damping takes energy from surfaces, though a single pair may give some.
+// sum over a surface cancels: damping takes energy from surfaces, though a single pair may give some. It may push a
+// little before surfaces overlap, so that no force jumps.
 //
-// Friction acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D |h| and v_t the speed along the
-// surface. A central force of the pair keeps both momenta and only takes energy; over a surface, where neighbours stand
-// around a vertex on all sides, half of it acts along the slip: hence the 2. c_max keeps it from reversing the slip
+// Friction acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face, and v_t the
+// speed along the surface. A central force of the pair keeps both momenta and only takes energy; over a surface, where neighbours stand
+// around a vertex on all sides, half of it acts along the slip: hence the 2.
+// Where vertices stand face to face it has no lever: the cone is kept in the mean over how meshes lie. c_max keeps it from reversing the slip
 // within a step (contacts.cpp).
 //
 // The gap by mean normals and forces that follow from a potential through the normals are those of convergent contact

@@ -69,8 +69,9 @@ constexpr double foldedAdhesion = 80;
 /// [force/length] Of one pair of vertices. With the pair law it either pushes or draws, and the steeper slope counts.
 double contactStiffness(const Contacts& c, const Bodies& b) {
   const double adhesion = adhesionStiffness(c, b);
-  return c.parameters.law == ContactLaw::energy ? c.parameters.stiffness + foldedAdhesion * adhesion
-                                                : std::max(c.parameters.stiffness, adhesion);
+  return c.parameters.law == ContactLaw::energy && !b.areSpheres()
+             ? c.parameters.stiffness + foldedAdhesion * adhesion
+             : std::max(c.parameters.stiffness, adhesion);
 }
 
 /// The limits of the cell with the smallest combined one.
