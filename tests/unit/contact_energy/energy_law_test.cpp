@@ -18,7 +18,7 @@ ContactParameters sticky(ContactParameters law, double work) {
   return law;
 }
 
-const std::vector<Case> cases{{"plain", {}},
+const std::vector<Case> cases{{"plain", {ContactLaw::energy}},
                               {"no damping", {ContactLaw::energy, 40, 0}},
                               {"damped", {ContactLaw::energy, 40, 0.5}},
                               {"friction", {ContactLaw::energy, 40, 0.05, 0.3}},

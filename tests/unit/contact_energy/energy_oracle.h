@@ -70,7 +70,7 @@ struct EnergyOracle {
     if (u <= 0) return {};
     const double overlap = -dot(a, h), depth = std::max(0.0, overlap), bulk = k * depth * depth;
     const double m = 1 - dot(i.normal, j.normal), s = m * m * (3 - m) / 4;
-    const double hard = 1 + 12 * bulk + 1100 * bulk * bulk;
+    const double hard = 1 + 12 * bulk + 300 * bulk * bulk;
     const double byDepth =
         std::max(0.0, s * u * u * (law.stiffness * overlap * hard - law.damping * dot(v, h)));
     const double held = holds(i, j),
