@@ -49,6 +49,8 @@ struct BlockView {
   const double* vertexMass;        // [l]
   const double* restScale;         // [l] rest length over the template's
   const double* pressureConstant;  // [l] k_p
+  // Between drift and kick: the points that the shell holds [v]; null without a shell
+  RealPointer held;
   // Output of each cell
   double* volume;    // [l]
   double* pressure;  // [l]

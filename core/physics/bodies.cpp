@@ -38,6 +38,7 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
     }
   }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(std::size_t(lines) * vertexStride, 0);
+  if (b.parameters.shell && !b.parameters.shell->mesh && !b.areSpheres()) b.held.assign(b.position.size(), 0);
   if (kindOf(b.parameters.integrator).evaluations > 1)
     b.substeps.assign(std::size_t(lines) * vertexStride * 4, 0);
 }
@@ -96,7 +97,8 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
     b.mesh.rest = makeRestShape(b.mesh.mesh);
     for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);
   }
-  for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps}) *a = Reals(parameters.precision);
+  for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps, &b.held})
+    *a = Reals(parameters.precision);
   b.scratch.assign(threads,
                    {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});
   for (auto& s : b.scratch) {
@@ -127,6 +129,9 @@ BlockView Bodies::block(int index, int thread) {
           .vertexMass = &vertexMass[l],
           .restScale = &restScale[l],
           .pressureConstant = &pressureConstant[l],
+          .held = held.size() > 0    ? held.from(v)
+                  : parameters.shell ? position.from(v)
+                                     : RealPointer{nullptr},
           .volume = &volume[l],
           .pressure = &pressure[l],
           .predicted = s.predicted.from(0),

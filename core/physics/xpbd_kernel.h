@@ -23,7 +23,7 @@
 // rounding a short step magnifies. All of them are inner: momentum stays.
 #include "physics/lane_matrix.h"
 #include "physics/ring_kernel.h"
-#include "physics/shell_kernel.h"
+#include "physics/shell_surface_kernel.h"
 
 namespace morula::MORULA_ISA {
 
@@ -151,24 +151,16 @@ inline void keepAngularMomentum(const TemplateView& mesh, const BlockView& b, do
 }
 
 /// 5. predicted ← velocity.
-template <ShellShape shell>
+template <class Shell>
 inline void endSubstep(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
-  const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width) {
-      Vec velocity = loadVec(b.velocity, v, lane), predicted = velocity;
-      if constexpr (shell != ShellShape::none) {
-        Vec x = loadVec(b.position, v, lane);
-        keepInShell<shell>(slope, x, velocity, predicted);
-        storeVec(b.position, v, lane, x);
-        storeVec(b.velocity, v, lane, velocity);
-      }
-      storeVec(b.predicted, v, lane, predicted);
-    }
+    for (int lane = 0; lane < b.liveLanes; lane += width)
+      storeVec(b.predicted, v, lane, loadVec(b.velocity, v, lane));
+  if constexpr (Shell::isThere) keepInShell<Shell>(mesh, b, p);
 }
 
 /// x ← x', velocity and predicted ← v'. The kick only ends the evaluation. A step of 0 moves nothing.
-template <bool damped, ShellShape shell>
+template <bool damped, class Shell>
 inline void driftXpbd(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   const double h = dt / p.substeps, kept = 1 / (1 + h * p.drag);
   for (int i = 0; i < p.substeps && dt > 0; ++i) {
@@ -177,9 +169,9 @@ inline void driftXpbd(const TemplateView& mesh, const BlockView& b, const Kernel
     solveEdges<damped>(mesh, b, p, h);
     solveFluid(mesh, b, p, h);
     keepAngularMomentum(mesh, b, h, spin);
-    if (i + 1 < p.substeps) endSubstep<shell>(mesh, b, p);
+    if (i + 1 < p.substeps) endSubstep<Shell>(mesh, b, p);
   }
-  endSubstep<shell>(mesh, b, p);
+  endSubstep<Shell>(mesh, b, p);
 }
 
 }  // namespace morula::MORULA_ISA

@@ -122,7 +122,7 @@ void visitFields(T& connection, auto&& visit) {
 template <IsA<Bodies> T>
 void visitFields(T& bodies, auto&& visit) {
   auto& [parameters, kernelParameters, mesh, surface, coarser, count, slots, blocks, livingVertices, position,
-         velocity, acceleration, vertexMass, restScale, pressureConstant, substeps, volume, pressure,
+         velocity, acceleration, vertexMass, restScale, pressureConstant, substeps, held, volume, pressure,
          scratch] = bodies;
   visit(Field{"vertex mass", "vertex mass"}, vertexMass);
   visit(Field{"rest scale", "rest scale"}, restScale);
@@ -165,7 +165,8 @@ void visitBody(const Bodies& bodies, int slot, auto&& visit) {
 template <IsA<World> W>
 void visitState(W& world, auto&& visit) {
   auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts,
-         connections, lineage, timeSteps, divisions, birthSizes, polarities, before, motility, swirls] = world;
+         connections, lineage, timeSteps, divisions, birthSizes, polarities, before, motility, swirls] =
+      world;
   visit("clock", clock);
   visit("cells", cells);
   visit("lineage", lineage.entries);

@@ -1,0 +1,28 @@
+#include "physics/shell_surface.h"
+
+namespace morula {
+
+std::vector<Point> measureHeldPoints(const Mesh& surface, const ShellParameters& shell) {
+  std::vector<Point> held = surface.vertices;
+  if (shell.mesh) return held;
+  const double* a = shell.semiAxes;
+  const auto slope = [a](const Vector& u) {
+    return Vector{u.x / (a[0] * a[0]), u.y / (a[1] * a[1]), u.z / (a[2] * a[2])};
+  };
+  std::vector<double> depth(held.size()), neighbours(held.size());
+  for (const Face& face : surface.faces)
+    for (int k = 0; k < 3; ++k) {  // of the two faces at an edge one runs along it from each end
+      const Vector d = surface.vertices[face[(k + 1) % 3]] - surface.vertices[face[k]];
+      depth[face[k]] += dot(d, slope(d));
+      neighbours[face[k]] += 1;
+    }
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    constexpr double near =
+        1 - 1e-6;  // the shell puts points onto itself to rounding, that of single precision too
+    const Vector s = slope(held[v]);
+    if (dot(held[v], s) > near) held[v] -= (0.125 * depth[v] / neighbours[v] / dot(s, s)) * s;
+  }
+  return held;
+}
+
+}  // namespace morula
