@@ -29,6 +29,7 @@ struct TemplateView {
   int vertexCount, edgeCount;
   const std::int32_t* edges;      // [edge][2], first < second
   const double* restLengths;      // [edge] [length] of the template, at scale 1
+  const double* springWeights;    // [edge] [1] of k_s and k_d; null: all 1
   const std::int32_t* ringStart;  // [vertex + 1] into ring
   const RingStep* ring;
   // Shape matching only, at scale 1

@@ -71,11 +71,14 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                   const std::vector<Mesh>& coarser) {
   Bodies b;
   b.parameters = parameters;
-  b.mesh = b.areSpheres() ? makeCentre(2 * parameters.cell.radius) : makeTemplate(egg);
+  b.mesh = b.areSpheres() ? makeCentre(2 * parameters.cell.radius)
+                          : makeTemplate(egg, parameters.membrane.springs);
   if (b.areSpheres()) b.surface = egg;
   for (const Mesh& mesh : coarser) {
     const Mesh& finer = b.meshAt(static_cast<int>(b.coarser.size())).mesh;
-    CoarserMesh next{makeTemplate(scaleToVolume(mesh, measureVolume(finer.vertices, finer.faces))), {}};
+    CoarserMesh next{makeTemplate(scaleToVolume(mesh, measureVolume(finer.vertices, finer.faces)),
+                                  parameters.membrane.springs),
+                     {}};
     next.nested = findNested(next.mesh.mesh.vertices, finer.vertices);
     b.coarser.push_back(std::move(next));
   }

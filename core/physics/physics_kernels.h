@@ -21,6 +21,7 @@ struct PhysicsKernels {
   TimedStage endAndDrift[2][5];
   TimedStage endEvaluation[5], kickVelocityVerlet[5], kickSymplecticEuler[5];  // [KickShell]
   Stage findTensions, findDampedTensions;
+  Stage findWeightedTensions[2];                 // [damped]
   Stage accumulateRings, accumulateAreaVectors;  // with spring forces, and without
   Stage addPressureForces, addPressureAndDragForces, findPressure;
   Stage findShapeForces[2][2];  // [damped or dragged][volumes too]

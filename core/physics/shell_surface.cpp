@@ -1,5 +1,8 @@
 #include "physics/shell_surface.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace morula {
 
 std::vector<Point> measureHeldPoints(const Mesh& surface, const ShellParameters& shell) {
@@ -19,8 +22,18 @@ std::vector<Point> measureHeldPoints(const Mesh& surface, const ShellParameters&
   for (std::size_t v = 0; v < held.size(); ++v) {
     constexpr double near =
         1 - 1e-6;  // the shell puts points onto itself to rounding, that of single precision too
-    const Vector s = slope(held[v]);
-    if (dot(held[v], s) > near) held[v] -= (0.125 * depth[v] / neighbours[v] / dot(s, s)) * s;
+    const Point x = held[v];
+    const Vector s = slope(x);
+    const double reach = std::sqrt(dot(x, s));
+    if (!(reach > near)) continue;
+    const Vector sag = (0.125 * depth[v] / neighbours[v] / dot(s, s)) * s;
+    double share = 1;  // of the sag that puts the point onto the shell
+    for (int turn = 0; turn < 4; ++turn) {
+      held[v] = x - share * sag;
+      const double lowered = reach - std::sqrt(dot(held[v], slope(held[v])));
+      share = std::clamp(share * (reach - 1) / lowered, 1 - heldWithin, 1 + heldWithin);
+    }
+    held[v] = x - share * sag;
   }
   return held;
 }

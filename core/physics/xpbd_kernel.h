@@ -8,7 +8,7 @@
 //                                                 them better than one impulse for all.
 //   2. edges, in the mesh's order: along an edge of length l = |d| an impulse h f changes stretch and rate by
 //      −2h² f/m and −2h f/m, so f = k_s (l − L0) + k_d l' after it is
-//        f/m = (k_s (l − L0) + k_d l') / (m + 2h (h k_s + k_d)) before it.
+//        f/m = (k_s (l − L0) + k_d l') / (m + 2h (h k_s + k_d)) before it; k_s and k_d with the edge's weight.
 //   3. fluid: with ∇V = G/6 at x and c = h² Σ|∇V|²/m, a pressure p moves the volume to V' = V + c p. The
 //      fluid's own pressure there, p = k_p/V' − P_0, is the larger root of
 //        c p² + (V + c P_0) p + P_0 V − k_p = 0, and makes V' > 0 whatever V.
@@ -54,12 +54,17 @@ inline void predictMotion(const TemplateView& mesh, const BlockView& b, double k
 template <bool damped>
 inline void solveEdges(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
   const Lanes stiffness = p.stiffness, damping = p.damping, step = h;
+  const double yielding = 2 * h * (h * p.stiffness + p.damping);
   Lanes perTension[blockLanes / width];  // velocity over k_s (l − L0) + k_d l'
-  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
-    perTension[group] = step / (load(b.vertexMass + lane) + Lanes(2 * h * (h * p.stiffness + p.damping)));
+  const auto findPerTension = [&](double weight) {
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
+      perTension[group] = Lanes(h * weight) / (load(b.vertexMass + lane) + Lanes(yielding * weight));
+  };
+  findPerTension(1);
   for (int e = 0; e < mesh.edgeCount; ++e) {
     const int first = mesh.edges[2 * e], second = mesh.edges[2 * e + 1];
     const Lanes templateLength = mesh.restLengths[e];
+    if (mesh.springWeights) findPerTension(mesh.springWeights[e]);
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       const Vec x = loadVec(b.position, first, lane), y = loadVec(b.position, second, lane), d = y - x;
       const Vec v = loadVec(b.velocity, first, lane), w = loadVec(b.velocity, second, lane);

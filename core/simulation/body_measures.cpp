@@ -15,18 +15,14 @@ namespace {
 
 constexpr double ballArea = 4 * std::numbers::pi;  // over the square of the radius
 
-/// Every edge once: in one of its two faces it runs upwards.
 double membraneEnergy(const Bodies& b, int slot) {
-  const Mesh& rest = b.meshOf(slot).mesh;
+  const MeshTemplate& mesh = b.meshOf(slot);
   double sum = 0;
-  for (const Face& face : rest.faces)
-    for (int k = 0; k < 3; ++k) {
-      const int i = face[k], j = face[(k + 1) % 3];
-      if (i > j) continue;
-      const double length = norm(b.vertex(slot, i) - b.vertex(slot, j));
-      const double off = length - b.restScale[slot] * norm(rest.vertices[i] - rest.vertices[j]);
-      sum += off * off;
-    }
+  for (int e = 0; e < mesh.edgeCount(); ++e) {
+    const double length = norm(b.vertex(slot, mesh.edges[2 * e]) - b.vertex(slot, mesh.edges[2 * e + 1]));
+    const double off = length - b.restScale[slot] * mesh.restLengths[e];
+    sum += (mesh.springWeights.empty() ? 1 : mesh.springWeights[e]) * off * off;
+  }
   return 0.5 * b.parameters.membrane.stiffness * sum;
 }
 
@@ -158,16 +154,14 @@ double measureInvertedShare(const BodyShape& shape) {
 
 double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
   constexpr double within =
-      1e-6;                     // the shell puts points onto itself to rounding, that of single precision too
-  constexpr double gap = 0.02;  // [1] of the sag, which changes while a surface slides
+      1e-6;  // the shell puts points onto itself to rounding, that of single precision too
   if (shape.isBall) return 0;
   const double* a = shell.semiAxes;
   const auto& [vertices, faces] = shape.surface;
   const std::vector<Point> held = measureHeldPoints(shape.surface, shell);
   const auto isOnShell = [&](int v) {
     if (shell.mesh) return measureReach(shell.mesh->planes, vertices[v]) > 1 - within;
-    const Point p = held[v] + gap * (vertices[v] - held[v]);
-    const Vector q{p.x / a[0], p.y / a[1], p.z / a[2]};
+    const Vector q{held[v].x / a[0], held[v].y / a[1], held[v].z / a[2]};
     return std::sqrt(dot(q, q)) > 1 - within;
   };
   double all = 0, onShell = 0;

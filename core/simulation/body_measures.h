@@ -32,8 +32,7 @@ double measureExtent(const Bodies& bodies);
 /// [1] Share of a surface's area whose outer side is turned to the mean of its vertices.
 double measureInvertedShare(const BodyShape& shape);
 
-/// [1] The share of a surface that lies on the shell (physics/shell_surface.h), to a millionth of its size and a fiftieth
-/// of what it lies below its vertices: a vertex there stands for a third of the area of its faces. 0 of a ball, which touches it in a point.
+/// [1] The share of a surface that lies on the shell (physics/shell_surface.h), to a millionth of its size: a vertex there stands for a third of the area of its faces. 0 of a ball, which touches it in a point.
 double measureShellShare(const BodyShape& shape, const ShellParameters& shell);
 
 /// [length³] What the scene's shell encloses.

@@ -111,7 +111,7 @@ MemoryUse measureMemory(const World& world) {
   if (world.bodies) {
     const Bodies& b = *world.bodies;
     m.mesh = bytes(b.mesh.mesh.vertices, b.mesh.mesh.faces, b.mesh.edges, b.mesh.restLengths,
-                   b.mesh.ringStart, b.mesh.ring);
+                   b.mesh.springWeights, b.mesh.ringStart, b.mesh.ring);
     m.bodies = bytes(b.position, b.velocity, b.acceleration, b.substeps, b.held, b.vertexMass, b.restScale,
                      b.pressureConstant, b.volume, b.pressure, b.slots, b.blocks);
     for (const Bodies::Scratch& s : b.scratch) m.scratch += bytes(s.predicted, s.gradient, s.coefficient);

@@ -77,8 +77,9 @@ void addPart(Hasher& h, const PhysicsParameters& physics) {
   if (autoShare != 1) h.field("share of the automatic time step").add(autoShare);
   const auto& [radius, mass, model] = cell;
   h.field("cell").add(number(model)).add(radius).add(mass);
-  const auto& [stiffness, damping, areaFactor] = membrane;
+  const auto& [stiffness, damping, areaFactor, springs] = membrane;
   h.field("membrane").add(stiffness).add(damping).add(areaFactor);
+  if (springs != Springs::equal) h.field("springs").add(number(springs));
   if (kindOf(model).hasRestShape) {
     const auto& [pull, linear, resistance] = shapeMatching;
     h.field("shape matching").add(pull).add(linear).add(resistance);

@@ -42,6 +42,9 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
   if (!kindOf(mechanics.physics.cell.model).hasMembrane)
     found.push_back({true, "Bullet's cells are membranes around contents",
                      "use physics.cell.model: shell, or remove this"});
+  if (mechanics.physics.membrane.springs != Springs::equal)
+    found.push_back(
+        {true, "Bullet's links are all as stiff", "set physics.membrane.springs to equal, or remove this"});
   if (mechanics.connections)
     found.push_back({true, "Bullet's cells cannot be connected", "remove connections, or this"});
   if (mechanics.contact && mechanics.contact->friction > 0)

@@ -103,6 +103,7 @@ std::vector<Parameter> parameters() {
       real("physics.membrane.production", "", positive,
            "Membrane of both daughters over their mother's; 1.26 keeps a sphere's tension",
            PHYSICS(membrane.areaFactor)),
+      later(choice("physics.membrane.springs", PHYSICS(membrane.springs))),
 
       real("physics.pressure.constant", "force·length", notNegative,
            "k_p of the egg; daughters share it by volume", PHYSICS(pressure.constant)),

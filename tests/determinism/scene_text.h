@@ -64,8 +64,8 @@ inline auto fields(ShapeMatchingParameters& a) {
   return std::tie(stiffness, linear, damping);
 }
 inline auto fields(MembraneParameters& a) {
-  auto& [stiffness, damping, production] = a;
-  return std::tie(stiffness, damping, production);
+  auto& [stiffness, damping, production, springs] = a;
+  return std::tie(stiffness, damping, production, springs);
 }
 inline auto fields(PressureParameters& a) {
   auto& [constant, outside] = a;

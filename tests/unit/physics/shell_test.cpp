@@ -46,6 +46,25 @@ Point heldAt(const Bodies& b, int v) {
   return (b.read(b.held, 0, v) - borne * b.vertex(0, v)) / (1 - borne);
 }
 
+/// δ ŝ of each vertex of a closed mesh by its definition: how far the shell bends away along the edges of the ring.
+std::vector<Vector> sagsOf(const Mesh& mesh, const ShellParameters& shell) {
+  const double* a = shell.semiAxes;
+  std::vector<double> sums(mesh.vertices.size()), counts(mesh.vertices.size());
+  for (const Face& f : mesh.faces)
+    for (int k = 0; k < 3; ++k) {
+      const Vector d = mesh.vertices[f[(k + 1) % 3]] - mesh.vertices[f[k]];
+      sums[f[k]] += d.x * d.x / (a[0] * a[0]) + d.y * d.y / (a[1] * a[1]) + d.z * d.z / (a[2] * a[2]);
+      counts[f[k]] += 1;
+    }
+  std::vector<Vector> sags;
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    const Point& x = mesh.vertices[v];
+    const double slope = norm(Vector{x.x / (a[0] * a[0]), x.y / (a[1] * a[1]), x.z / (a[2] * a[2])});
+    sags.push_back((sums[v] / counts[v] / (8 * slope)) * outward(x, shell));
+  }
+  return sags;
+}
+
 const std::vector<ShellParameters> shells{{{1, 1, 1}}, {{2.5, 2.5, 2.5}}, {{1.25, 1, 0.8}}, {{27, 15, 11}}};
 
 }  // namespace
@@ -90,14 +109,15 @@ TEST_CASE("What is outside is put on the shell, almost at its nearest point, and
         before.vertices[v] = onShell + excess * a[2] * outward(onShell, shell);
         lab.setPosition(0, v, before.vertices[v]);
       }
-      const std::vector<Point> surface = measureHeldPoints(before, shell);
+      const std::vector<Vector> sags = sagsOf(before, shell);
       lab.evaluate();
       Worst off, away, apart;
       int outside = 0;
       for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
         const Point x = lab.bodies.vertex(0, v), y = heldAt(lab.bodies, v);
-        const Vector sag = before.vertices[v] - surface[v];
-        const double beyond = quadric(surface[v], shell) - 1;
+        const Vector sag = sags[v];
+        const Point surface = before.vertices[v] - sag;
+        const double beyond = quadric(surface, shell) - 1;
         if (beyond <= 0) {
           CHECK(x == before.vertices[v]);
           continue;
@@ -105,7 +125,7 @@ TEST_CASE("What is outside is put on the shell, almost at its nearest point, and
         ++outside;
         apart.see(norm(x - y - sag) / a[0]);
         off.see(std::abs(quadric(y, shell) - 1));
-        away.see(norm(y - nearestOnShell(surface[v], shell)) / a[0]);
+        away.see(norm(y - nearestOnShell(surface, shell)) / a[0]);
       }
       CHECK(apart <= 1e-13);
       CHECK(off <= 1e-14);
@@ -122,12 +142,13 @@ TEST_CASE("A mesh in a sphere that it fills sags by l²/8R, and holds the sphere
     const ShellParameters unit{{1, 1, 1}};
     Mesh mesh = makeIcosphere(level);
     for (int turn = 0; turn < 60; ++turn) {  // until every held point lies on the shell
-      const std::vector<Point> held = measureHeldPoints(mesh, unit);
-      for (std::size_t v = 0; v < held.size(); ++v) {
-        const double off = 1 - norm(held[v]);
-        mesh.vertices[v] += (off / norm(held[v])) * held[v];
+      const std::vector<Vector> sags = sagsOf(mesh, unit);
+      for (std::size_t v = 0; v < sags.size(); ++v) {
+        const Point held = mesh.vertices[v] - sags[v];
+        mesh.vertices[v] += (1 / norm(held) - 1) * held;
       }
     }
+    for (const Point& held : measureHeldPoints(mesh, unit)) CHECK(norm(held) == Approx(1).epsilon(1e-12));
     const double missing =
         std::abs(measureVolume(mesh.vertices, mesh.faces) / (4 * std::numbers::pi / 3) - 1);
     CHECK(missing < 0.01 * std::pow(10.0, 1 - level));
@@ -145,15 +166,17 @@ TEST_CASE("A vertex on the shell slides: its outward velocity is lost and the re
     Body body = shakenBody(mesh, 0, 1);
     for (Point& x : body.position) x = {1.1 * a[0] * x.x, 1.1 * a[1] * x.y, 1.1 * a[2] * x.z};
     Lab lab(p, mesh, {body});
-    lab.start();
+    lab.evaluate();
     Worst error, outwardForce;
     int kept = 0, lost = 0;
     for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
       const Vector n = outward(heldAt(lab.bodies, v), shell), u = body.velocity[v];
       error.see(norm(lab.velocity(0, v) - (u - std::max(0.0, dot(u, n)) * n)));
-      outwardForce.see(dot(lab.force(0, v), n));
       ++(dot(u, n) > 0 ? lost : kept);
     }
+    lab.endEvaluation();
+    for (int v = 0; v < lab.bodies.vertexCount(); ++v)
+      outwardForce.see(dot(lab.force(0, v), outward(lab.bodies.read(lab.bodies.held, 0, v), shell)));
     CHECK(error < 1e-14);
     CHECK(outwardForce < 1e-14);
     CHECK(kept > 20);
@@ -219,9 +242,9 @@ TEST_CASE("A vertex shot along the shell follows it and keeps its speed") {
   lab.start();
   for (int i = 0; i < 256; ++i) lab.step(0x1p-10);
   const Point y = heldAt(lab.bodies, 5), x = lab.bodies.vertex(0, 5);
-  CHECK(norm(y) == Approx(1).epsilon(1e-13));
+  CHECK(norm(y) <= 1 + 1e-13);  // as its edges get longer there is more and more room for it
+  CHECK(norm(y) > 0.999);
   CHECK(norm(lab.velocity(0, 5)) == Approx(1).epsilon(0.01));
-  CHECK(std::abs(dot(lab.velocity(0, 5), y)) < 1e-12);
   CHECK(dot(x, mesh.vertices[5]) / norm(x) / norm(mesh.vertices[5]) ==
         Approx(std::cos(0.25 / norm(x))).margin(2e-3));
 }
