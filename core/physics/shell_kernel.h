@@ -31,6 +31,11 @@ MORULA_INLINE void removeOutward(Vec& u, const Vec& slope, Mask where) {
 /// `Slope`: half the gradient of q; x·slope(x) = q.
 template <ShellShape shape, class Slope>
 struct QuadricShell {
+  /// dᵀAd
+  MORULA_INLINE Lanes bend(const Vec& d) const {
+    if constexpr (shape == ShellShape::sphere) return slope.inverseSquare[0] * dot(d, d);
+    else return dot(d, slope(d));
+  }
   MORULA_INLINE Mask isNear(const Vec& x) const { return dot(x, slope(x)) > Lanes(1.0 - onShellWithin); }
 
   MORULA_INLINE Mask keep(Vec& y, Vec& velocity, Vec& predicted) const {

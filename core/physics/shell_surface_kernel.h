@@ -33,7 +33,7 @@ MORULA_INLINE Vec sagOf(const Shell& shell, const TemplateView& mesh, const Real
   Lanes sum = 0.0;
   for (int k = 0; k < neighbours; ++k) {
     const Vec d = loadVec(position + ring[k].vertexOffset) - x;
-    sum += dot(d, shell.slope(d));
+    sum += shell.bend(d);
   }
   const Vec s = shell.slope(x);
   return (Lanes(0.125 / neighbours) * sum / dot(s, s)) * s;
@@ -65,12 +65,12 @@ inline void keepInShell(const TemplateView& mesh, const BlockView& b, const Kern
       Vec velocity = loadVec(velocities, v, lane), predicted = loadVec(predictions, v, lane);
       const Mask moved = shell.keep(y, velocity, predicted);
       if (any(moved)) {
-        x = select(moved, y + sag, x);
+        x = Shell::sags ? select(moved, y + sag, x) : y;
         storeVec(position, v, lane, x);
         storeVec(velocities, v, lane, velocity);
         storeVec(predictions, v, lane, predicted);
       }
-      storeVec(held, v, lane, y + Lanes(borneWithin) * sag);
+      if constexpr (Shell::sags) storeVec(held, v, lane, y + Lanes(borneWithin) * sag);
     }
   }
 }
