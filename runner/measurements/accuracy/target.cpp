@@ -1,0 +1,195 @@
+#include "accuracy/target.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "files/scratch_folder.h"
+#include "system/child_process.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::uint64_t finestTried = 4;
+
+/// What is set is what was asked for, but for what the setting decides.
+std::vector<std::string> commandFor(const Setting& setting, const TargetQuestion& question) {
+  std::vector<std::string> changes = changesFor(setting);
+  bool allowOutside = false;
+  try {
+    allowOutside = question.read(changes).allowOutside;
+  } catch (const InputError&) { return {}; }  // its row has failed too
+  const auto pathOf = [](const std::string& change) { return change.substr(0, change.find('=')); };
+  std::vector<std::string> command{"run", question.file};
+  const auto add = [&](const std::string& option, const std::string& value) {
+    command.push_back(option);
+    command.push_back(value);
+  };
+  for (const std::string& given : question.set)
+    if (std::none_of(changes.begin(), changes.end(),
+                     [&](const std::string& change) { return pathOf(change) == pathOf(given); }))
+      add("--set", given);
+  if (allowOutside) command.push_back("--allow-outside");
+  if (!question.seed.empty()) add("--seed", question.seed);
+  for (const std::string& change : changes) add("--set", change);
+  return command;
+}
+
+std::string lastLine(const std::string& text) {
+  const auto end = text.find_last_not_of('\n');
+  if (end == std::string::npos) return "";
+  const auto begin = text.rfind('\n', end);
+  return text.substr(begin == std::string::npos ? 0 : begin + 1,
+                     end - (begin == std::string::npos ? -1 : begin));
+}
+
+/// Runs commands to their ends, within one budget for all.
+class Runner {
+ public:
+  Runner(const TargetQuestion& question, TargetAnswer& answer) : question_(question), answer_(answer) {}
+
+  std::optional<EndedRun> run(const Setting& setting, const std::string& series, double error) {
+    const auto command = commandFor(setting, question_);
+    const double rest = question_.budget - spent_;
+    if (command.empty()) return {};
+    if (rest < 1) {
+      answer_.outOfTime = true;
+      return {};
+    }
+    question_.tell(fmt::format("running to the end: {}, {}", series, timeStepChange(setting)));
+    const ScratchFolder folder(question_.folder);
+    auto words = command;
+    words.insert(words.begin(), question_.program);
+    words.insert(words.end(), {"--no-check", "--no-pictures", "--quiet", "--out", folder.path().string()});
+    const ChildEnd end = runChild(
+        words, {.cpuSeconds = static_cast<int>(std::ceil(rest)), .silent = false, .errorsToo = true});
+    spent_ += end.cpuSeconds;
+    if (end.well()) return EndedRun{command, setting, error, end.cpuSeconds};
+    if (end.outOfTime()) answer_.outOfTime = true;
+    answer_.failures.push_back(fmt::format(
+        "{}, {}: {}", series, timeStepChange(setting),
+        end.outOfTime() ? fmt::format("not at its end after {:.0f} s of CPU time (--budget)", end.cpuSeconds)
+                        : end.text() + ": " + lastLine(end.said)));
+    return {};
+  }
+
+ private:
+  const TargetQuestion& question_;
+  TargetAnswer& answer_;
+  double spent_ = 0;
+};
+
+std::string quoted(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789-_=./,:+@%") == std::string::npos;
+  return plain ? word : "'" + std::regex_replace(word, std::regex("'"), "'\\''") + "'";
+}
+
+/// "morula run file --set path=value", words in quotes where a shell needs them.
+std::string commandText(const std::vector<std::string>& command) {
+  std::string text = "morula";
+  for (const std::string& word : command) text += " " + quoted(word);
+  return text;
+}
+
+/// The coarsest that leaves room for what time steps add, also of levels that did not take part.
+std::optional<std::uint64_t> levelThatHolds(const MeshError& mesh, double room) {
+  for (std::uint64_t level = mesh.own; level <= finestTried; ++level)
+    if (const auto error = mesh.errorOf(level); error && *error <= room) return level;
+  return {};
+}
+
+Json toJson(const std::optional<EndedRun>& run) {
+  if (!run) return {};
+  return {{"command", run->command},
+          {"settings", morula::toJson(run->setting)},
+          {"error", run->error},
+          {"cpu_seconds", run->cpuSeconds}};
+}
+
+}  // namespace
+
+TargetAnswer findTarget(const AccuracyReport& report, const TargetQuestion& question) {
+  TargetAnswer answer;
+  Runner runner(question, answer);
+  for (const AccuracyRow* row : thatHold(report, question.error)) {
+    if (answer.outOfTime) break;
+    answer.best = runner.run(row->setting, row->series, *row->error);
+    if (answer.best) break;
+  }
+  const auto mesh = report.mesh.error();
+  if (!answer.best || !mesh || report.mesh.none || *mesh + answer.best->error <= question.error)
+    return answer;
+  answer.levelThatHolds = levelThatHolds(report.mesh, question.error - answer.best->error);
+  const Setting& best = answer.best->setting;
+  if (!answer.levelThatHolds || best.level != report.mesh.own || best.model) return answer;
+  Setting finer = best;
+  finer.level = answer.levelThatHolds;
+  if (!finer.automatic)
+    finer.timeStep =
+        std::ldexp(finer.timeStep, static_cast<int>(*best.level) - static_cast<int>(*finer.level));
+  answer.finer = runner.run(finer, fmt::format("icosphere {}", *finer.level),
+                            answer.best->error + *report.mesh.errorOf(*finer.level));
+  return answer;
+}
+
+std::string describe(const TargetAnswer& answer, const TargetQuestion& question,
+                     const AccuracyReport& report) {
+  const std::string target = numberText(question.error);
+  std::string text;
+  for (const std::string& failure : answer.failures)
+    text += "cheaper, but it does not come to its end: " + failure + "\n";
+  if (!answer.best)
+    return text + (answer.outOfTime
+                       ? "no settings that hold an error of " + target +
+                             " have come to their end within the CPU time allowed; allow more by --budget\n"
+                       : "none of the settings tried holds an error of " + target + " and runs to its end\n");
+  const EndedRun& best = *answer.best;
+  const bool toTheEnd = report.end && report.times.back() >= *report.end * (1 - 1e-6);
+  text += fmt::format(
+      "the cheapest settings tried whose error on the scenario's mesh is at most {}: {:.2g}, compared up to "
+      "time "
+      "{}{}\n  {}\n  has been run to its end, in {:.2f} s of CPU time\n",
+      target, best.error, numberText(report.times.back()),
+      toTheEnd || !report.end ? "" : " of " + numberText(*report.end) + ", where later is chaos",
+      commandText(best.command), best.cpuSeconds);
+  const auto mesh = report.mesh.error();
+  if (report.mesh.none) return text;
+  if (!mesh) return text + "  what the mesh adds is not known: " + report.mesh.unknown + "\n";
+  if (*mesh + best.error <= question.error)
+    return text + fmt::format("  the mesh adds {:.2g}: the whole error is at most {:.2g}\n", *mesh,
+                              *mesh + best.error);
+  text += fmt::format("  icosphere {} itself adds {:.2g}, so the whole error is above {}: ", report.mesh.own,
+                      *mesh, target);
+  if (!answer.levelThatHolds) return text + "no icosphere up to 4 would hold it\n";
+  text += fmt::format("icosphere {} would hold it\n", *answer.levelThatHolds);
+  if (answer.finer)
+    text += fmt::format(
+        "  {}\n  has been run to its end, in {:.2f} s of CPU time; its whole error by estimate: {:.2g}\n",
+        commandText(answer.finer->command), answer.finer->cpuSeconds, answer.finer->error);
+  else text += "  which has not been run to its end\n";
+  return text;
+}
+
+Json toJson(const TargetAnswer& answer, const TargetQuestion& question, const AccuracyReport& report) {
+  const auto mesh = report.mesh.error();
+  const bool known = answer.best && mesh;
+  const double whole = known ? *mesh + answer.best->error : 0;
+  return {{"error", question.error},
+          {"settings", answer.best ? morula::toJson(answer.best->setting) : Json()},
+          {"run_to_the_end", toJson(answer.best)},
+          {"mesh_error", orNull(mesh)},
+          {"whole_error", known ? Json(whole) : Json()},
+          {"mesh_holds", known ? Json(whole <= question.error) : Json()},
+          {"icosphere_that_holds", orNull(answer.levelThatHolds)},
+          {"finer_run_to_the_end", toJson(answer.finer)},
+          {"failures", answer.failures}};
+}
+
+}  // namespace morula

@@ -1,0 +1,98 @@
+#include "bench/machine_limits.h"
+
+#include <iterator>
+
+#include "base/parallel.h"
+#include "bench/peak_kernels.h"
+#include "system/clock.h"
+#include "system/statistics.h"
+
+namespace morula {
+
+MORULA_TABLES(PeakKernels, peak, tables, )
+
+const PeakKernels& peakKernels(Isa isa) { return tables[isa]; }
+
+namespace {
+
+// From well within a first level cache to beyond the last. [byte]
+constexpr std::size_t sizes[] = {24u << 10, 192u << 10, 768u << 10, 3u << 20,
+                                 12u << 20, 24u << 20,  96u << 20};
+constexpr std::size_t largest = sizes[std::size(sizes) - 1];
+constexpr double sampleSeconds = 1e-3;  // [s] of one sample, against the clock's own cost
+
+volatile double sink;  // results go somewhere
+
+/// Turns per second of a kernel: as many turns as take long enough.
+template <class Kernel>
+double rate(const Kernel& kernel) {
+  long turns = 1000;
+  while (true) {
+    const double time = timeOf(ClockKind::cpu, [&] { sink = kernel(turns); });
+    if (time >= sampleSeconds) return static_cast<double>(turns) / time;
+    turns *= 4;
+  }
+}
+
+double measureBandwidth(AlignedVector<double>& memory, std::size_t bytes) {
+  const std::size_t count = bytes / 24 / 8 * 8;
+  double *a = memory.data(), *b = a + count, *c = b + count;
+  const auto& kernels = peakKernels(bestIsa());
+  long turns = 1;
+  kernels.triad(a, b, c, count);
+  while (true) {
+    const double time = timeOf(ClockKind::cpu, [&] {
+      for (long t = 0; t < turns; ++t) kernels.triad(a, b, c, count);
+    });
+    if (time >= sampleSeconds) return static_cast<double>(turns) * static_cast<double>(24 * count) / time;
+    turns *= 4;
+  }
+}
+
+}  // namespace
+
+double MachineLimits::bandwidthFor(double bytes) const {
+  for (const auto& [size, rate] : bandwidth)
+    if (bytes <= static_cast<double>(size)) return rate;
+  return bandwidth.rbegin()->second;
+}
+
+double processorsFor(int threads) {
+  const auto cpu = [] {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  };
+  const auto turns = static_cast<long>(5e-3 * rate(peakKernels(Isa::scalar).multiplyAdd));
+  std::vector<double> results(static_cast<std::size_t>(threads));
+  const double before = cpu();
+  const double wall = timeOf(ClockKind::wall, [&] {
+    parallelFor(threads, threads, [&](int i) { results[i] = peakKernels(Isa::scalar).multiplyAdd(turns); });
+  });
+  sink = results.back();
+  return (cpu() - before) / wall;
+}
+
+LimitMeter::LimitMeter(std::vector<Isa> isas) : memory_(largest / sizeof(double), 1.0) {
+  for (const Isa isa : isas) arithmetic_[isa];
+  for (const std::size_t size : sizes) bandwidth_[size];
+}
+
+void LimitMeter::sample() {
+  for (auto& [isa, samples] : arithmetic_) {
+    const PeakKernels& k = peakKernels(isa);
+    samples.operations.push_back(rate(k.multiplyAdd) * k.operationsPerTurn);
+    samples.roots.push_back(rate(k.divideRoot) * k.rootsPerTurn);
+  }
+  for (auto& [size, samples] : bandwidth_) samples.push_back(measureBandwidth(memory_, size));
+}
+
+MachineLimits LimitMeter::limits() const {
+  MachineLimits limits;
+  for (const auto& [isa, samples] : arithmetic_)
+    limits.arithmetic[isa] = {median(samples.operations), median(samples.roots)};
+  for (const auto& [size, samples] : bandwidth_) limits.bandwidth[size] = median(samples);
+  return limits;
+}
+
+}  // namespace morula

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "bench/bench.h"
+
+namespace morula {
+
+namespace {
+
+constexpr int cellVertices = 162;
+
+class Table {
+ public:
+  explicit Table(const std::vector<BenchRow>& rows) : rows_(rows) {
+    for (const BenchRow& row : rows) {
+      if (row.engine == "morula") isas_.insert(row.isa);
+      cells_.insert(row.cells);
+    }
+  }
+  const BenchRow* packed(Stage stage, int cells, const std::string& isa, int threads = 1,
+                         bool wall = false) const {
+    return find(rows_, "packed", "morula", stage, cells, cellVertices, isa, threads, wall);
+  }
+  const BenchRow* free(Stage stage, int cells, const std::string& isa) const {
+    return find(rows_, "free", "morula", stage, cells, cellVertices, isa);
+  }
+  const BenchRow* other(const std::string& engine, Stage stage, int cells) const {
+    return find(rows_, "packed", engine, stage, cells, cellVertices, "");
+  }
+  const std::set<std::string>& isas() const { return isas_; }
+  const std::set<int>& cells() const { return cells_; }
+  /// The promises are about AVX2; elsewhere about what there is.
+  std::string reference() const { return isas_.contains("avx2") || isas_.empty() ? "avx2" : *isas_.rbegin(); }
+
+ private:
+  const std::vector<BenchRow>& rows_;
+  std::set<std::string> isas_;
+  std::set<int> cells_;
+};
+
+double ns(const BenchRow& row) { return row.nsPerVertexStep; }
+
+void againstBullet(const Table& t, std::vector<BenchRatio>& ratios) {
+  for (const int cells : {64, 128, 256}) {
+    const BenchRow *ours = t.packed(Stage::step, cells, t.reference()),
+                   *bullet = t.other("bullet-b1", Stage::step, cells);
+    if (ours && bullet)
+      ratios.push_back({fmt::format("times faster than Bullet B1, {} cells, {}", cells, t.reference()),
+                        ns(*bullet) / ns(*ours), 25, true});
+  }
+}
+
+void againstOrdinaryCode(const Table& t, std::vector<BenchRatio>& ratios) {
+  const BenchRow* ordinary = t.other("scalar", Stage::internal, 64);
+  if (!ordinary) return;
+  const std::pair<int, double> promised[] = {{64, 1}, {512, 75.0 / 45}, {2048, 95.0 / 45}};
+  for (const auto& [cells, most] : promised)
+    if (const BenchRow* step = t.packed(Stage::step, cells, t.reference()))
+      ratios.push_back(
+          {fmt::format("whole step of {} cells over inner forces of ordinary code, {}", cells, t.reference()),
+           ns(*step) / ns(*ordinary), most, false});
+}
+
+void scaling(const Table& t, std::vector<BenchRatio>& ratios) {
+  struct Promise {
+    int many, few;
+    double most;
+  };
+  for (const Promise p : {Promise{256, 128, 1.4}, Promise{2048, 64, 2.2}}) {
+    const BenchRow *many = t.packed(Stage::step, p.many, t.reference()),
+                   *few = t.packed(Stage::step, p.few, t.reference());
+    if (many && few)
+      ratios.push_back({fmt::format("ns per vertex-step, {} over {} cells, {}", p.many, p.few, t.reference()),
+                        ns(*many) / ns(*few), p.most, false});
+  }
+}
+
+void kernels(const Table& t, std::vector<BenchRatio>& ratios) {
+  for (const std::string& isa : t.isas()) {
+    if (const BenchRow* row = t.packed(Stage::internal, 64, isa); row && row->shareOfPeak)
+      ratios.push_back({fmt::format("inner forces, share of the multiply–add peak, 64 cells, {}", isa),
+                        *row->shareOfPeak, 0.7, true});
+    if (const BenchRow* row = t.packed(Stage::internal, 64, isa); row && row->shareWithRoots)
+      ratios.push_back({fmt::format("the same with an edge's root and quotient counted, 64 cells, {}", isa),
+                        *row->shareWithRoots, 0.7, true, "tells what the rest is"});
+    const BenchRow *step = t.free(Stage::step, 64, isa), *internal = t.free(Stage::internal, 64, isa);
+    if (step && internal)
+      ratios.push_back({fmt::format("step without contact over inner forces, 64 cells, {}", isa),
+                        ns(*step) / ns(*internal), 1.1, false});
+  }
+}
+
+void threads(const Table& t, std::vector<BenchRatio>& ratios) {
+  for (const int cells : t.cells())
+    for (const std::string& isa : t.isas()) {
+      const BenchRow *one = t.packed(Stage::step, cells, isa, 1, true),
+                     *two = t.packed(Stage::step, cells, isa, 2, true);
+      if (!one || !two) continue;
+      BenchRatio ratio{fmt::format("two threads over one, {} cells, {}", cells, isa), ns(*one) / ns(*two),
+                       cells >= 512 ? 1.6 : 1, true};
+      if (two->processors && *two->processors < 1.8)
+        ratio.notJudged = fmt::format("others left only {:.1f} processors", *two->processors);
+      ratios.push_back(ratio);
+    }
+}
+
+}  // namespace
+
+std::vector<BenchRatio> findRatios(const std::vector<BenchRow>& rows) {
+  const Table table(rows);
+  std::vector<BenchRatio> ratios;
+  againstBullet(table, ratios);
+  againstOrdinaryCode(table, ratios);
+  scaling(table, ratios);
+  kernels(table, ratios);
+  threads(table, ratios);
+  return ratios;
+}
+
+}  // namespace morula

@@ -1,0 +1,224 @@
+#include "bench/subject.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/random.h"
+#include "contacts/contacts.h"
+#include "simulation/population.h"
+#include "simulation/stages.h"
+
+namespace morula {
+
+namespace {
+
+constexpr double stageSeconds = 2e-3;    // [s] of one timing of a stage
+constexpr double groupSeconds = 1.5e-4;  // [s] of one timing of whole steps, against the clock's own cost
+constexpr int warmUp = 2 * stirEvery;
+
+/// [s] of one call: as many as take long enough, after one that is not counted.
+template <class Call>
+double secondsPerCall(ClockKind clock, const Call& call) {
+  const double first = timeOf(clock, call);
+  const int turns = std::clamp(static_cast<int>(stageSeconds / std::max(first, 1e-9)), 1, 100000);
+  return timeOf(clock,
+                [&] {
+                  for (int i = 0; i < turns; ++i) call();
+                }) /
+         turns;
+}
+
+}  // namespace
+
+void stir(World& world) {
+  Bodies& b = *world.bodies;
+  const double edge = b.mesh.meanRestLength * b.restScale[0];
+  const double wanted = stirredMove * edge / world.clock.timeStep;
+  double squares = 0;
+  for (int slot = 0; slot < b.count; ++slot) {
+    const Vector push =
+        wanted * randomDirection({0, world.cells.path[slot], static_cast<std::uint32_t>(world.clock.step),
+                                  Purpose::perturbation});
+    for (int v = 0; v < b.vertexCount(); ++v) {
+      const Vector now = b.read(b.velocity, slot, v) + push;
+      b.write(b.velocity, slot, v, now);
+      squares += dot(now, now);
+    }
+  }
+  const double scale = wanted / std::sqrt(squares / (double(b.count) * b.vertexCount()));
+  for (std::size_t i = 0; i < b.velocity.size(); ++i) b.velocity[i] = scale * b.velocity[i];
+}
+
+Subject::Subject(const PackedScene& packed, int mostThreads, const std::filesystem::path& folder,
+                 const std::function<void(const std::string&)>& tell)
+    : world_(makePackedWorld(packed, {.isa = bestIsa(), .threads = mostThreads}, folder, tell)) {
+  useIsa(bestIsa(), 1);
+  goOn(bestIsa(), warmUp);
+  counters_ = {};
+  for (int slot = 0; slot < world_.bodies->count; ++slot)
+    ordinary_.push_back(makeOrdinaryCell(world_.bodies->mesh, takeBody(*world_.bodies, slot)));
+}
+
+Contacts Subject::contactsWith(Isa isa, const SearchSettings& search) const {
+  const PhysicsParameters& p = world_.bodies->parameters;
+  return makeContacts(world_.contacts->parameters, isa, search, p.precision, p.cell.model);
+}
+
+void Subject::useIsa(Isa isa, int threads) {
+  world_.execution.isa = isa;
+  world_.execution.threads = threads;
+  setStages(world_, isa);
+  if (!world_.contacts) return;
+  Contacts& c = *world_.contacts;
+  const Contacts other = contactsWith(isa, world_.execution.search);
+  c.kernels = other.kernels;
+  c.takeSnapshot = other.takeSnapshot;
+  c.addForces = other.addForces;
+  c.list.kernels = other.list.kernels;
+}
+
+Subject::State Subject::keep() const {
+  const Bodies& b = *world_.bodies;
+  State s{b.position, b.velocity, b.acceleration, {}, {}};
+  if (world_.contacts) s.rows = world_.contacts->rows, s.farthest = world_.contacts->farthest;
+  return s;
+}
+
+void Subject::restore(const State& s) {
+  Bodies& b = *world_.bodies;
+  b.position = s.position, b.velocity = s.velocity, b.acceleration = s.acceleration;
+  if (world_.contacts) world_.contacts->rows = s.rows, world_.contacts->farthest = s.farthest;
+}
+
+template <class Call>
+double Subject::timeBlocks(Isa isa, const Call& call) {
+  useIsa(isa, 1);
+  const State before = keep();
+  const double time = secondsPerCall(ClockKind::cpu, [&] {
+    for (int i = 0; i < world_.bodies->blockCount(); ++i) call(i);
+  });
+  restore(before);
+  return time / vertices();
+}
+
+double Subject::timeInternal(Isa isa) {
+  Bodies& b = *world_.bodies;
+  const TemplateView mesh = b.mesh.view();
+  return timeBlocks(isa, [&](int i) {
+    const BlockView block = b.block(i, 0);
+    world_.stages.findTensions(mesh, block, b.kernelParameters);
+    world_.stages.accumulateRings(mesh, block, b.kernelParameters);
+    world_.stages.finishForces(mesh, block, b.kernelParameters);
+  });
+}
+
+double Subject::timeIntegration(Isa isa) {
+  Bodies& b = *world_.bodies;
+  const TemplateView mesh = b.mesh.view();
+  // Kicks turn forces into accelerations: without new forces between them, only zero stays what it is.
+  const Reals kept = b.acceleration;
+  b.acceleration.assign(b.acceleration.size(), 0);
+  const double dt = world_.clock.timeStep;
+  const double time = timeBlocks(isa, [&](int i) {
+    const BlockView block = b.block(i, 0);
+    world_.stages.drift(mesh, block, b.kernelParameters, dt);
+    kick(world_.stages, b, block, dt);
+  });
+  b.acceleration = kept;
+  return time;
+}
+
+double Subject::timeContact(Isa isa) {
+  Bodies& b = *world_.bodies;
+  Contacts& c = *world_.contacts;
+  // Snapshots from the scratch of whichever block was last: as much work as from the right one, and as hot.
+  return timeBlocks(isa, [&](int i) { takeSnapshot(c, b, b.block(i, 0), i); }) +
+         timeBlocks(isa, [&](int i) { addContactForces(c, b, i, world_.clock.timeStep); });
+}
+
+double Subject::timeRebuild(Isa isa, ContactSearch method, ClockKind clock, int threads) {
+  Contacts other = contactsWith(isa, {.method = method});
+  resetContacts(other, *world_.bodies);
+  return secondsPerCall(clock,
+                        [&] {
+                          other.listIsValid = false;
+                          refreshList(other, *world_.bodies, threads);
+                        }) /
+         vertices();
+}
+
+double Subject::timeOrdinaryForces() {
+  return secondsPerCall(ClockKind::cpu,
+                        [&] {
+                          for (OrdinaryCell& cell : ordinary_) findForces(cell, world_.bodies->parameters);
+                        }) /
+         vertices();
+}
+
+template <class Each, class After>
+StepTimes Subject::timeSteps(ClockKind clock, int count, const Each& each, const After& after) {
+  StepTimes times;
+  const auto rebuilds = [&] { return world_.contacts ? world_.contacts->rebuilds : 0; };
+  int size = touching() ? 1 : stirEvery;  // cells that need no other take many steps at once
+  double disturbed = NAN;                 // the best guess if every group had a search in it
+  for (int done = 0; done < count;) {
+    const auto before = rebuilds();
+    const int steps = std::min({size, count - done, stirEvery - done % stirEvery});
+    const double time = timeOf(clock,
+                               [&] {
+                                 const std::uint64_t end =
+                                     world_.clock.step + static_cast<std::uint64_t>(steps);
+                                 while (world_.clock.step < end)
+                                   takeSteps(world_, end - world_.clock.step), each();
+                               }) /
+                        steps;
+    done += steps;
+    after(done);
+    if (rebuilds() == before) times.push_back(time / vertices());
+    else disturbed = time / vertices();
+    if (touching()) size = std::clamp(static_cast<int>(groupSeconds / std::max(time, 1e-9)), 1, stirEvery);
+  }
+  if (times.empty()) times.push_back(disturbed);
+  return times;
+}
+
+StepTimes Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
+  useIsa(isa, threads);
+  const State before = keep();
+  const Clock clockBefore = world_.clock;
+  // The state's own list of neighbours waits for its return.
+  Indirect<Contacts> other;
+  if (world_.contacts) {
+    other = contactsWith(isa, world_.execution.search);
+    resetContacts(*other, *world_.bodies);
+    std::swap(other, world_.contacts);
+  }
+  evaluateForces(world_);
+  StepTimes times = timeSteps(
+      clock, count, [] {}, [](int) {});
+  if (other) std::swap(other, world_.contacts);
+  world_.clock = clockBefore;
+  restore(before);
+  useIsa(bestIsa(), 1);
+  return times;
+}
+
+StepTimes Subject::goOn(Isa isa, int count) {
+  useIsa(isa, 1);
+  stir(world_);
+  const auto rebuilds = world_.contacts ? world_.contacts->rebuilds : 0;
+  StepTimes times = timeSteps(
+      ClockKind::cpu, count,
+      [&] {
+        if (world_.contacts) counters_.pairs += world_.contacts->list.pairs;
+      },
+      [&](int done) {
+        if (done % stirEvery == 0) stir(world_);
+      });
+  counters_.steps += static_cast<std::uint64_t>(count);
+  if (world_.contacts) counters_.rebuilds += world_.contacts->rebuilds - rebuilds;
+  return times;
+}
+
+}  // namespace morula

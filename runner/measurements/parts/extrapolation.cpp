@@ -1,0 +1,126 @@
+#include "parts/extrapolation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/maths.h"
+#include "bench/packed_world.h"
+#include "contacts/contacts.h"
+#include "simulation/population.h"
+#include "simulation/stages.h"
+
+namespace morula {
+
+namespace {
+
+/// The share of all surfaces that touches another cell, when N equal cells fill a sphere: all but its own
+/// surface. The cells' surfaces are 1.19 times those of spheres: exact for two halves, near enough for more.
+double touchingShare(double cells) { return cells < 2 ? 0 : 1 - 1 / (1.19 * cubeRoot(cells)); }
+
+/// How eras with contact went that are over, or the last one if none is; at first what the thesis' scenes need.
+struct ContactTrend {
+  double pairs = 6.2;               // of a vertex in a face that touches another cell's
+  double searches = 40, cells = 2;  // of the latest era, and how many lived in it
+};
+
+ContactTrend measureContactTrend(const Life& life, const TrialRun& trial) {
+  ContactTrend trend;
+  bool found = false;
+  for (std::size_t i = 0; i < trial.eras.size(); ++i) {
+    const EraCounts& era = trial.eras[i];
+    const double cells = double(life.eras[i].cells);
+    const bool over = i + 1 < trial.eras.size() || trial.whole;
+    if (era.pairs == 0 || cells < 2 || (!over && found)) continue;
+    const double pairs =
+        era.pairs / (era.steps * cells * verticesPerCell(*trial.world.bodies)) / touchingShare(cells);
+    // Freshly cut faces are crowded; the least crowded era is what others come to.
+    trend = {found ? std::min(trend.pairs, pairs) : pairs, era.searches, cells};
+    found = true;
+  }
+  return trend;
+}
+
+/// Of an equal part of the egg, free and round.
+double idealLimit(const Scene& scene, int generation) {
+  Scene any = scene;
+  any.mechanics->physics.timeStep.reset();  // to ask is not to use it
+  Body cell = makeEgg(*makeWorld(any).bodies);
+  const double share = std::ldexp(1.0, -generation), scale = cubeRoot(share);
+  for (Point& x : cell.position) x *= scale;
+  cell.mass *= share;
+  cell.pressureConstant *= share;
+  // Each cut makes `production` times the membrane, for two.
+  cell.restScale = std::pow(any.mechanics->physics.membrane.areaFactor / 2, 0.5 * generation);
+  World part = makeWorldOf(any, {CellPath{}}, {cell}, {});
+  beginWithBodies(part);
+  return timeStepLimit(part);
+}
+
+}  // namespace
+
+double verticesPerCell(const Bodies& b) {
+  return b.count > 0 ? double(b.livingVertices) / b.count : b.mesh.vertexCount();
+}
+
+double predictTimeStepLimit(const TrialRun& trial, int generation) {
+  const Scene& scene = trial.world.model;
+  const double ideal = idealLimit(scene, generation);
+  if (trial.generation == 0) return ideal;
+  const double loss = trial.timeStepLimit / idealLimit(scene, trial.generation);
+  return ideal * std::pow(loss, double(generation) / trial.generation);
+}
+
+std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
+  const World& world = trial.world;
+  const double vertices = verticesPerCell(*world.bodies);
+  const ContactTrend contact = measureContactTrend(life, trial);
+  const auto& fixed = world.bodies->parameters.timeStep;
+  std::vector<EraCounts> all = trial.eras;
+  all.resize(life.eras.size());
+  // The era that the trial run stands in is not over.
+  const std::size_t first = trial.whole ? trial.eras.size() : trial.eras.size() - 1;
+  int generation = -1;
+  double timeStep = world.clock.timeStep, from = world.clock.time;
+  for (std::size_t i = first; i < all.size(); ++i) {
+    const Era& era = life.eras[i];
+    EraCounts& counts = all[i];
+    if (i >= trial.eras.size()) {
+      from = era.from;
+      if (era.generation != generation)
+        timeStep =
+            fixed ? *fixed : automaticTimeStep(world.model, predictTimeStepLimit(trial, era.generation));
+      generation = era.generation;
+    }
+    const double cells = double(era.cells), steps = std::ceil(std::max(era.to - from, 0.0) / timeStep);
+    counts.steps += steps;
+    if (!world.contacts || cells < 2) continue;
+    counts.pairs += steps * cells * vertices * contact.pairs * touchingShare(cells);
+    // Cells that part are pushed on through the organism: in edges its size goes with the root.
+    const double expected = contact.searches * cubeRoot(cells / contact.cells);
+    counts.searches = std::min(std::max(counts.searches, expected), counts.steps);
+  }
+  return all;
+}
+
+MemoryUse extrapolateMemory(const Life& life, const TrialRun& trial) {
+  const World& world = trial.world;
+  const Bodies& b = *world.bodies;
+  MemoryUse m = measureMemory(world);
+  const double cells = double(life.mostCells()), here = b.count;
+  if (here == 0) return m;
+  const auto scale = [](double by, std::initializer_list<std::size_t*> sizes) {
+    for (std::size_t* bytes : sizes) *bytes = static_cast<std::size_t>(double(*bytes) * by);
+  };
+  scale(double(2 * life.divisions + 1) / double(world.lineage.entries.size()), {&m.cells, &m.connections});
+  scale(std::ceil(cells / blockLanes) / b.blockCount(), {&m.bodies, &m.snapshots, &m.listRows});
+  scale(cells / here, {&m.search});
+  if (world.contacts && here < cells) {
+    const double pairs = double(world.contacts->list.pairs);
+    const double perPair = here > 1 && pairs > 0 ? double(m.listPairs) / pairs : 12;
+    const double perVertex = measureContactTrend(life, trial).pairs * touchingShare(cells);
+    m.listPairs = static_cast<std::size_t>(perPair * perVertex * cells * verticesPerCell(b));
+  }
+  return m;
+}
+
+}  // namespace morula

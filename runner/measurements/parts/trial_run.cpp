@@ -1,0 +1,81 @@
+#include "parts/trial_run.h"
+
+#include <algorithm>
+
+#include "contacts/contacts.h"
+#include "simulation/stages.h"
+#include "system/clock.h"
+
+namespace morula {
+
+namespace {
+
+int deepest(const Cells& cells) {
+  int depth = 0;
+  for (const CellPath& path : cells.path) depth = std::max(depth, static_cast<int>(path.depth()));
+  return depth;
+}
+
+}  // namespace
+
+std::uint64_t Life::mostCells() const {
+  std::uint64_t most = 0;
+  for (const Era& era : eras) most = std::max(most, era.cells);
+  return most;
+}
+
+Life predictLife(const Scene& scene, std::uint64_t most) {
+  Scene genes = scene;
+  genes.mechanics.reset();
+  World world = makeWorld(genes);
+  Life life;
+  const int founded = deepest(world.cells);  // start cells have paths, but are no parts of an egg
+  life.eras.push_back({0, 0, world.cells.path.size(), 0});
+  life.seconds = timeOf(ClockKind::cpu, [&] {
+    while (!finished(world) && (life.whole = life.cellsAsked < most)) {
+      life.cellsAsked += world.cells.path.size();
+      const std::size_t everBefore = world.lineage.entries.size(), before = world.cells.path.size();
+      step(world);
+      if (world.lineage.entries.size() == everBefore && world.cells.path.size() == before) continue;
+      life.eras.back().to = world.clock.time;
+      life.eras.push_back({world.clock.time, 0, world.cells.path.size(), deepest(world.cells) - founded});
+    }
+  });
+  life.moments = world.clock.step;
+  life.divisions = world.lineage.entries.size() / 2;
+  // With bodies a run goes on between the cell cycles, unless it has stopped for another reason.
+  Era& last = life.eras.back();
+  last.to = world.clock.time;
+  const bool stopped =
+      !life.whole || last.cells == 0 || (scene.stop.cells && last.cells >= *scene.stop.cells);
+  if (const auto end = plannedEnd(scene); end && !stopped) last.to = std::max(last.to, *end);
+  return life;
+}
+
+TrialRun tryBeginning(World world, const Life& life, double vertexSteps) {
+  TrialRun run{.world = std::move(world), .eras = {{}}};
+  World& w = run.world;
+  for (double done = 0; done < vertexSteps; done += w.bodies->livingVertices) {
+    if ((run.whole = finished(w))) break;
+    const std::size_t ever = w.lineage.entries.size(), cells = w.cells.path.size();
+    const std::uint64_t searches = w.contacts ? w.contacts->rebuilds : 0;
+    const std::uint64_t pairs = w.contacts ? w.contacts->pairEvaluations : 0;
+    const double seconds = timeOf(ClockKind::cpu, [&] { step(w); });
+    run.seconds += seconds;
+    EraCounts& era = run.eras.back();
+    ++era.steps;
+    if (w.contacts) {
+      era.searches += double(w.contacts->rebuilds - searches);
+      era.pairs += double(w.contacts->pairEvaluations - pairs);
+    }
+    if (w.lineage.entries.size() == ever && w.cells.path.size() == cells) continue;
+    run.changeSeconds += seconds;
+    run.changeCells += w.cells.path.size();
+    if (w.bodies->count > 0) run.timeStepLimit = timeStepLimit(w);
+    run.generation = life.eras[std::min(run.eras.size(), life.eras.size() - 1)].generation;
+    if (run.eras.size() < life.eras.size()) run.eras.emplace_back();
+  }
+  return run;
+}
+
+}  // namespace morula

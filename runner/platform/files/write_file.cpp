@@ -1,0 +1,78 @@
+#include "files/write_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <optional>
+
+#include "base/error.h"
+#include "files/descriptor.h"
+#include "files/draft.h"
+
+namespace morula {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuseToWrite(const fs::path& file, const std::string& why) {
+  throw FileError("'" + file.string() + "' cannot be written: " + why);
+}
+
+/// The type of what stands there, without following a link; nothing if there is nothing.
+std::optional<mode_t> typeOf(const fs::path& file) {
+  struct stat status {};
+  if (::lstat(file.c_str(), &status) == 0) return status.st_mode;
+  if (errno == ENOENT) return std::nullopt;
+  refuseToWrite(file, std::strerror(errno));
+}
+
+/// Throws unless what stands there is a regular file that may be written.
+void requireWritable(const fs::path& file, mode_t mode) {
+  if (!S_ISREG(mode))
+    refuseToWrite(file, std::string("it is ") + typeName(mode) + "; give the name of a file");
+  if (::access(file.c_str(), W_OK) != 0) refuseToWrite(file, std::strerror(errno));
+}
+
+/// Moves the bytes to their place in one step.
+void replace(const fs::path& file, std::string_view bytes) {
+  Draft draft(file);
+  draft.write(bytes);
+  draft.takePlace();
+}
+
+}  // namespace
+
+void writeFile(const fs::path& file, std::string_view bytes, Content kind) {
+  if (const auto mode = typeOf(file)) {
+    requireWritable(file, *mode);
+    const Content there = contentOfFile(file);
+    if (there != kind && there != Content::empty)
+      refuseToWrite(file, std::string("it is there already and is ") + name(there) + ", which " + name(kind) +
+                              " would replace; give another name, or remove it first");
+  }
+  replace(file, bytes);
+}
+
+void writeNewFile(const fs::path& file, std::string_view bytes) {
+  if (typeOf(file))
+    refuseToWrite(file, std::string("it is there already and is ") + name(contentOfFile(file)));
+  replace(file, bytes);
+}
+
+void overwriteFile(const fs::path& file, std::string_view bytes) {
+  if (const auto mode = typeOf(file)) requireWritable(file, *mode);
+  replace(file, bytes);
+}
+
+void appendToFile(const fs::path& file, std::string_view bytes) {
+  if (const auto mode = typeOf(file)) requireWritable(file, *mode);
+  Descriptor out(
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
+  if (!out.isOpen() || !writeAll(out.number(), bytes) || !out.close())
+    refuseToWrite(file, std::strerror(errno));
+}
+
+}  // namespace morula

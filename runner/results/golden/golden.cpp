@@ -1,0 +1,308 @@
+// The text of a golden file, written and read.
+#include "golden/golden.h"
+
+#include <algorithm>
+#include <map>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "files/folders.h"
+#include "files/read_file.h"
+#include "golden/number_text.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::string_view goldenHeader = "morula golden 1";
+
+/// Over everything that a run must reproduce. Reasons and tolerances are people's to edit, the rest is not.
+std::string digestOf(const Golden& golden) {
+  const GoldenData& data = golden.data;
+  Hasher hasher;
+  hasher.field("scenario")
+      .add(data.scenario)
+      .field("scenario_hash")
+      .add(data.scenarioHash)
+      .field("seed")
+      .add(data.seed);
+  for (const GoldenGrowth& g : golden.growth) hasher.add(g.size).add(g.step);
+  if (golden.error) {
+    hasher.field("error").add(golden.error->time);
+    if (golden.error->mesh) hasher.field("mesh").add(*golden.error->mesh);
+    hasher.add(golden.error->until);
+  }
+  for (const GoldenStatistic& statistic : golden.statistics) add(hasher, statistic);
+  for (const auto& [key, value] : data.parameters) hasher.field("parameter").add(key).add(value);
+  for (const GoldenItem& item : data.items) hasher.add(write(item));
+  return hasher.digest().text();
+}
+
+/// "# cell path born born_step …", so that the file can be read without its description.
+std::string heading(const ItemForm& form) {
+  std::string line = "# " + std::string(form.kind) + ' ' + std::string(form.key);
+  for (const FieldForm& field : form.fields) line += ' ' + std::string(field.name);
+  return line + '\n';
+}
+
+/// The file line by line, with what can be wrong with any line.
+class Lines {
+ public:
+  Lines(const std::string& text, const std::string& file) : text_(text), file_(file) {}
+
+  /// The next line that says something; false at the end of the text.
+  bool next(std::string_view& line) {
+    while (begin_ < text_.size()) {
+      ++number_;
+      const std::size_t end = text_.find('\n', begin_);
+      line = std::string_view(text_).substr(begin_, end - begin_);
+      begin_ = end == std::string::npos ? text_.size() : end + 1;
+      for (const std::string_view marker : {"<<<<<<<", "|||||||", "=======", ">>>>>>>"})
+        if (line.starts_with(marker))
+          fail(
+              "a merge marker; take one side's file whole, run the scenario and accept its result if it is "
+              "right");
+      if (end == std::string::npos)
+        fail("the last line is cut short; the file is truncated, restore it from git");
+      if (line.ends_with('\r'))
+        fail("the line ends in a carriage return; store the file with plain line ends");
+      if (!line.empty() && line.front() != '#') return true;
+    }
+    return false;
+  }
+
+  std::string place() const { return file_ + ':' + std::to_string(number_); }
+  int number() const { return number_; }
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(place() + ": " + what); }
+
+ private:
+  const std::string& text_;
+  const std::string& file_;
+  std::size_t begin_ = 0;
+  int number_ = 0;
+};
+
+/// `keyword text`: the text of the next line.
+std::string header(Lines& lines, std::string_view keyword) {
+  std::string_view line;
+  if (!lines.next(line) || !line.starts_with(keyword) || line.size() < keyword.size() + 2 ||
+      line[keyword.size()] != ' ')
+    lines.fail(std::string(keyword) + " is expected here");
+  return std::string(line.substr(keyword.size() + 1));
+}
+
+void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
+  const std::size_t items = golden.data.items.size();
+  const std::size_t space = line.find(' ', 4);
+  const std::optional<std::uint64_t> count = readNatural(line.substr(4, space - 4));
+  if (!count || space == std::string_view::npos) lines.fail("`end ITEMS DIGEST` is expected");
+  if (*count != items)
+    lines.fail("the file has " + std::to_string(items) + " items, but " + std::to_string(*count) +
+               " were accepted; restore it from git");
+  if (line.substr(space + 1) != digestOf(golden))
+    lines.fail(
+        "the items above are not those that were accepted: they were edited afterwards; restore the file "
+        "from "
+        "git, "
+        "or accept the present result with `morula review --accept --why \"…\"`");
+}
+
+/// Sizes rise, steps do not fall: of lines in another order `horizonOf` would make another horizon.
+GoldenGrowth readGrowth(const Lines& lines, std::string_view line, const std::vector<GoldenGrowth>& before) {
+  takeWord(line);
+  const auto size = readReal(takeWord(line));
+  const auto step = readNatural(line);
+  if (!size || !(*size > 0) || !step) lines.fail("`growth SIZE STEP` is expected");
+  if (!(*size <= 1)) lines.fail("growth: the size " + exactText(*size) + " is above 1 radius of the egg");
+  if (before.empty()) return {*size, *step};
+  const GoldenGrowth& last = before.back();
+  if (*size == last.size)
+    lines.fail("growth: the size " + exactText(*size) + " stands twice; restore the file from git");
+  if (*size < last.size)
+    lines.fail("growth: the size " + exactText(*size) + " stands after " + exactText(last.size) +
+               "; sizes rise from line to line: restore the file from git");
+  if (*step < last.step)
+    lines.fail("growth: " + exactText(*size) + " is reached at step " + std::to_string(*step) +
+               ", before the smaller " + exactText(last.size) + " at step " + std::to_string(last.step) +
+               "; restore the file from git");
+  return {*size, *step};
+}
+
+/// "error time 2.8e-4 mesh 1.3e-2 until 6", "error time 2.8e-4 mesh unknown until 6"; and as goldens said it
+/// before meshes were compared: "error 2.8e-4 until 6".
+GoldenError readError(const Lines& lines, std::string_view line) {
+  const auto word = [&] { return takeWord(line); };
+  const auto refuse = [&] { lines.fail("`error time SIZE mesh SIZE until TIME` is expected"); };
+  word();
+  std::string_view text = word();
+  const bool apart = text == "time";
+  if (apart) text = word();
+  GoldenError error;
+  const auto time = readReal(text);
+  if (!time || !(*time >= 0)) refuse();
+  error.time = *time;
+  if (apart) {
+    if (word() != "mesh") refuse();
+    text = word();
+    if (text != "unknown") {
+      const auto mesh = readReal(text);
+      if (!mesh || !(*mesh >= 0)) refuse();
+      error.mesh = *mesh;
+    }
+  }
+  if (word() != "until") refuse();
+  const auto until = readReal(line);
+  if (!until || !(*until > 0)) refuse();
+  error.until = *until;
+  return error;
+}
+
+std::pair<std::string, std::string> readParameter(const Lines& lines, std::string_view line) {
+  takeWord(line);
+  const std::string_view key = takeWord(line);
+  if (key.empty() || line.empty()) lines.fail("`parameter KEY VALUE` is expected");
+  return {std::string(key), std::string(line)};
+}
+
+/// No growth later than the run's last step.
+void checkGrowth(const Lines& lines, const Golden& golden) {
+  if (golden.growth.empty()) return;
+  for (const GoldenItem& item : golden.data.items)
+    if (item.kind == "count" && item.key == "steps")
+      if (const auto steps = readNatural(item.fields[0]); steps && golden.growth.back().step > *steps)
+        lines.fail("growth: step " + std::to_string(golden.growth.back().step) +
+                   " is after the run's last, " + item.fields[0] + "; restore the file from git");
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> horizonOf(const Golden& golden, double size) {
+  for (const GoldenGrowth& g : golden.growth)
+    if (g.size >= size) return g.step;
+  return std::nullopt;
+}
+
+double grownBy(const Golden& golden, std::uint64_t step) {
+  double grown = 0;
+  for (const GoldenGrowth& g : golden.growth)
+    if (g.step <= step) grown = 10 * g.size;  // the next size is not reached yet
+  return grown;
+}
+
+std::string writeGolden(const Golden& golden) {
+  const GoldenData& data = golden.data;
+  std::string text(goldenHeader);
+  text += "\nscenario " + data.scenario + "\nseed " + std::to_string(data.seed) + "\nscenario_hash " +
+          data.scenarioHash + "\naccepted_by " + golden.acceptedBy + "\nwhy " + golden.why + '\n';
+  if (!golden.rules.empty()) text += '\n';
+  for (const ToleranceRule& rule : golden.rules) text += rule.text() + '\n';
+  if (!golden.growth.empty())
+    text += "\n# growth size step: one unit in the last place, moved at the start, grows to so many radii\n";
+  for (const GoldenGrowth& g : golden.growth)
+    text += "growth " + exactText(g.size) + ' ' + std::to_string(g.step) + '\n';
+  if (golden.error)
+    text += "\n# error time mesh until: of these settings, by morula accuracy\nerror time " +
+            exactText(golden.error->time) + " mesh " +
+            (golden.error->mesh ? exactText(*golden.error->mesh) : "unknown") + " until " +
+            exactText(golden.error->until) + '\n';
+  if (!golden.statistics.empty())
+    text +=
+        "\n# statistic measure: at the end, the mean under these settings less that under others, with its "
+        "95 % "
+        "interval, by morula study compare\n";
+  for (const GoldenStatistic& statistic : golden.statistics) text += write(statistic) + '\n';
+  if (!data.parameters.empty())
+    text += "\n# parameter key value: what decides the result, defaults filled in\n";
+  for (const auto& [key, value] : data.parameters) text += "parameter " + key + ' ' + value + '\n';
+  std::string_view kind;
+  for (const GoldenItem& item : data.items) {
+    if (item.kind != kind) text += '\n' + heading(*findForm(item.kind));
+    kind = item.kind;
+    text += write(item) + '\n';
+  }
+  return text + "\nend " + std::to_string(data.items.size()) + ' ' + digestOf(golden) + '\n';
+}
+
+Golden readGolden(const std::string& text, const std::string& file) {
+  Golden golden;
+  golden.file = file;
+  GoldenData& data = golden.data;
+  Lines lines(text, golden.file);
+  std::string_view line;
+  if (!lines.next(line)) throw InputError(file + ":1: the file is empty; restore it from git");
+  if (line != goldenHeader)
+    lines.fail("the first line is not `" + std::string(goldenHeader) +
+               "`; this is no golden file of this version");
+  data.scenario = header(lines, "scenario");
+  const std::string seed = header(lines, "seed");
+  if (const auto value = readNatural(seed)) data.seed = *value;
+  else lines.fail("seed: '" + seed + "'; a whole number from 0 is expected");
+  data.scenarioHash = header(lines, "scenario_hash");
+  golden.acceptedBy = header(lines, "accepted_by");
+  golden.why = header(lines, "why");
+
+  std::map<std::string, int> seen;  // "kind key" → its line
+  const auto expectNew = [&](const std::string& name) {
+    if (const auto [first, isNew] = seen.emplace(name, lines.number()); !isNew)
+      lines.fail(name + " stands twice, first in line " + std::to_string(first->second) +
+                 "; restore the file from git");
+  };
+  while (lines.next(line)) {
+    if (line.starts_with("end ")) {
+      checkGrowth(lines, golden);
+      checkEnd(lines, line, golden);
+      if (lines.next(line)) lines.fail("'" + std::string(line) + "' follows the end of the file; remove it");
+      return golden;
+    }
+    if (line.starts_with("tolerance ")) {
+      golden.rules.push_back(readRule(line, lines.place()));
+      golden.rules.back().line = lines.number();
+      continue;
+    }
+    if (line.starts_with("growth ")) {
+      golden.growth.push_back(readGrowth(lines, line, golden.growth));
+      continue;
+    }
+    if (line.starts_with("parameter ")) {
+      data.parameters.push_back(readParameter(lines, line));
+      expectNew("parameter " + data.parameters.back().first);
+      continue;
+    }
+    if (line.starts_with("error ")) {
+      if (golden.error) lines.fail("`error` stands twice; restore the file from git");
+      golden.error = readError(lines, line);
+      continue;
+    }
+    if (line.starts_with("statistic ")) {
+      const auto statistic = readStatistic(line);
+      if (!statistic)
+        lines.fail(
+            "`statistic MEASURE against LABEL difference X low X high X runs N` is expected, low at most "
+            "high");
+      expectNew("statistic " + statistic->measure + " against " + statistic->against);
+      golden.statistics.push_back(*statistic);
+      continue;
+    }
+    GoldenItem item = readItem(line, lines.place());
+    item.line = lines.number();
+    expectNew(item.kind + ' ' + item.key);
+    data.items.push_back(std::move(item));
+  }
+  lines.fail("the file ends without its last line `end …`: it is truncated; restore it from git");
+}
+
+Golden readGoldenFile(const std::filesystem::path& file) {
+  if (!fileExists(file))
+    throw InputError(file.string() +
+                     ": there is no golden file; look at the result and, if it is right, accept it with "
+                     "`morula review --accept --why \"…\"`");
+  return readGolden(readFile(file), file.string());
+}
+
+std::string acceptedBits(const Golden& golden) {
+  for (const GoldenItem& item : golden.data.items)
+    if (item.kind == "bits" && !item.fields.empty()) return item.fields[0];
+  return {};
+}
+
+}  // namespace morula

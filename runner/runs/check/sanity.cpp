@@ -1,0 +1,167 @@
+#include "check/sanity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/contacts.h"
+#include "mesh/measures.h"
+#include "simulation/body_measures.h"
+#include "simulation/sanity.h"
+#include "yaml/numbers.h"
+
+namespace morula {
+
+namespace {
+
+/// Of the energy at the start: an undamped scheme of second order swings within a few per cent.
+constexpr double mostEnergy = 1.5;
+/// Of what the contents hold at rest: the rounding of a scene that begins with no energy to speak of.
+constexpr double energyNoise = 0.01;
+
+Box boxOf(const World& world, int cell) {
+  const int slot = world.bodies->slots[cell];
+  Box box = measureBox(takeSurface(*world.bodies, slot).vertices);
+  const double reach = world.contacts->radius[slot];
+  const Vector around{reach, reach, reach};
+  return {box.low - around, box.high + around};
+}
+
+bool meet(const Box& a, const Box& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y &&
+         a.low.z < b.high.z && b.low.z < a.high.z;
+}
+
+/// False only if no two cells reach each other.
+bool mayTouch(const World& world) {
+  if (!world.contacts) return false;
+  std::vector<Box> boxes;
+  for (int cell = 0; cell < world.bodies->count; ++cell) boxes.push_back(boxOf(world, cell));
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (meet(boxes[i], boxes[j])) return true;
+  return false;
+}
+
+/// True if measureEnergy sees all that there is at the start, and nothing adds to it: contacts, adhesion,
+/// connections and growth hold energy that it does not count, crawling adds some, and a shell moves what it
+/// stops.
+bool isClosed(const World& start) {
+  if (!start.bodies) return false;
+  const PhysicsParameters& p = start.bodies->parameters;
+  const bool boundless = p.pressure.outside == 0 && p.pressure.constant > 0;  // contents without a rest
+  return start.bodies->model().hasMembrane && !p.shell && !p.growth && !boundless && !start.connections &&
+         !p.motility && !(start.contacts && start.contacts->parameters.adhesion) && !mayTouch(start);
+}
+
+std::string nameOf(const CellPath& cell) { return cell.isEgg() ? "the egg" : "cell " + cell.text(); }
+std::string nameOf(const std::optional<CellPath>& cell) { return cell ? nameOf(*cell) : "all cells"; }
+
+/// What holds cells apart here, or that nothing does.
+std::string contactAdvice(const MechanicsScene& m) {
+  if (!m.contact) return "the scene has no physics.contact, so cells pass through one another";
+  if (m.contact->law == ContactLaw::thesis)
+    return "physics.contact.law thesis holds cells apart only where motion is damped: try pair, or more "
+           "physics.drag";
+  return fmt::format(
+      "what holds them apart is physics.contact, with stiffness {} and radius {}: try more of either",
+      exactText(m.contact->stiffness), exactText(m.contact->radius));
+}
+
+std::string sentence(const SanityMeasure& m, const World& world) {
+  const std::string who = nameOf(m.cell);
+  const auto v = [](double x) { return fmt::format("{:.4g}", x); };
+  const MechanicsScene& scene = *world.model.mechanics;
+  if (m.name == "finite") return who + " has a position, speed or volume that is not finite";
+  if (m.name == "volume")
+    return fmt::format("{} is {} to {} of its volume at rest; fine is {} to {}", who,
+                       m.value < m.least ? "crushed" : "blown up", v(m.value), v(m.least), v(m.most));
+  if (m.name == "inverted")
+    return fmt::format("{} is turned inside out over {} of its surface; fine is at most {}", who, v(m.value),
+                       v(m.most));
+  if (m.name == "overlap")
+    return fmt::format("{} shares {} of its volume with {}; fine is at most {}; {}", who, v(m.value),
+                       nameOf(m.other), v(m.most), contactAdvice(scene));
+  if (m.name == "gap")
+    return fmt::format(
+        "{} is {} radii of empty space away from the others; fine is at most {}, for no picture shows both",
+        who, v(m.value), v(m.most));
+  if (m.name == "outermost")
+    return fmt::format("{} stands out of the shell: its surface reaches {:.6g} of its radius{}", who, m.value,
+                       !kindOf(scene.physics.cell.model).hasMesh
+                           ? "; balls do so where an ellipsoid bends, other models of physics.cell do not"
+                           : "");
+  if (m.name == "fill")
+    return fmt::format(
+        "all cells together fill {} of the shell; fine is at most {}, for they can only be in one "
+        "another; {}",
+        v(m.value), v(m.most), contactAdvice(scene));
+  return fmt::format(
+      "motion, membranes and contents hold {} times the energy of the start, and nothing here adds any; "
+      "fine is at most {}",
+      v(m.value), v(m.most));
+}
+
+std::string boundsOf(const SanityMeasure& m) {
+  if (m.least > 0) return "from " + exactText(m.least) + " to " + exactText(m.most);
+  return "at most " + exactText(m.most);
+}
+
+CheckResult resultOf(const SanityMeasure& m, const World& end, const CheckParameters& check) {
+  const bool below = m.name == "overlap" && m.value == 0;
+  return judged({.check = "sanity " + m.name,
+                 .kind = "sanity",
+                 .expected = boundsOf(m),
+                 .actual = below ? "below " + exactText(m.most) : exactText(m.value),
+                 .tolerance = check.sane ? "exact" : "none, for " + check.because,
+                 .firstStep = end.clock.step,
+                 .cell = m.cell ? std::optional(m.cell->text()) : std::nullopt,
+                 .field = m.name},
+                m.holds() || !check.sane,
+                "not sane at the end: " + sentence(m, end) +
+                    "; if the scene is about this, say so: check: {sane: false, because: \"why\"}");
+}
+
+/// A scene that says it is not sane and is.
+CheckResult needlessExcuse(const CheckParameters& check) {
+  return judged(
+      {.check = "sanity because",
+       .kind = "sanity",
+       .expected = "not sane, because " + check.because,
+       .actual = "sane",
+       .field = "sane"},
+      false, "check.sane is false, and the end lies within all bounds; remove check.sane and check.because");
+}
+
+}  // namespace
+
+SanityCheck::SanityCheck(const World& start) : cells_(start.cells.path) {
+  if (!isClosed(start)) return;
+  const Bodies& b = *start.bodies;
+  energy_ = measureEnergy(b);
+  for (int slot : b.slots) energyScale_ += b.parameters.pressure.outside * measureRestVolume(b, slot);
+}
+
+std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParameters& check,
+                                              bool held) const {
+  std::vector<SanityMeasure> measures = measureSanity(end);
+  const bool finite = !measures.empty() && measures[0].holds();
+  if (energy_ && finite && end.cells.path == cells_) {
+    const double noise = energyNoise * energyScale_;
+    measures.push_back({"energy",
+                        (measureEnergy(*end.bodies) - noise) / std::max(*energy_, noise),
+                        -INFINITY,
+                        mostEnergy,
+                        {},
+                        {}});
+  }
+  std::vector<CheckResult> all;
+  for (const SanityMeasure& m : measures) all.push_back(resultOf(m, end, check));
+  const bool sane =
+      std::all_of(measures.begin(), measures.end(), [](const SanityMeasure& m) { return m.holds(); });
+  if (!measures.empty() && held && !check.sane && sane) all.push_back(needlessExcuse(check));
+  return all;
+}
+
+}  // namespace morula
