@@ -50,7 +50,7 @@ struct BlockView {
   const double* vertexMass;        // [l]
   const double* restScale;         // [l] rest length over the template's
   const double* pressureConstant;  // [l] k_p
-  // Between drift and kick: the points that the shell holds [v]; null without a shell
+  // Between drift and kick, where the shell holds surfaces, else null: the points that it holds [v]
   RealPointer held;
   // Output of each cell
   double* volume;    // [l]
@@ -65,7 +65,8 @@ struct BlockView {
 
 struct ShellPlane;  // mesh/convex_shell.h
 
-enum class ShellShape { none, sphere, ellipsoid, aroundSpheres, planes, planesAroundSpheres };
+/// `surface`: a sphere or ellipsoid that holds surfaces, not vertices.
+enum class ShellShape { none, sphere, ellipsoid, surface, aroundSpheres, planes, planesAroundSpheres };
 
 /// The constants of a scene, as the kernels need them.
 struct KernelParameters {

@@ -6,6 +6,7 @@
 #include "base/maths.h"
 #include "mesh/nesting.h"
 #include "physics/integrator.h"
+#include "physics/stages.h"
 
 namespace morula {
 
@@ -38,7 +39,7 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
     }
   }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(std::size_t(lines) * vertexStride, 0);
-  if (b.parameters.shell && !b.parameters.shell->mesh && !b.areSpheres()) b.held.assign(b.position.size(), 0);
+  if (shellShapeOf(b.parameters) == ShellShape::surface) b.held.assign(b.position.size(), 0);
   if (kindOf(b.parameters.integrator).evaluations > 1)
     b.substeps.assign(std::size_t(lines) * vertexStride * 4, 0);
 }
@@ -132,9 +133,7 @@ BlockView Bodies::block(int index, int thread) {
           .vertexMass = &vertexMass[l],
           .restScale = &restScale[l],
           .pressureConstant = &pressureConstant[l],
-          .held = held.size() > 0    ? held.from(v)
-                  : parameters.shell ? position.from(v)
-                                     : RealPointer{nullptr},
+          .held = held.size() > 0 ? held.from(v) : RealPointer{nullptr},
           .volume = &volume[l],
           .pressure = &pressure[l],
           .predicted = s.predicted.from(0),

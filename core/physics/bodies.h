@@ -62,8 +62,7 @@ struct Bodies {
   // Between the evaluations of a Runge–Kutta step (BlockView::substeps); empty with the other integrators
   Reals substeps;
 
-  // Of the last drift: the points that a round shell holds (shell_surface_kernel.h); empty where these are the
-  // vertices
+  // Of the last drift: the points that a shell holds (shell_surface_kernel.h); empty where these are the vertices
   Reals held;
 
   // Output of the last force evaluation, [slot]

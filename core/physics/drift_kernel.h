@@ -1,13 +1,15 @@
 #pragma once
-// What the drifts of all integrators share: one pass over the vertices.
-#include "physics/lane_vec3.h"
+// What the drifts of all integrators share: one pass over the vertices, and the shell.
+#include "physics/shell_kernel.h"
 
 namespace morula::MORULA_ISA {
 
-/// For each vertex advance(v, lane, acceleration, x, velocity, predicted), from position and velocity. Writes the
-/// last three.
-template <class Advance>
-MORULA_INLINE void driftVertices(const TemplateView& mesh, const BlockView& b, const Advance& advance) {
+/// For each vertex advance(v, lane, acceleration, x, velocity, predicted), from position and velocity; and the
+/// shell keeps what would leave it. Writes the last three.
+template <ShellShape shell, class Advance>
+MORULA_INLINE void driftVertices(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
+                                 const Advance& advance) {
+  const ShellSlope slope(p);
   Real *position = b.position, *velocities = b.velocity, *predictions = b.predicted;
   const Real* accelerations = b.acceleration;
   const int vertices = mesh.vertexCount, liveLanes = b.liveLanes;
@@ -15,6 +17,7 @@ MORULA_INLINE void driftVertices(const TemplateView& mesh, const BlockView& b, c
     for (int lane = 0; lane < liveLanes; lane += width) {
       Vec x = loadVec(position, v, lane), velocity = loadVec(velocities, v, lane), predicted;
       advance(v, lane, loadVec(accelerations, v, lane), x, velocity, predicted);
+      if constexpr (shell != ShellShape::none) keepInShell<shell>(slope, x, velocity, predicted);
       storeVec(velocities, v, lane, velocity);
       storeVec(predictions, v, lane, predicted);
       storeVec(position, v, lane, x);

@@ -16,33 +16,37 @@
 
 namespace morula::MORULA_ISA {
 
-using Sphere = RoundShell<ShellShape::sphere>;
-using Ellipsoid = RoundShell<ShellShape::ellipsoid>;
-using Planes = PlaneShell<false>;
-using PlanesAroundSpheres = PlaneShell<true>;
-
-// [ShellShape]
-#define MORULA_IN_SHELLS(drift)                                               \
-  {                                                                           \
-    drift, driftInShell<drift, Sphere>, driftInShell<drift, Ellipsoid>,       \
-        driftInShell<drift, ShellAroundSpheres>, driftInShell<drift, Planes>, \
-        driftInShell<drift, PlanesAroundSpheres>                              \
+// [ShellShape] of a drift whose template arguments before the shape are the ones that follow its name.
+#define MORULA_IN_MESH_SHELLS(drift, ...)                                     \
+  drift<__VA_ARGS__ ShellShape::none>, drift<__VA_ARGS__ ShellShape::sphere>, \
+      drift<__VA_ARGS__ ShellShape::ellipsoid>
+#define MORULA_IN_SHELLS(drift)                                                        \
+  {                                                                                    \
+    MORULA_IN_MESH_SHELLS(drift), driftAroundSurfaces<drift<ShellShape::none>>,        \
+        driftSpheres<drift<ShellShape::none>>, driftInPlanes<drift<ShellShape::none>>, \
+        driftInPlanes<drift<ShellShape::none>, true>                                   \
   }
 // [evaluation] of a time step.
-#define MORULA_FOUR(Shell)                                                               \
+#define MORULA_FOUR(shape)                                                           \
+  {                                                                                  \
+    driftRungeKutta<1, shape>, driftRungeKutta<2, shape>, driftRungeKutta<3, shape>, \
+        driftRungeKutta<4, shape>                                                    \
+  }
+
+#define MORULA_FOUR_IN_PLANES(balls)                                \
+  {                                                                 \
+    driftInPlanes<driftRungeKutta<1, ShellShape::none>, balls>,     \
+        driftInPlanes<driftRungeKutta<2, ShellShape::none>, balls>, \
+        driftInPlanes<driftRungeKutta<3, ShellShape::none>, balls>, \
+        driftInPlanes<driftRungeKutta<4, ShellShape::none>, balls>  \
+  }
+// [KickShell]
+#define MORULA_KICKS(lacking)                                                            \
   {                                                                                      \
-    driftInShell<driftRungeKutta<1>, Shell>, driftInShell<driftRungeKutta<2>, Shell>,    \
-        driftInShell<driftRungeKutta<3>, Shell>, driftInShell<driftRungeKutta<4>, Shell> \
+    kick<lacking, false>, kick<lacking, true>, kickAroundSurfaces<kick<lacking, false>>, \
+        kickSpheres<kick<lacking, false>>, kickInPlanes<kick<lacking, false>>,           \
+        kickInPlanes<kick<lacking, false>, true>                                         \
   }
-// [KickShell]; a sphere is borne as an ellipsoid is.
-#define MORULA_KICKS(lacking)                                                                             \
-  {                                                                                                       \
-    kick<lacking>, kickInShell<kick<lacking>, Ellipsoid>, kickInShell<kick<lacking>, ShellAroundSpheres>, \
-        kickInShell<kick<lacking>, Planes>, kickInShell<kick<lacking>, PlanesAroundSpheres>               \
-  }
-// [ShellShape] of a kernel around surfaces alone.
-#define MORULA_AROUND_SURFACES(kernel, first, planes) \
-  { kernel<first, NoShell>, kernel<first, Sphere>, kernel<first, Ellipsoid>, nullptr, planes }
 
 extern const PhysicsKernels physics;
 const PhysicsKernels physics = {
@@ -50,16 +54,25 @@ const PhysicsKernels physics = {
     .driftThesisVerlet = MORULA_IN_SHELLS(driftThesisVerlet),
     .driftExplicitEuler = MORULA_IN_SHELLS(driftExplicitEuler),
     .driftSymplecticEuler = MORULA_IN_SHELLS(driftSymplecticEuler),
-    .driftRungeKutta = {{driftRungeKutta<1>, driftRungeKutta<2>, driftRungeKutta<3>, driftRungeKutta<4>},
-                        MORULA_FOUR(Sphere),
-                        MORULA_FOUR(Ellipsoid),
-                        MORULA_FOUR(ShellAroundSpheres),
-                        MORULA_FOUR(Planes),
-                        MORULA_FOUR(PlanesAroundSpheres)},
-    .driftXpbd = {MORULA_AROUND_SURFACES(driftXpbd, false, (driftXpbd<false, Planes>)),
-                  MORULA_AROUND_SURFACES(driftXpbd, true, (driftXpbd<true, Planes>))},
-    .endAndDrift = {MORULA_AROUND_SURFACES(endAndDrift, false, nullptr),
-                    MORULA_AROUND_SURFACES(endAndDrift, true, nullptr)},
+    .driftRungeKutta = {MORULA_FOUR(ShellShape::none),
+                        MORULA_FOUR(ShellShape::sphere),
+                        MORULA_FOUR(ShellShape::ellipsoid),
+                        {driftAroundSurfaces<driftRungeKutta<1, ShellShape::none>>,
+                         driftAroundSurfaces<driftRungeKutta<2, ShellShape::none>>,
+                         driftAroundSurfaces<driftRungeKutta<3, ShellShape::none>>,
+                         driftAroundSurfaces<driftRungeKutta<4, ShellShape::none>>},
+                        {driftSpheres<driftRungeKutta<1, ShellShape::none>>,
+                         driftSpheres<driftRungeKutta<2, ShellShape::none>>,
+                         driftSpheres<driftRungeKutta<3, ShellShape::none>>,
+                         driftSpheres<driftRungeKutta<4, ShellShape::none>>},
+                        MORULA_FOUR_IN_PLANES(false),
+                        MORULA_FOUR_IN_PLANES(true)},
+    .driftXpbd = {{MORULA_IN_MESH_SHELLS(driftXpbd, false, ), driftXpbdIn<false, keepSurfaces>, nullptr,
+                   driftXpbdIn<false, keepAllInPlanes<false>>},
+                  {MORULA_IN_MESH_SHELLS(driftXpbd, true, ), driftXpbdIn<true, keepSurfaces>, nullptr,
+                   driftXpbdIn<true, keepAllInPlanes<false>>}},
+    .endAndDrift = {{MORULA_IN_MESH_SHELLS(endAndDrift, false, ), nullptr, nullptr, nullptr},
+                    {MORULA_IN_MESH_SHELLS(endAndDrift, true, ), nullptr, nullptr, nullptr}},
     .endEvaluation = MORULA_KICKS(Kick::none),
     .kickVelocityVerlet = MORULA_KICKS(Kick::half),
     .kickSymplecticEuler = MORULA_KICKS(Kick::whole),

@@ -6,37 +6,38 @@
 //
 // k₁ stands in velocity and acceleration when a step begins, for the step before has ended with the
 // evaluation at its y'. So drift number s = 1 … 4 finds k_s, takes y_{s+1} or y' and leaves it to be
-// evaluated; the kick only ends the evaluation. A shell keeps what it keeps at each of the four.
+// evaluated; the kick only ends the evaluation. What the shell keeps it keeps at each of the four.
 #include "physics/drift_kernel.h"
 
 namespace morula::MORULA_ISA {
 
-template <int s>
-inline void driftRungeKutta(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
+template <int s, ShellShape shell>
+inline void driftRungeKutta(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                             double dt) {
   const int whole = mesh.vertexCount * vertexStride;
   Real* x0 = b.substeps;
   Real *v0 = x0 + whole, *sumOfVelocities = v0 + whole, *sumOfAccelerations = sumOfVelocities + whole;
   const Lanes step = s <= 2 ? 0.5 * dt : s == 3 ? dt : dt / 6, twice = 2.0;
-  driftVertices(mesh, b,
-                [=](int v, int lane, const Vec& acceleration, Vec& x, Vec& velocity,
-                    Vec& predicted) MORULA_INLINE_LAMBDA {
-                  Vec u = velocity, a = acceleration;
-                  if constexpr (s == 1) {
-                    storeVec(x0, v, lane, x);
-                    storeVec(v0, v, lane, u);
-                    storeVec(sumOfVelocities, v, lane, u);
-                    storeVec(sumOfAccelerations, v, lane, a);
-                  } else if constexpr (s == 4) {
-                    u += loadVec(sumOfVelocities, v, lane);
-                    a += loadVec(sumOfAccelerations, v, lane);
-                  } else {
-                    storeVec(sumOfVelocities, v, lane, loadVec(sumOfVelocities, v, lane) + twice * u);
-                    storeVec(sumOfAccelerations, v, lane, loadVec(sumOfAccelerations, v, lane) + twice * a);
-                  }
-                  x = loadVec(x0, v, lane) + step * u;
-                  predicted = velocity = loadVec(v0, v, lane) + step * a;
-                });
+  driftVertices<shell>(
+      mesh, b, p,
+      [=](int v, int lane, const Vec& acceleration, Vec& x, Vec& velocity, Vec& predicted)
+          MORULA_INLINE_LAMBDA {
+            Vec u = velocity, a = acceleration;
+            if constexpr (s == 1) {
+              storeVec(x0, v, lane, x);
+              storeVec(v0, v, lane, u);
+              storeVec(sumOfVelocities, v, lane, u);
+              storeVec(sumOfAccelerations, v, lane, a);
+            } else if constexpr (s == 4) {
+              u += loadVec(sumOfVelocities, v, lane);
+              a += loadVec(sumOfAccelerations, v, lane);
+            } else {
+              storeVec(sumOfVelocities, v, lane, loadVec(sumOfVelocities, v, lane) + twice * u);
+              storeVec(sumOfAccelerations, v, lane, loadVec(sumOfAccelerations, v, lane) + twice * a);
+            }
+            x = loadVec(x0, v, lane) + step * u;
+            predicted = velocity = loadVec(v0, v, lane) + step * a;
+          });
 }
 
 }  // namespace morula::MORULA_ISA

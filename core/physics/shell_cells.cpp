@@ -26,8 +26,8 @@ void chooseShellForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsP
                                                         : k.findTensions;
   s.accumulateRings = k.accumulateRings;
   s.finishForces = p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces;
-  if (p.integrator == Integrator::velocityVerlet)
-    s.endAndDrift = k.endAndDrift[p.drag > 0][static_cast<int>(shellShapeOf(p))];  // null in planes
+  if (p.integrator == Integrator::velocityVerlet)  // null in planes, and where the shell holds surfaces
+    s.endAndDrift = k.endAndDrift[p.drag > 0][static_cast<int>(shellShapeOf(p))];
 }
 
 /// Of an integrator that drag alone keeps stable [stability.h]. `radius` [length] and `omega` [1/time]: of

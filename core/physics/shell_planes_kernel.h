@@ -2,7 +2,7 @@
 // The egg shell of a convex mesh: the intersection of the half-spaces n·x ≤ d of its faces. The rules are those of
 // shell_kernel.h: what the drift brings outside is moved to the shell and slides, and the shell bears what presses.
 //
-// A point outside is moved onto one plane after the other, x −= max(n·x − d, 0) n, a few times over: where planes meet
+// A vertex outside is moved onto one plane after the other, x −= max(n·x − d, 0) n, a few times over: where planes meet
 // at right angles once is exact, elsewhere the passes converge on the shell. Scaling by 1 / max(n·x/d) then puts it on
 // the shell to rounding, whatever is left. In edges and corners it loses what is outward of each plane that it lies on.
 //
@@ -16,15 +16,13 @@ namespace morula::MORULA_ISA {
 constexpr int shellPasses = 4;    // over the planes, for places
 constexpr int outwardPasses = 2;  // for velocities
 
-/// The planes as surfaces, or centres of balls, of the cells from `lane` on feel them.
+/// The planes as vertices, or centres of balls, of the cells from `lane` on feel them.
 template <bool balls>
-struct PlaneShell {
-  static constexpr bool isThere = true, sags = false;
-  PlaneShell(const BlockView& b, const KernelParameters& p, int lane)
+struct FeltPlanes {
+  FeltPlanes(const BlockView& b, const KernelParameters& p, int lane)
       : planes(p.planes), count(p.planeCount) {
     if constexpr (balls) radius = p.radius * load(b.restScale + lane);
   }
-
   MORULA_INLINE Vec normal(int i) const {
     const Vector& n = planes[i].normal;
     return {Lanes(n.x), Lanes(n.y), Lanes(n.z)};
@@ -34,51 +32,86 @@ struct PlaneShell {
     if constexpr (balls) return max(d - radius, Lanes(1e-9 * d));  // a ball too large stands in the middle
     return Lanes(d);
   }
-
-  MORULA_INLINE Mask isNear(const Vec& x) const {
-    Lanes nearest = -1.0;
-    for (int i = 0; i < count; ++i)
-      nearest = max(nearest, dot(x, normal(i)) - (1.0 - onShellWithin) * offset(i));
-    return nearest > Lanes(0.0);
-  }
-
-  MORULA_INLINE Mask keep(Vec& x, Vec& velocity, Vec& predicted) const {
-    Lanes excess = 0.0;
-    for (int i = 0; i < count; ++i) excess = max(excess, dot(x, normal(i)) - offset(i));
-    const Mask outside = excess > Lanes(0.0);
-    if (!any(outside)) return outside;
-    Vec y = x;
-    for (int pass = 0; pass < shellPasses; ++pass)
-      for (int i = 0; i < count; ++i) {
-        const Vec n = normal(i);
-        y = y - max(dot(y, n) - offset(i), Lanes(0.0)) * n;
-      }
-    Lanes reach = 1.0;
-    for (int i = 0; i < count; ++i) reach = max(reach, dot(y, normal(i)) / offset(i));
-    y = (1.0 / reach) * y;
-    Vec v = velocity, w = predicted;
-    bear(y, v, w);
-    x = select(outside, y, x);
-    velocity = select(outside, v, velocity);
-    predicted = select(outside, w, predicted);
-    return outside;
-  }
-
-  /// Removes what is outward of each plane that x lies on.
-  MORULA_INLINE void bear(const Vec& x, Vec& u, Vec& w) const {
-    for (int pass = 0; pass < outwardPasses; ++pass)
-      for (int i = 0; i < count; ++i) {
-        const Vec n = normal(i);
-        const Mask on = dot(x, n) > (1.0 - onShellWithin) * offset(i);
-        if (!any(on)) continue;
-        removeOutward(u, n, on);
-        removeOutward(w, n, on);
-      }
-  }
-
   const ShellPlane* planes;
   int count;
   Lanes radius = 0.0;
 };
+
+/// Removes what is outward of each plane that x lies on.
+template <bool balls>
+MORULA_INLINE void removeOutward(Vec& u, const FeltPlanes<balls>& shell, const Vec& x) {
+  for (int pass = 0; pass < outwardPasses; ++pass)
+    for (int i = 0; i < shell.count; ++i) {
+      const Vec n = shell.normal(i);
+      const Mask on = dot(x, n) > (1.0 - onShellWithin) * shell.offset(i);
+      if (any(on)) removeOutward(u, n, on);
+    }
+}
+
+/// One vertex after the drift.
+template <bool balls>
+MORULA_INLINE void keepInPlanes(const FeltPlanes<balls>& shell, Vec& x, Vec& velocity, Vec& predicted) {
+  Lanes excess = 0.0;
+  for (int i = 0; i < shell.count; ++i) excess = max(excess, dot(x, shell.normal(i)) - shell.offset(i));
+  const Mask outside = excess > Lanes(0.0);
+  if (!any(outside)) return;
+  Vec y = x;
+  for (int pass = 0; pass < shellPasses; ++pass)
+    for (int i = 0; i < shell.count; ++i) {
+      const Vec n = shell.normal(i);
+      y = y - max(dot(y, n) - shell.offset(i), Lanes(0.0)) * n;
+    }
+  Lanes reach = 1.0;
+  for (int i = 0; i < shell.count; ++i) reach = max(reach, dot(y, shell.normal(i)) / shell.offset(i));
+  y = (1.0 / reach) * y;
+  Vec v = velocity, w = predicted;
+  removeOutward(v, shell, y);
+  removeOutward(w, shell, y);
+  x = {select(outside, y.x, x.x), select(outside, y.y, x.y), select(outside, y.z, x.z)};
+  velocity = {select(outside, v.x, velocity.x), select(outside, v.y, velocity.y),
+              select(outside, v.z, velocity.z)};
+  predicted = {select(outside, w.x, predicted.x), select(outside, w.y, predicted.y),
+               select(outside, w.z, predicted.z)};
+}
+
+template <bool balls>
+inline void keepAllInPlanes(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
+  for (int lane = 0; lane < b.liveLanes; lane += width) {
+    const FeltPlanes<balls> shell(b, p, lane);
+    for (int v = 0; v < mesh.vertexCount; ++v) {
+      Vec x = loadVec(b.position, v, lane), velocity = loadVec(b.velocity, v, lane),
+          predicted = loadVec(b.predicted, v, lane);
+      keepInPlanes(shell, x, velocity, predicted);
+      storeVec(b.position, v, lane, x);
+      storeVec(b.velocity, v, lane, velocity);
+      storeVec(b.predicted, v, lane, predicted);
+    }
+  }
+}
+
+/// A drift without a shell, and then the planes.
+template <auto drift, bool balls = false>
+inline void driftInPlanes(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
+                          double dt) {
+  drift(mesh, b, p, dt);
+  keepAllInPlanes<balls>(mesh, b, p);
+}
+
+/// A kick without a shell, and then the planes bear what presses against them.
+template <auto kick, bool balls = false>
+inline void kickInPlanes(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  kick(mesh, b, p, dt);
+  for (int lane = 0; lane < b.liveLanes; lane += width) {
+    const FeltPlanes<balls> shell(b, p, lane);
+    for (int v = 0; v < mesh.vertexCount; ++v) {
+      const Vec x = loadVec(b.position, v, lane);
+      Vec velocity = loadVec(b.velocity, v, lane), acceleration = loadVec(b.acceleration, v, lane);
+      removeOutward(velocity, shell, x);
+      removeOutward(acceleration, shell, x);
+      storeVec(b.velocity, v, lane, velocity);
+      storeVec(b.acceleration, v, lane, acceleration);
+    }
+  }
+}
 
 }  // namespace morula::MORULA_ISA

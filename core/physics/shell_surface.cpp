@@ -7,7 +7,7 @@ namespace morula {
 
 std::vector<Point> measureHeldPoints(const Mesh& surface, const ShellParameters& shell) {
   std::vector<Point> held = surface.vertices;
-  if (shell.mesh) return held;
+  if (shell.mesh || shell.holds == Held::vertices) return held;
   const double* a = shell.semiAxes;
   const auto slope = [a](const Vector& u) {
     return Vector{u.x / (a[0] * a[0]), u.y / (a[1] * a[1]), u.z / (a[2] * a[2])};
@@ -21,7 +21,7 @@ std::vector<Point> measureHeldPoints(const Mesh& surface, const ShellParameters&
     }
   for (std::size_t v = 0; v < held.size(); ++v) {
     constexpr double near =
-        1 - 1e-6;  // the shell puts points onto itself to rounding, that of single precision too
+        1 - 1e-6;  // the shell puts points onto itself to rounding, of single precision too
     const Point x = held[v];
     const Vector s = slope(x);
     const double reach = std::sqrt(dot(x, s));

@@ -40,11 +40,30 @@ struct ShortenedShell {
   Lanes inverseSquare[3];
 };
 
-/// The shell around centres.
-struct ShellAroundSpheres : QuadricShell<ShellShape::ellipsoid, ShortenedShell> {
-  static constexpr bool isThere = true, sags = false;
-  ShellAroundSpheres(const BlockView& b, const KernelParameters& p, int lane)
-      : QuadricShell<ShellShape::ellipsoid, ShortenedShell>{ShortenedShell(b, p, lane)} {}
-};
+/// A drift, and then the shell.
+template <auto drift>
+inline void driftSpheres(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  drift(mesh, b, p, dt);
+  for (int lane = 0; lane < b.liveLanes; lane += width) {
+    Vec x = loadVec(b.position, 0, lane), velocity = loadVec(b.velocity, 0, lane),
+        predicted = loadVec(b.predicted, 0, lane);
+    keepInShell<ShellShape::ellipsoid>(ShortenedShell(b, p, lane), x, velocity, predicted);
+    storeVec(b.position, 0, lane, x);
+    storeVec(b.velocity, 0, lane, velocity);
+    storeVec(b.predicted, 0, lane, predicted);
+  }
+}
+
+/// A kick, and then the shell bears what presses against it.
+template <auto kick>
+inline void kickSpheres(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  kick(mesh, b, p, dt);
+  for (int lane = 0; lane < b.liveLanes; lane += width) {
+    Vec velocity = loadVec(b.velocity, 0, lane), acceleration = loadVec(b.acceleration, 0, lane);
+    slideOnShell(ShortenedShell(b, p, lane), loadVec(b.position, 0, lane), velocity, acceleration);
+    storeVec(b.velocity, 0, lane, velocity);
+    storeVec(b.acceleration, 0, lane, acceleration);
+  }
+}
 
 }  // namespace morula::MORULA_ISA

@@ -3,8 +3,8 @@
 //
 // On the first end of edge e, with d = x_second − x_first, l = |d|, and w the velocities:
 //   f = (k_s (l − L0) + k_d (w_second − w_first)·d/l) d/l = c_e d,   and −c_e d on the second end.
-// With weights w_e (TemplateView::springWeights) c_e is w_e times that. One number c_e per edge; the ring pass (ring_kernel.h) adds c_e d at either end, with d from that end to the
-// other.
+// With weights w_e (TemplateView::springWeights) c_e is w_e times that. One number c_e per edge; the ring pass
+// (ring_kernel.h) adds c_e d at either end, with d from that end to the other.
 #include "base/lane_prefetch.h"
 #include "physics/lane_vec3.h"
 

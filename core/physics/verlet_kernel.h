@@ -23,23 +23,25 @@ MORULA_INLINE void driftVertex(Lanes halfStep, Lanes step, const Vec& accelerati
   x += step * velocity;
 }
 
-inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
+template <ShellShape shell>
+inline void driftVelocityVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                                 double dt) {
   const Lanes halfStep = 0.5 * dt, step = dt;
-  driftVertices(mesh, b,
-                [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted)
-                    MORULA_INLINE_LAMBDA { driftVertex(halfStep, step, a, x, velocity, predicted); });
+  driftVertices<shell>(mesh, b, p,
+                       [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted)
+                           MORULA_INLINE_LAMBDA { driftVertex(halfStep, step, a, x, velocity, predicted); });
 }
 
 /// x ← x', velocity and predicted ← v'.
-inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters&,
+template <ShellShape shell>
+inline void driftThesisVerlet(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
                               double dt) {
   const Lanes step = dt;
-  driftVertices(mesh, b,
-                [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
-                  predicted = velocity = velocity + step * a;
-                  x = x + step * velocity;
-                });
+  driftVertices<shell>(
+      mesh, b, p, [=](int, int, const Vec& a, Vec& x, Vec& velocity, Vec& predicted) MORULA_INLINE_LAMBDA {
+        predicted = velocity = velocity + step * a;
+        x = x + step * velocity;
+      });
 }
 
 struct InverseMass {
@@ -52,26 +54,31 @@ struct InverseMass {
 /// How much of a time step the velocity still lacks when the new acceleration is known.
 enum class Kick { none, half, whole };
 
-/// One vertex: the acceleration of a force, and velocity ← v' where the drift has left some of it.
-template <Kick lacking>
-MORULA_INLINE Vec kickVertex(Lanes inverseMass, Lanes step, const Vec& force, Vec& velocity) {
-  const Vec a = inverseMass * force;
+/// One vertex: the acceleration of a force, and velocity ← v' where the drift has left some of it. The shell
+/// bears what presses against it.
+template <Kick lacking, bool shell>
+MORULA_INLINE Vec kickVertex(const ShellSlope& slope, Lanes inverseMass, Lanes step, const Vec& force,
+                             const Vec& x, Vec& velocity) {
+  Vec a = inverseMass * force;
   if constexpr (lacking != Kick::none) velocity += step * a;
+  if constexpr (shell) slideOnShell(slope, x, velocity, a);
   return a;
 }
 
 /// Force → acceleration, of all vertices.
-template <Kick lacking>
-inline void kick(const TemplateView& mesh, const BlockView& b, const KernelParameters&, double dt) {
-  constexpr bool moves = lacking != Kick::none;
+template <Kick lacking, bool shell>
+inline void kick(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  constexpr bool moves = lacking != Kick::none || shell;
   const Lanes step = lacking == Kick::half ? 0.5 * dt : dt;
   const InverseMass inverseMass(b);
+  const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
-      Vec velocity;
+      Vec x, velocity;
+      if constexpr (shell) x = loadVec(b.position, v, lane);
       if constexpr (moves) velocity = loadVec(b.velocity, v, lane);
-      const Vec a = kickVertex<lacking>(load(inverseMass.value + lane), step,
-                                        loadVec(b.acceleration, v, lane), velocity);
+      const Vec a = kickVertex<lacking, shell>(slope, load(inverseMass.value + lane), step,
+                                               loadVec(b.acceleration, v, lane), x, velocity);
       if constexpr (moves) storeVec(b.velocity, v, lane, velocity);
       storeVec(b.acceleration, v, lane, a);
     }

@@ -23,7 +23,7 @@
 // rounding a short step magnifies. All of them are inner: momentum stays.
 #include "physics/lane_matrix.h"
 #include "physics/ring_kernel.h"
-#include "physics/shell_surface_kernel.h"
+#include "physics/shell_kernel.h"
 
 namespace morula::MORULA_ISA {
 
@@ -51,20 +51,20 @@ inline void predictMotion(const TemplateView& mesh, const BlockView& b, double k
 }
 
 /// 2.
-template <bool damped>
+template <bool damped, bool weighted>
 inline void solveEdges(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
   const Lanes stiffness = p.stiffness, damping = p.damping, step = h;
-  const double yielding = 2 * h * (h * p.stiffness + p.damping);
   Lanes perTension[blockLanes / width];  // velocity over k_s (l − L0) + k_d l'
-  const auto findPerTension = [&](double weight) {
+  const auto findPerTension = [&](double weight) MORULA_INLINE_LAMBDA {
+    const Lanes yielding = 2 * h * (h * p.stiffness + p.damping) * weight;
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
-      perTension[group] = Lanes(h * weight) / (load(b.vertexMass + lane) + Lanes(yielding * weight));
+      perTension[group] = Lanes(h * weight) / (load(b.vertexMass + lane) + yielding);
   };
   findPerTension(1);
   for (int e = 0; e < mesh.edgeCount; ++e) {
     const int first = mesh.edges[2 * e], second = mesh.edges[2 * e + 1];
     const Lanes templateLength = mesh.restLengths[e];
-    if (mesh.springWeights) findPerTension(mesh.springWeights[e]);
+    if constexpr (weighted) findPerTension(mesh.springWeights[e]);
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       const Vec x = loadVec(b.position, first, lane), y = loadVec(b.position, second, lane), d = y - x;
       const Vec v = loadVec(b.velocity, first, lane), w = loadVec(b.velocity, second, lane);
@@ -156,27 +156,47 @@ inline void keepAngularMomentum(const TemplateView& mesh, const BlockView& b, do
 }
 
 /// 5. predicted ← velocity.
-template <class Shell>
+template <ShellShape shell>
 inline void endSubstep(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
+  const ShellSlope slope(p);
   for (int v = 0; v < mesh.vertexCount; ++v)
-    for (int lane = 0; lane < b.liveLanes; lane += width)
-      storeVec(b.predicted, v, lane, loadVec(b.velocity, v, lane));
-  if constexpr (Shell::isThere) keepInShell<Shell>(mesh, b, p);
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      Vec velocity = loadVec(b.velocity, v, lane), predicted = velocity;
+      if constexpr (shell != ShellShape::none) {
+        Vec x = loadVec(b.position, v, lane);
+        keepInShell<shell>(slope, x, velocity, predicted);
+        storeVec(b.position, v, lane, x);
+        storeVec(b.velocity, v, lane, velocity);
+      }
+      storeVec(b.predicted, v, lane, predicted);
+    }
 }
 
 /// x ← x', velocity and predicted ← v'. The kick only ends the evaluation. A step of 0 moves nothing.
-template <bool damped, class Shell>
+template <bool damped, ShellShape shell>
 inline void driftXpbd(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
   const double h = dt / p.substeps, kept = 1 / (1 + h * p.drag);
   for (int i = 0; i < p.substeps && dt > 0; ++i) {
     Spin spin;
     predictMotion(mesh, b, kept, h, spin);
-    solveEdges<damped>(mesh, b, p, h);
+    mesh.springWeights ? solveEdges<damped, true>(mesh, b, p, h) : solveEdges<damped, false>(mesh, b, p, h);
     solveFluid(mesh, b, p, h);
     keepAngularMomentum(mesh, b, h, spin);
-    if (i + 1 < p.substeps) endSubstep<Shell>(mesh, b, p);
+    if (i + 1 < p.substeps) endSubstep<shell>(mesh, b, p);
   }
-  endSubstep<Shell>(mesh, b, p);
+  endSubstep<shell>(mesh, b, p);
+}
+
+/// driftXpbd, with another shell after each sub-step.
+template <bool damped, auto keep>
+inline void driftXpbdIn(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  KernelParameters one = p;
+  one.substeps = 1;
+  const int substeps = dt > 0 ? p.substeps : 1;
+  for (int i = 0; i < substeps; ++i) {
+    driftXpbd<damped, ShellShape::none>(mesh, b, one, dt / substeps);
+    keep(mesh, b, p);
+  }
 }
 
 }  // namespace morula::MORULA_ISA

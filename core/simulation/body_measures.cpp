@@ -15,14 +15,23 @@ namespace {
 
 constexpr double ballArea = 4 * std::numbers::pi;  // over the square of the radius
 
+/// Every edge once: in one of its two faces it runs upwards.
 double membraneEnergy(const Bodies& b, int slot) {
   const MeshTemplate& mesh = b.meshOf(slot);
+  const auto offSquare = [&](int i, int j) {
+    const double length = norm(b.vertex(slot, i) - b.vertex(slot, j));
+    const double off = length - b.restScale[slot] * norm(mesh.mesh.vertices[i] - mesh.mesh.vertices[j]);
+    return off * off;
+  };
   double sum = 0;
-  for (int e = 0; e < mesh.edgeCount(); ++e) {
-    const double length = norm(b.vertex(slot, mesh.edges[2 * e]) - b.vertex(slot, mesh.edges[2 * e + 1]));
-    const double off = length - b.restScale[slot] * mesh.restLengths[e];
-    sum += (mesh.springWeights.empty() ? 1 : mesh.springWeights[e]) * off * off;
-  }
+  for (std::size_t e = 0; e < mesh.springWeights.size(); ++e)
+    sum += mesh.springWeights[e] * offSquare(mesh.edges[2 * e], mesh.edges[2 * e + 1]);
+  if (mesh.springWeights.empty())
+    for (const Face& face : mesh.mesh.faces)
+      for (int k = 0; k < 3; ++k) {
+        const int i = face[k], j = face[(k + 1) % 3];
+        if (i < j) sum += offSquare(i, j);
+      }
   return 0.5 * b.parameters.membrane.stiffness * sum;
 }
 
@@ -126,12 +135,10 @@ double measureExtent(const Bodies& b) {
   double extent = 0;
   for (int slot : b.slots) {
     const double around = b.areSpheres() ? b.parameters.cell.radius * b.restScale[slot] : 0;
-    std::vector<Point> points;
-    if (b.areSpheres()) points = {b.vertex(slot, 0)};
-    else if (b.parameters.shell) points = measureHeldPoints(takeSurface(b, slot), *b.parameters.shell);
-    else points = takeSurface(b, slot).vertices;
-    for (const Point& x : points) {
-      const double here = norm(x) + around;
+    std::vector<Point> held;
+    if (b.held.size() > 0) held = measureHeldPoints(takeSurface(b, slot), *b.parameters.shell);
+    for (int v = 0; v < b.vertexCount(slot); ++v) {
+      const double here = norm(held.empty() ? b.vertex(slot, v) : held[v]) + around;
       if (std::isnan(here)) return here;  // std::max would pass over it
       extent = std::max(extent, here);
     }
@@ -153,8 +160,7 @@ double measureInvertedShare(const BodyShape& shape) {
 }
 
 double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
-  constexpr double within =
-      1e-6;  // the shell puts points onto itself to rounding, that of single precision too
+  constexpr double within = 1e-6;  // the shell puts points onto itself to rounding, of single precision too
   if (shape.isBall) return 0;
   const double* a = shell.semiAxes;
   const auto& [vertices, faces] = shape.surface;

@@ -5,6 +5,7 @@
 #include "contacts/any_search.h"
 #include "contacts/contacts.h"
 #include "physics/integrator.h"
+#include "physics/stages.h"
 
 namespace morula {
 
@@ -46,7 +47,7 @@ double perVertex(const MechanicsScene& m) {
   double bytes = 3 * vector;                                              // place, velocity, acceleration
   bytes += 2 * sizeof(Vector);                                            // Body, while cells divide
   if (kindOf(m.physics.integrator).evaluations > 1) bytes += 4 * vector;  // Bodies::substeps
-  if (m.physics.shell && !m.physics.shell->mesh) bytes += vector;         // Bodies::held
+  if (shellShapeOf(m.physics) == ShellShape::surface) bytes += vector;    // Bodies::held
   if (!m.contact && !m.connections && !m.physics.motility) bytes += 3 * vector;  // BodyCopy
   // Snapshot, NeighbourList::reference, PointTable, BlockLists.
   if (m.contact) bytes += sizeof(RowMemory) + vector + 6 * sizeof(double) + 4 * sizeof(std::int32_t);

@@ -91,9 +91,10 @@ void addPart(Hasher& h, const PhysicsParameters& physics) {
   if (until) h.field("until").add(*until);
   h.field("shell").add(shell.has_value());
   if (shell) {
-    const auto& [semiAxes, mesh] = *shell;
+    const auto& [semiAxes, mesh, holds] = *shell;
     h.add(std::span<const double>(semiAxes));
     if (mesh) addMesh(h.field("shell mesh"), mesh->mesh);
+    if (holds != Held::vertices) h.field("shell holds").add(number(holds));
   }
   if (motility) {
     const auto& [speed, persistence] = *motility;

@@ -88,8 +88,8 @@ inline auto fields(ConvexShell& a) {
   return std::tie(mesh, planes);
 }
 inline auto fields(ShellParameters& a) {
-  auto& [semiAxes, mesh] = a;
-  return std::tie(semiAxes[0], semiAxes[1], semiAxes[2], mesh);
+  auto& [semiAxes, mesh, holds] = a;
+  return std::tie(semiAxes[0], semiAxes[1], semiAxes[2], mesh, holds);
 }
 inline auto fields(PhysicsParameters& a) {
   auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,

@@ -66,6 +66,9 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
     found.push_back({false, "b3 does not compute contact", "use b1, or remove physics.contact"});
   if (baseline == Baseline::b3 && mechanics.physics.shell)
     found.push_back({false, "b3 does not compute a shell", "use b1, or remove physics.shell"});
+  if (mechanics.physics.shell && mechanics.physics.shell->holds != Held::vertices)
+    found.push_back(
+        {true, "Bullet's shell holds vertices", "set physics.shell.holds to vertices, or remove this"});
   if (mechanics.physics.shell && mechanics.physics.shell->mesh)
     found.push_back(
         {false, "Bullet is not given a shell that is a mesh", "use an ellipsoid, or remove this"});

@@ -25,6 +25,11 @@ Parameter refines(const char* key, Parameter p) {
   return p;
 }
 
+Parameter beside(Parameter p) {
+  p.beside = true;
+  return p;
+}
+
 Parameter presentation(Parameter p) {
   p.decides = Decides::presentation;
   return p;
@@ -130,6 +135,8 @@ std::vector<Parameter> parameters() {
       shellEllipsoid(),
       shellMesh(),
       shellFill(),
+      later(beside(of("What of a cell with a mesh stays inside a sphere or an ellipsoid",
+                      choice("physics.shell.holds", PHYSICS(shell->holds))))),
 
       real("physics.motility.speed", "length/time", positive, "Of a cell alone in the medium",
            PHYSICS(motility->speed)),

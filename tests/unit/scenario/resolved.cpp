@@ -140,6 +140,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
       {"record.at-cells", "[2, 4]"},
       {"record.measures", "[position_rmsd, contact_f1]"},
       {"physics.shell.fill", "0.01"},
+      {"physics.shell.holds", "vertices"},
   };
   std::vector<Hash> seen{meaning};
   std::set<std::string> tried;

@@ -53,6 +53,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(physics.shell->semiAxes[0] == 3);
   CHECK(physics.shell->semiAxes[1] == 2);
   CHECK(physics.shell->semiAxes[2] == 1);
+  CHECK(physics.shell->holds == Held::surface);
   REQUIRE(scene.mechanics->contact);
   CHECK(scene.mechanics->contact->law == ContactLaw::thesis);
   CHECK(scene.mechanics->contact->stiffness == 30);
