@@ -126,10 +126,9 @@ void checkHeld(const PhysicsParameters& physics, Reading& reading, const Node& r
     reading.problems.add(placeOf(root, path), path,
                          "balls have no vertices: a shell holds their surfaces anyway", "remove this");
   else if (physics.shell->mesh)
-    reading.problems.add(
-        placeOf(root, path), path,
-        "is for spheres and ellipsoids: between the vertices that flat walls hold faces lie in them",
-        "remove this");
+    reading.problems.add(placeOf(root, path), path,
+                         "is for spheres and ellipsoids: faces between vertices on a flat wall lie in it",
+                         "remove this");
 }
 
 void checkStartCells(const Scenario& scenario, Reading& reading) {
