@@ -179,7 +179,8 @@ inline void driftXpbd(const TemplateView& mesh, const BlockView& b, const Kernel
   for (int i = 0; i < p.substeps && dt > 0; ++i) {
     Spin spin;
     predictMotion(mesh, b, kept, h, spin);
-    mesh.springWeights ? solveEdges<damped, true>(mesh, b, p, h) : solveEdges<damped, false>(mesh, b, p, h);
+    if (mesh.springWeights) solveEdges<damped, true>(mesh, b, p, h);
+    else solveEdges<damped, false>(mesh, b, p, h);
     solveFluid(mesh, b, p, h);
     keepAngularMomentum(mesh, b, h, spin);
     if (i + 1 < p.substeps) endSubstep<shell>(mesh, b, p);
