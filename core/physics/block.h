@@ -29,6 +29,7 @@ struct TemplateView {
   int vertexCount, edgeCount;
   const std::int32_t* edges;      // [edge][2], first < second
   const double* restLengths;      // [edge] [length] of the template, at scale 1
+  const double* springWeights;    // [edge] [1] of k_s and k_d; null: all 1
   const std::int32_t* ringStart;  // [vertex + 1] into ring
   const RingStep* ring;
   const double* ringShare;  // [as ring] 1 over the number of that vertex' own neighbours; 0 of a repeated one
@@ -56,6 +57,8 @@ struct BlockView {
   const double* vertexMass;        // [l]
   const double* restScale;         // [l] rest length over the template's
   const double* pressureConstant;  // [l] k_p
+  // Between drift and kick, where the shell holds surfaces, else null: the points that it holds [v]
+  RealPointer held;
   // Output of each cell
   double* volume;    // [l]
   double* pressure;  // [l]
@@ -69,7 +72,8 @@ struct BlockView {
 
 struct ShellPlane;  // mesh/convex_shell.h
 
-enum class ShellShape { none, sphere, ellipsoid, aroundSpheres, planes, planesAroundSpheres };
+/// `surface`: a sphere or ellipsoid that holds surfaces, not vertices.
+enum class ShellShape { none, sphere, ellipsoid, surface, aroundSpheres, planes, planesAroundSpheres };
 
 /// The constants of a scene, as the kernels need them.
 struct KernelParameters {

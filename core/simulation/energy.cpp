@@ -8,25 +8,31 @@ namespace morula {
 
 namespace {
 
-/// Calls visit(d, rate, rest) for every edge of a cell once: its vector, how that changes, and its length at rest.
+/// Calls visit(d, rate, rest, weight) for every edge of a cell once: its vector, how that changes, its length at rest,
+/// and the weight of its spring (MembraneParameters::springs).
 template <class Visit>
 void forEachEdge(const Bodies& b, int slot, Visit&& visit) {
-  const Mesh& rest = b.meshOf(slot).mesh;
-  for (const Face& face : rest.faces)
+  const MeshTemplate& mesh = b.meshOf(slot);
+  const auto visitEdge = [&](int i, int j, double weight) {
+    visit(b.vertex(slot, j) - b.vertex(slot, i),
+          b.read(b.velocity, slot, j) - b.read(b.velocity, slot, i),
+          b.restScale[slot] * norm(mesh.mesh.vertices[i] - mesh.mesh.vertices[j]), weight);
+  };
+  for (std::size_t e = 0; e < mesh.springWeights.size(); ++e)
+    visitEdge(mesh.edges[2 * e], mesh.edges[2 * e + 1], mesh.springWeights[e]);
+  if (!mesh.springWeights.empty()) return;
+  for (const Face& face : mesh.mesh.faces)
     for (int k = 0; k < 3; ++k) {
       const int i = face[k], j = face[(k + 1) % 3];
-      if (i > j) continue;  // in one of its two faces an edge runs upwards
-      visit(b.vertex(slot, j) - b.vertex(slot, i),
-            b.read(b.velocity, slot, j) - b.read(b.velocity, slot, i),
-            b.restScale[slot] * norm(rest.vertices[i] - rest.vertices[j]));
+      if (i < j) visitEdge(i, j, 1);  // in one of its two faces an edge runs upwards
     }
 }
 
 double membraneEnergy(const Bodies& b, int slot) {
   double sum = 0;
-  forEachEdge(b, slot, [&](const Vector& d, const Vector&, double rest) {
+  forEachEdge(b, slot, [&](const Vector& d, const Vector&, double rest, double weight) {
     const double off = norm(d) - rest;
-    sum += off * off;
+    sum += weight * (off * off);
   });
   return 0.5 * b.parameters.membrane.stiffness * sum;
 }
@@ -40,9 +46,9 @@ double contentsEnergy(const Bodies& b, int slot) {
 
 double membranePower(const Bodies& b, int slot) {
   double sum = 0;
-  forEachEdge(b, slot, [&](const Vector& d, const Vector& rate, double) {
+  forEachEdge(b, slot, [&](const Vector& d, const Vector& rate, double, double weight) {
     const double square = dot(d, d), along = dot(rate, d);
-    if (square > 0) sum += along * along / square;
+    if (square > 0) sum += weight * (along * along / square);
   });
   return b.parameters.membrane.damping * sum;
 }

@@ -25,6 +25,11 @@ Parameter refines(const char* key, Parameter p) {
   return p;
 }
 
+Parameter beside(Parameter p) {
+  p.beside = true;
+  return p;
+}
+
 Parameter presentation(Parameter p) {
   p.decides = Decides::presentation;
   return p;
@@ -103,6 +108,7 @@ std::vector<Parameter> parameters() {
       real("physics.membrane.production", "", positive,
            "Membrane of both daughters over their mother's; 1.26 keeps a sphere's tension",
            PHYSICS(membrane.areaFactor)),
+      later(choice("physics.membrane.springs", PHYSICS(membrane.springs))),
 
       real("physics.pressure.constant", "force·length", notNegative,
            "k_p of the egg; daughters share it by volume", PHYSICS(pressure.constant)),
@@ -129,6 +135,8 @@ std::vector<Parameter> parameters() {
       shellEllipsoid(),
       shellMesh(),
       shellFill(),
+      later(beside(of("What of a cell with a mesh stays inside a sphere or an ellipsoid",
+                      choice("physics.shell.holds", PHYSICS(shell->holds))))),
 
       real("physics.motility.speed", "length/time", positive, "Of a cell alone in the medium",
            PHYSICS(motility->speed)),
