@@ -64,7 +64,7 @@ double connectionLimit(const World& world, double stiffness, int slot) {
 // [1] With the energy law membranes that stick fold, and where one-rings fold normals turn fast. Three cells of 42
 // vertices that collide without any damping, stick with W = 1 and crumple change their energy by 0.75 % at twice the step
 // that this gives, and by 0.15 % at it.
-constexpr double foldedAdhesion = 160;
+constexpr double foldedAdhesion = 320;
 
 /// [force/length] Of one pair of vertices. With the pair law it either pushes or draws, and the steeper slope counts.
 double contactStiffness(const Contacts& c, const Bodies& b) {
