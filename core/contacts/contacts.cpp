@@ -65,8 +65,9 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies, std::span<const double
   for (int cell = 0; cell < bodies.count; ++cell) {
     const int slot = bodies.slots[cell];
     c.radius[slot] = radii[cell];
-    // As rows hold it, so that each user of it sees the same number.
-    c.inverseRadiusSquared[slot] = static_cast<float>(1 / (radii[cell] * radii[cell]));
+    const double inverse = 1 / (radii[cell] * radii[cell]);
+    // As rows hold it, so that each user of it sees the same number; rows of spheres hold their radius, too.
+    c.inverseRadiusSquared[slot] = bodies.areSpheres() ? inverse : static_cast<float>(inverse);
     smallest = std::min(smallest, radii[cell]);
   }
   c.list.skin = bodies.count > 0 ? c.skinShare * smallest : 0;
