@@ -129,7 +129,8 @@ double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
   constexpr double within = 1e-6;  // the shell puts points onto itself to rounding, of single precision too
   if (shape.isBall) return 0;
   const double* a = shell.semiAxes;
-  const auto& [vertices, faces] = shape.surface;
+  const std::vector<Point>& vertices = shape.surface.vertices;
+  const std::vector<Face>& faces = shape.surface.faces;
   const std::vector<Point> held = measureHeldPoints(shape.surface, shell);
   const auto isOnShell = [&](int v) {
     if (shell.mesh) return measureReach(shell.mesh->planes, vertices[v]) > 1 - within;
