@@ -52,9 +52,8 @@ bool keepsEnergy(const World& world) {
   return !p.adhesion && (p.law == ContactLaw::energy || !mayTouch(world));
 }
 
-/// True if measureEnergy sees all that there is at the start, and nothing adds to it: contacts, adhesion,
-/// connections and growth hold energy that it does not count, crawling adds some, and a shell moves what it
-/// stops.
+/// True if measureEnergy sees all that there is at the start, and nothing adds to it: growth, crawling and what connects
+/// later add energy, and a shell moves what it stops.
 bool isClosed(const World& start) {
   if (!start.bodies) return false;
   const PhysicsParameters& p = start.bodies->parameters;
