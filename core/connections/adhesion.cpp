@@ -40,7 +40,9 @@ double roundRadius(const Bodies& b, int slot) {
 }
 
 double springTension(const ConnectionSpring& spring, const Bodies& b, int slotA, int slotB, double distance) {
-  return spring.stiffness * (distance - spring.rest * (roundRadius(b, slotA) + roundRadius(b, slotB)));
+  // At rest, so that the length is no function of where vertices are: the spring's force is then all that its energy asks.
+  const double radii = b.parameters.cell.radius * (b.restScale[slotA] + b.restScale[slotB]);
+  return spring.stiffness * (distance - spring.rest * radii);
 }
 
 namespace {

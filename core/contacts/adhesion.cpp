@@ -30,7 +30,7 @@ double normalLength(double areaOverSquare) {
   return g * std::sqrt(normalScaleSquared / (g * g + foldedNormal * foldedNormal));
 }
 
-/// S, or T of the energy law, of vertices of these two slots, for W = 1: the same to the bit when they are exchanged.
+/// T of vertices of these two slots, for W = 1; of spheres a force. The same to the bit when they are exchanged.
 double pairFactor(const Contacts& c, const Bodies& b, int i, int j) {
   const double ri = c.radius[i], rj = c.radius[j];
   if (b.areSpheres()) return pi * (ri * rj) / (ri + rj);  // their influence radius is the diameter
@@ -38,14 +38,11 @@ double pairFactor(const Contacts& c, const Bodies& b, int i, int j) {
     return c.adhesion.areaOverSquare[b.blocks[slot / blockLanes].meshLevel] * (r * r);
   };
   const double inverse = 0.5 * (1 / (ri * ri) + 1 / (rj * rj));  // 1/R²
-  if (c.parameters.law == ContactLaw::energy) {
-    const auto normalOf = [&](int slot) {
-      return normalLength(c.adhesion.areaOverSquare[b.blocks[slot / blockLanes].meshLevel]);
-    };
-    const double m = 1 + normalOf(i) * normalOf(j), s = 0.25 * m * m * (3 - m);
-    return 24 / pi * (area(i, ri) * area(j, rj)) * inverse / s;
-  }
-  return 24 / pi * (area(i, ri) * area(j, rj)) * (inverse * inverse);
+  const auto normalOf = [&](int slot) {
+    return normalLength(c.adhesion.areaOverSquare[b.blocks[slot / blockLanes].meshLevel]);
+  };
+  const double m = 1 + normalOf(i) * normalOf(j), s = 0.25 * m * m * (3 - m);
+  return 24 / pi * (area(i, ri) * area(j, rj)) * inverse / s;
 }
 
 double workOf(const Contacts& c, int i, int j) {
@@ -116,8 +113,8 @@ double adhesionStiffness(const Contacts& c, const Bodies& b) {
   const auto smaller = [&](int i, int j) { return c.radius[i] < c.radius[j]; };
   const auto [least, most] = std::minmax_element(b.slots.begin(), b.slots.end(), smaller);
   const auto steepest = [&](int i, int j) {
-    const double ri = c.radius[i], rj = c.radius[j], factor = pairFactor(c, b, i, j);
-    return c.parameters.law == ContactLaw::energy ? factor * 0.5 * (1 / (ri * ri) + 1 / (rj * rj)) : factor;
+    const double ri = c.radius[i], rj = c.radius[j];
+    return pairFactor(c, b, i, j) * 0.5 * (1 / (ri * ri) + 1 / (rj * rj));
   };
   return work * std::max({steepest(*least, *most), steepest(*least, *least), steepest(*most, *most)});
 }

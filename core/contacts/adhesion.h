@@ -2,17 +2,13 @@
 // Adhesion of cells that touch: how strongly each pair of vertices of the neighbour list sticks together. Both laws'
 // kernels read that number beside the list, one after the other: no look-up and no branch per pair.
 //
-// W is the work that parts two flat surfaces, per area. Surfaces with n_i and n_j vertices per area and a gap g, each
-// pair with the force S g (1 − r²/R²)² of pair_law_kernel.h, attract each other with the pressure
+// W is the work that parts two flat surfaces, per area. Surfaces with n_i and n_j vertices per area and a gap g, each pair
+// with the energy −s T/6 (1 − r²/R²)³ of pair_law_kernel.h, hold
 //
-//   p(g) = n_i n_j S g ∫ (1 − (ρ² + g²)/R²)² 2πρ dρ = n_i n_j S g (πR²/3) (1 − g²/R²)³,   largest at g = 0.38 R
-//   W = ∫ p dg = n_i n_j S πR⁴/24     ⇒     S = (24/π) W a_i a_j/R⁴,   a = 1/n the area of a vertex at rest
+//   n_i n_j s T/6 ∫ (1 − (ρ² + g²)/R²)³ 2πρ dρ = n_i n_j s T πR²/24 (1 − g²/R²)⁴ = W (1 − g²/R²)⁴
+//   ⇒  T = (24/π) W a_i a_j/(R² s),   a = 1/n the area of a vertex at rest, s of flat meshes face to face
 //
-// So W does not depend on the mesh nor on the cells' sizes. With radius 1 and equal icospheres S = 5.5 W.
-//
-// The energy law (energy_law_kernel.h) has −s T/6 (1 − r²/R²)³ of each pair. Flat surfaces that touch hold
-// n_i n_j s T/6 ∫ (1 − ρ²/R²)³ 2πρ dρ = n_i n_j s T πR²/24, so T = S R²/s, with s of flat meshes face to face. Over a
-// gap g they hold W (1 − g²/R²)⁴: the same p(g).
+// and attract each other most at g = 0.38 R. So W does not depend on the mesh nor on the cells' sizes.
 #include <vector>
 
 #include "base/aligned.h"
@@ -35,7 +31,7 @@ struct AdhesionKinds {
 /// Follows from the cells' kinds, their influence radii and the neighbour list.
 struct Adhesion {
   AdhesionKinds kinds;
-  AlignedVector<double> ofPairs;  // [as NeighbourList::indices] S [force/length], of the energy law T [energy]; of spheres [force]
+  AlignedVector<double> ofPairs;  // [as NeighbourList::indices] T [energy]; of spheres S [force]
   bool isCurrent = false;         // ofPairs
   // With each set of cells
   std::vector<int> blockOfLine;  // [line]

@@ -129,7 +129,7 @@ std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
 
 std::vector<ContactArea> measureContactAreas(const Contacts& c, const Bodies& b) {
   if (b.areSpheres()) return sphereContacts(c, b);
-  if (c.parameters.law == ContactLaw::energy) return pressedAreas(c, b);
+  if (c.parameters.law == ContactLaw::pair) return pressedAreas(c, b);
   std::vector<Side> sides;  // the same pair may occur many times
   const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
   std::vector<std::vector<double>> areas;  // [cell][vertex]

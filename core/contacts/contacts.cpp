@@ -34,15 +34,7 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
                                  : c.kernels->addSphereForces;
     return c;
   }
-  if (parameters.law == ContactLaw::energy) {
-    c.takeSnapshot = c.kernels->takeSurface;
-    c.addForces = sticks && rubs ? c.kernels->addStickyEnergyForcesWithFriction
-                  : sticks       ? c.kernels->addStickyEnergyForces
-                  : rubs         ? c.kernels->addEnergyForcesWithFriction
-                                 : c.kernels->addEnergyForces;
-    return c;
-  }
-  c.takeSnapshot = c.kernels->takeSnapshot;
+  c.takeSnapshot = parameters.law == ContactLaw::thesis ? c.kernels->takeSnapshot : c.kernels->takeSurface;
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
                 : sticks && rubs                     ? c.kernels->addStickyPairForcesWithFriction
                 : sticks                             ? c.kernels->addStickyPairForces
@@ -82,10 +74,11 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   c.rows.assign(vertices + 1, {});
   const Precision precision = bodies.parameters.precision;
   const double far = precision == Precision::binary64 ? 1e100 : 1e18;  // its square is finite
-  c.rows[vertices] = asMemory({far, far, far, 0, 0, 0, 1, 0, 0, 1}, precision);
+  c.rows[vertices] = asMemory({far, far, far, 1, 0, 0, 0, 0, 0, 1}, precision);
   c.farthest.assign(bodies.blockCount(), 0);
+  c.deepest.assign(bodies.blockCount(), 0);
   c.list.reference = bodies.position;
-  if (c.parameters.law != ContactLaw::energy || bodies.areSpheres()) return;
+  if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) return;
   int mostVertices = 0;
   for (int block = 0; block < bodies.blockCount(); ++block)
     mostVertices = std::max(mostVertices, bodies.verticesPerLane(block));
@@ -105,7 +98,7 @@ namespace {
 
 /// The points that lists are built from: where the rows stand.
 void takePoints(Contacts& c, const Bodies& bodies, int threads) {
-  if (c.parameters.law != ContactLaw::energy || bodies.areSpheres()) {
+  if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) {
     c.list.reference = bodies.position;
     return;
   }
@@ -113,8 +106,8 @@ void takePoints(Contacts& c, const Bodies& bodies, int threads) {
     const BlockPlace& place = bodies.blocks[block];
     for (int line = place.firstLine; line < place.firstLine + bodies.verticesPerLane(block); ++line)
       for (int lane = 0; lane < place.liveLanes; ++lane) {
-        const SurfaceRow row =
-            readSurfaceRow(c.rows[std::size_t(line) * blockLanes + lane], bodies.parameters.precision);
+        const SnapshotRow row =
+            readRow(c.rows[std::size_t(line) * blockLanes + lane], bodies.parameters.precision);
         const std::size_t at = std::size_t(line) * vertexStride + lane;
         c.list.reference[at] = row.x;
         c.list.reference[at + blockLanes] = row.y;
@@ -158,7 +151,8 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                            .firstVertex = place.firstLine * blockLanes,
                            .position = bodies.position.from(std::size_t(place.firstLine) * vertexStride),
                            .surfaceForce = onSurface ? c.scratch[threadNumber()].force.from(0) : none,
-                           .surfaceTurn = onSurface ? c.scratch[threadNumber()].turn.from(0) : none};
+                           .surfaceTurn = onSurface ? c.scratch[threadNumber()].turn.from(0) : none,
+                           .deepest = &c.deepest[block]};
   const ContactConstants constants{.stiffness = c.parameters.stiffness,
                                    .damping = c.parameters.damping,
                                    .friction = c.parameters.friction,

@@ -1,7 +1,6 @@
 // Compiled once per instruction set (core/CMakeLists.txt); see contacts_dispatch.cpp for the choice.
 #include "contacts/contacts_kernels.h"
 
-#include "contacts/energy_law_kernel.h"
 #include "contacts/pair_law_kernel.h"
 #include "contacts/rows_kernel.h"
 #include "contacts/sphere_law_kernel.h"
@@ -21,10 +20,6 @@ const ContactKernels contacts = {
     .addSphereForcesWithFriction = addSphereForces<true, false>,
     .addStickyPairForces = addPairForces<false, true>,
     .addStickyPairForcesWithFriction = addPairForces<true, true>,
-    .addEnergyForces = addEnergyForces<false, false>,
-    .addEnergyForcesWithFriction = addEnergyForces<true, false>,
-    .addStickyEnergyForces = addEnergyForces<false, true>,
-    .addStickyEnergyForcesWithFriction = addEnergyForces<true, true>,
     .addStickySphereForces = addSphereForces<false, true>,
     .addStickySphereForcesWithFriction = addSphereForces<true, true>,
 };

@@ -26,12 +26,13 @@ struct BlockSlices {
   std::int64_t count;
   const double* vertexMass;  // [lane]
   std::int64_t nextLine;     // where the next block's vertices begin (BlockPlace::firstLine)
-  // The energy law's
+  // The pair law's
   TemplateView mesh;
   int liveLanes;
   VertexNumber firstVertex;               // of the block
   RealPointer position;                   // [vertexCount][3][blockLanes]
   RealPointer surfaceForce, surfaceTurn;  // the same; scratch of the running thread
+  double* deepest;                        // κD², the largest of the block's pairs
 };
 
 struct ContactConstants {
@@ -56,7 +57,6 @@ struct ContactKernels {
   AddForces addSphereForces, addSphereForcesWithFriction;
   // With adhesion, and without or with friction.
   AddForces addStickyPairForces, addStickyPairForcesWithFriction;
-  AddForces addEnergyForces, addEnergyForcesWithFriction, addStickyEnergyForces, addStickyEnergyForcesWithFriction;
   AddForces addStickySphereForces, addStickySphereForcesWithFriction;
 };
 

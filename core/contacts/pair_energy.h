@@ -10,6 +10,7 @@ struct PairSum {
   int slot, other;       // of i and of the other cell
   double repulsion = 0;  // [energy] half of the pairs': the other half is that of the vertices j
   double adhesion = 0;   // [energy] the same, at most 0
+  double deepest = 0;    // [1] κD²
   double pressing = 0;   // [force] along h, where the planes of i and j overlap
   Vector force;          // −∂E/∂y_i
   Vector turn;           // −∂E/∂n_i

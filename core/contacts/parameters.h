@@ -9,14 +9,12 @@
 namespace morula {
 
 enum class ContactLaw {
-  pair,    // f_ij = −f_ji; converges in the time step
-  energy,  // the gradient of an energy of overlap; momentum and angular momentum are kept
+  pair,    // the gradient of an energy of each pair of vertices: both momenta are kept
   thesis,  // stiffness ∝ 1/Δt²; kept so that the difference can be shown
 };
 template <>
 inline constexpr auto choices<ContactLaw> = std::to_array<Choice<ContactLaw>>({
-    {ContactLaw::pair, "pair", "pair-symmetric penalty"},
-    {ContactLaw::energy, "energy", "gradient of an energy: closed scenes keep theirs, and come to rest"},
+    {ContactLaw::pair, "pair", "gradient of an energy: closed scenes keep theirs, and come to rest"},
     {ContactLaw::thesis, "thesis", "implicit planes with [Nilsson 2008, eq. 4.8]"},
 });
 
@@ -35,11 +33,14 @@ struct AdhesionParameters {
   std::vector<AdhesionPair> pairs;  // the first that fits two cells counts
 };
 
-// What the energy law is made of, in kernels and measures; formulas: energy_law_kernel.h, surface_kernel.h.
+// What the pair law is made of, in kernels and measures; formulas: pair_law_kernel.h, surface_kernel.h.
 constexpr double retreat = 0.125;                                            // γ
 constexpr double foldedNormal = 2;                                           // ε
 constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // ν²
+constexpr double facing = 0.5;                                               // m₀
 constexpr double hardening1 = 6, hardening2 = 100;                           // β₁, β₂
+// κD² beyond which the energy falls again: surfaces that are farther in each other are let through.
+constexpr double deepestBulk = 0.6;
 
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;

@@ -1,5 +1,5 @@
 #pragma once
-// Snapshot rows as lanes. A row of doubles has its normal and 1/R² as floats, two in the place of one double.
+// Snapshot rows as lanes. A row of doubles has its velocity and 1/R² as floats, two in the place of one double.
 #include "base/lane_prefetch.h"
 #include "base/lane_rows.h"
 #include "contacts/contacts_kernels.h"
@@ -8,7 +8,7 @@
 namespace morula::MORULA_ISA {
 
 struct Rows {
-  Vec x, v, n;
+  Vec x, n, v;
   Lanes inverseRadiusSquared;
 };
 
@@ -21,8 +21,8 @@ MORULA_INLINE Rows loadRows(const RowMemory* rows, const VertexNumber* index) {
   return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, c[9]};
 #else
   Rows r{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {}, {}};
-  unpackFloats(c[6], r.n.x, r.n.y);
-  unpackFloats(c[7], r.n.z, r.inverseRadiusSquared);
+  unpackFloats(c[6], r.v.x, r.v.y);
+  unpackFloats(c[7], r.v.z, r.inverseRadiusSquared);
   return r;
 #endif
 }
@@ -31,16 +31,16 @@ MORULA_INLINE Rows loadRows(const RowMemory* rows, const VertexNumber* index) {
 MORULA_INLINE void storeRows(RowMemory* rows, const Rows& r) {
 #if defined(MORULA_SINGLE)
   const Lanes columns[rowColumns] = {
-      r.x.x, r.x.y, r.x.z, r.v.x, r.v.y, r.v.z, r.n.x, r.n.y, r.n.z, r.inverseRadiusSquared, 0.0, 0.0};
+      r.x.x, r.x.y, r.x.z, r.n.x, r.n.y, r.n.z, r.v.x, r.v.y, r.v.z, r.inverseRadiusSquared, 0.0, 0.0};
 #else
   const Lanes columns[rowColumns] = {r.x.x,
                                      r.x.y,
                                      r.x.z,
-                                     r.v.x,
-                                     r.v.y,
-                                     r.v.z,
-                                     packFloats(r.n.x, r.n.y),
-                                     packFloats(r.n.z, r.inverseRadiusSquared)};
+                                     r.n.x,
+                                     r.n.y,
+                                     r.n.z,
+                                     packFloats(r.v.x, r.v.y),
+                                     packFloats(r.v.z, r.inverseRadiusSquared)};
 #endif
   storeRows(reinterpret_cast<Real*>(rows), columns);
 }
@@ -61,47 +61,6 @@ MORULA_INLINE void prefetchNextBlock(const BlockSlices& block, std::int64_t slic
   prefetch<ofForces>(force, line * ofForces);
 }
 
-/// force[g] += sum, lane by lane; the far row (number `vertices`) has no place.
-MORULA_INLINE void addToForces(Real* force, const VertexNumber* vertex, std::int32_t vertices,
-                               const Vec& sum) {
-  Real x[width], y[width], z[width];
-  store(x, sum.x);
-  store(y, sum.y);
-  store(z, sum.z);
-  for (int i = 0; i < width; ++i) {
-    if (vertex[i] >= vertices) continue;
-    const auto v = static_cast<std::uint32_t>(vertex[i]);  // dividing it by eight is a shift
-    Real* f = force + std::size_t(v / blockLanes) * vertexStride + v % blockLanes;
-    f[0] += x[i];
-    f[blockLanes] += y[i];
-    f[2 * blockLanes] += z[i];
-  }
-}
-
-/// Adds to each vertex of the slices, lane by lane, the sum of a law's forces from its neighbours. `Law`:
-/// load(rows, index) → its data of `width` vertices; force(i, j, c) → the force on i; where it `adheres`
-/// force(i, j, c, strength), with each pair's own.
-template <class Law>
-MORULA_INLINE void addSlices(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
-                             const ContactConstants& c, Real* force) {
-  for (std::int64_t s = 0; s < block.count; ++s) {
-    const NeighbourSlice& slice = block.slices[s];
-    prefetchNextBlock(block, s, rows, force);
-    for (int lane = 0; lane < blockLanes; lane += width) {
-      const auto i = Law::load(rows, slice.vertex + lane);
-      Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
-      const std::int32_t* index = indices + slice.start * blockLanes + lane;
-      for (int k = 0; k < slice.length; ++k, index += blockLanes) {
-        prefetchRows(rows, index);
-        if constexpr (Law::adheres)
-          sum += Law::force(i, Law::load(rows, index), c, load(c.adhesion + (index - indices)));
-        else sum += Law::force(i, Law::load(rows, index), c);
-      }
-      addToForces(force, slice.vertex + lane, c.vertices, sum);
-    }
-  }
-}
-
 /// The largest lane, at least 0; a NaN counts as 0.
 MORULA_INLINE double largestOf(Lanes a) {
   Real spread[width];
@@ -120,7 +79,7 @@ inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const d
       const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane),
                 g = loadVec(b.gradient, v, lane);
       const Vec n = (1.0 / sqrt(dot(g, g) + tiny)) * g;
-      storeRows(rows + std::int64_t(v) * blockLanes + lane, {x, w, n, load(inverseRadiusSquared + lane)});
+      storeRows(rows + std::int64_t(v) * blockLanes + lane, {x, n, w, load(inverseRadiusSquared + lane)});
       const Vec moved = x - loadVec(reference, v, lane);
       farthest = max(dot(moved, moved), farthest);
     }

@@ -12,7 +12,7 @@ RowMemory asMemory(const SnapshotRow& r, Precision precision) {
   }
   const auto f = [](double a) { return static_cast<float>(a); };
   const SingleSnapshotRow row{
-      f(r.x), f(r.y), f(r.z), f(r.vx), f(r.vy), f(r.vz), r.nx, r.ny, r.nz, r.inverseRadiusSquared, {}};
+      f(r.x), f(r.y), f(r.z), f(r.nx), f(r.ny), f(r.nz), r.vx, r.vy, r.vz, r.inverseRadiusSquared, {}};
   std::memcpy(&memory, &row, sizeof row);
   return memory;
 }
@@ -25,17 +25,7 @@ SnapshotRow readRow(const RowMemory& memory, Precision precision) {
   }
   SingleSnapshotRow r;
   std::memcpy(&r, &memory, sizeof r);
-  return {r.x, r.y, r.z, r.vx, r.vy, r.vz, r.nx, r.ny, r.nz, r.inverseRadiusSquared};
-}
-
-SurfaceRow readSurfaceRow(const RowMemory& memory, Precision precision) {
-  if (precision == Precision::binary64) {
-    SurfaceRow row;
-    std::memcpy(&row, &memory, sizeof row);
-    return row;
-  }
-  const SnapshotRow r = readRow(memory, precision);  // the normal stands in the velocity's place
-  return {r.x,  r.y,  r.z, r.vx, r.vy, r.vz, r.nx, r.ny, r.nz, r.inverseRadiusSquared};
+  return {r.x, r.y, r.z, r.nx, r.ny, r.nz, r.vx, r.vy, r.vz, r.inverseRadiusSquared};
 }
 
 }  // namespace morula

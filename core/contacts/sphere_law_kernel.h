@@ -20,7 +20,6 @@ struct Spheres {
 
 template <bool withFriction, bool withAdhesion>
 struct SphereLaw {
-  static constexpr bool adheres = withAdhesion;
   // In rows of spheres a radius stands where a mesh's have the normal.
   static MORULA_INLINE Spheres load(const RowMemory* rows, const VertexNumber* index) {
     Lanes c[rowColumns];
@@ -75,11 +74,43 @@ MORULA_INLINE Vec SphereLaw<withFriction, withAdhesion>::force(const Spheres& i,
   return f;
 }
 
+/// force[g] += sum, lane by lane; the far row (number `vertices`) has no place.
+MORULA_INLINE void addToForces(Real* force, const VertexNumber* vertex, std::int32_t vertices,
+                               const Vec& sum) {
+  Real x[width], y[width], z[width];
+  store(x, sum.x);
+  store(y, sum.y);
+  store(z, sum.z);
+  for (int i = 0; i < width; ++i) {
+    if (vertex[i] >= vertices) continue;
+    const auto v = static_cast<std::uint32_t>(vertex[i]);  // dividing it by eight is a shift
+    Real* f = force + std::size_t(v / blockLanes) * vertexStride + v % blockLanes;
+    f[0] += x[i];
+    f[blockLanes] += y[i];
+    f[2 * blockLanes] += z[i];
+  }
+}
+
 /// [ContactKernels::addSphereForces]
 template <bool withFriction, bool withAdhesion>
 inline void addSphereForces(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
                             const ContactConstants& c, RealPointer force) {
-  addSlices<SphereLaw<withFriction, withAdhesion>>(block, indices, rows, c, force);
+  using Law = SphereLaw<withFriction, withAdhesion>;
+  for (std::int64_t s = 0; s < block.count; ++s) {
+    const NeighbourSlice& slice = block.slices[s];
+    prefetchNextBlock(block, s, rows, force);
+    for (int lane = 0; lane < blockLanes; lane += width) {
+      const Spheres i = Law::load(rows, slice.vertex + lane);
+      Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+      const std::int32_t* index = indices + slice.start * blockLanes + lane;
+      for (int k = 0; k < slice.length; ++k, index += blockLanes) {
+        prefetchRows(rows, index);
+        sum += Law::force(i, Law::load(rows, index), c,
+                          withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0));
+      }
+      addToForces(force, slice.vertex + lane, c.vertices, sum);
+    }
+  }
 }
 
 }  // namespace morula::MORULA_ISA

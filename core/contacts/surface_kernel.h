@@ -20,32 +20,6 @@
 
 namespace morula::MORULA_ISA {
 
-
-/// SurfaceRow, `width` of them.
-struct SurfaceRows {
-  Vec x, n, v;
-  Lanes inverseRadiusSquared;
-};
-
-MORULA_INLINE SurfaceRows loadSurfaceRows(const RowMemory* rows, const VertexNumber* index) {
-  Lanes c[rowColumns];
-  loadRows(numbersOf(rows), index, c);
-#if defined(MORULA_SINGLE)
-  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, c[9]};
-#else
-  SurfaceRows r{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {}, {}};
-  unpackFloats(c[6], r.v.x, r.v.y);
-  unpackFloats(c[7], r.v.z, r.inverseRadiusSquared);
-  return r;
-#endif
-}
-
-/// `width` consecutive ones. With the names of a snapshot row: its velocity's place holds the normal, and the other
-/// way round.
-MORULA_INLINE void storeSurfaceRows(RowMemory* rows, const SurfaceRows& r) {
-  storeRows(rows, Rows{r.x, r.n, r.v, r.inverseRadiusSquared});
-}
-
 /// What the pairs of a vertex sum up to.
 struct SurfaceForce {
   Vec force{Lanes(0.0), Lanes(0.0), Lanes(0.0)};  // −∂E/∂y, with damping and friction
@@ -70,7 +44,7 @@ inline double takeSurface(const TemplateView& mesh, const BlockView& b, const do
       const Vec y = (1.0 - retreat) * x + share * around;
       const Lanes curvature = load(inverseRadiusSquared + lane), fold = foldedNormal / curvature;
       const Vec n = (normalScale / sqrt(dot(g, g) + fold * fold)) * g;
-      storeSurfaceRows(rows + std::int64_t(v) * blockLanes + lane, {y, n, w, curvature});
+      storeRows(rows + std::int64_t(v) * blockLanes + lane, {y, n, w, curvature});
       const Vec moved = y - loadVec(reference, v, lane);
       // A lane without a cell has curvature 0; the list's points do not know it.
       farthest = max(select(curvature > Lanes(0.0), dot(moved, moved), 0.0), farthest);
@@ -88,7 +62,7 @@ MORULA_INLINE void clearSurface(const BlockSlices& block) {
 
 /// f and t of `width` vertices, lane by lane; the far row (number `vertices`) has no place.
 MORULA_INLINE void storeOnSurface(const BlockSlices& block, const VertexNumber* vertex, std::int32_t vertices,
-                                  const SurfaceRows& row, const SurfaceForce& sum) {
+                                  const Rows& row, const SurfaceForce& sum) {
   const Lanes left = max(normalScaleSquared - dot(row.n, row.n), Lanes(0.0));  // ν² (1 − n²/ν²)
   const Lanes inverse = sqrt(left) * (row.inverseRadiusSquared * (1 / foldedNormal));  // ν/√…
   const Vec turn = inverse * (sum.turn - (1 / normalScaleSquared) * dot(row.n, sum.turn) * row.n);

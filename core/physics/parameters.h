@@ -58,7 +58,7 @@ struct MembraneParameters {
   double damping = 0.02;  // k_d [force·time/length] along the edge
   // Membrane area of both daughters together over their mother's; 2^(1/3) keeps a sphere's tension.
   double areaFactor = 1.26;
-  Springs springs = Springs::equal;  // what k_s and k_d of an edge are multiplied with
+  Springs springs = Springs::dual;  // what k_s and k_d of an edge are multiplied with
 };
 
 /// P = k_p/V − P_0 [Nilsson 2008, eq. 4.3].
@@ -101,7 +101,7 @@ inline constexpr auto choices<Held> = std::to_array<Choice<Held>>({
 struct ShellParameters {
   double semiAxes[3] = {1, 1, 1};                // [length]; all equal: a sphere
   std::shared_ptr<const ConvexShell> mesh = {};  // instead of the ellipsoid, if not null
-  Held holds = Held::vertices;                   // without effect in a mesh, and on balls
+  Held holds = Held::surface;                    // without effect in a mesh, and on balls
 };
 
 /// Cells that crawl: an active force that would move a cell alone through the medium with one speed, and

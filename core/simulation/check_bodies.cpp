@@ -5,6 +5,7 @@
 #include "base/maths.h"
 #include "base/number_text.h"
 #include "contacts/contacts.h"
+#include "contacts/pair_energy.h"
 #include "simulation/body_failure.h"
 #include "simulation/stages.h"
 #include "simulation/state_fields.h"
@@ -16,9 +17,11 @@ namespace {
 /// How far a cell's fastest vertex is from where the list was built.
 double farthestMove(const World& world, int slot) {
   const Bodies& b = *world.bodies;
+  const RowMemory* rows = &world.contacts->rows[b.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes];
   double square = 0;
   for (int v = 0; v < b.vertexCount(slot); ++v) {
-    const Vector move = b.vertex(slot, v) - b.read(world.contacts->list.reference, slot, v);
+    const SnapshotRow row = readRow(rows[v * blockLanes], b.parameters.precision);
+    const Vector move = Point{row.x, row.y, row.z} - b.read(world.contacts->list.reference, slot, v);
     square = std::max(square, dot(move, move));
   }
   return std::sqrt(square);
@@ -49,8 +52,32 @@ void checkReach(const World& world) {
   }
 }
 
+namespace {
+
+/// Surfaces that are deeper in each other than contacts hold them apart.
+void checkDepth(const World& world) {
+  const Contacts& c = *world.contacts;
+  if (std::ranges::all_of(c.deepest, [](double bulk) { return bulk <= deepestBulk; })) return;
+  const Bodies& b = *world.bodies;
+  const std::vector<PairSum> pairs = sumPairs(c, b);
+  const PairSum& deepest = *std::ranges::max_element(pairs, {}, &PairSum::deepest);
+  const auto nameOf = [&](int slot) {
+    return world.cells.path[std::ranges::find(b.slots, slot) - b.slots.begin()].text();
+  };
+  const double reach = c.radius[deepest.slot];
+  throw BodyFailure(nameOf(deepest.slot), world.clock.step,
+                    "its surface is " + numberText(reach * std::sqrt(deepest.deepest)) + " deep in that of cell " +
+                        nameOf(deepest.other) + "; from " + numberText(reach * std::sqrt(deepestBulk)) +
+                        " on contacts let cells into each other",
+                    "raise physics.contact.stiffness or physics.contact.radius, move cells apart (cells: at), or lower "
+                    "what drives them into each other: speeds (cells: velocity), physics.pressure, connections");
+}
+
+}  // namespace
+
 void checkBodies(const World& world) {
   const Bodies& b = *world.bodies;
+  if (world.contacts) checkDepth(world);
   for (int cell = 0; cell < b.count; ++cell) {
     const int slot = b.slots[cell];
     const double volume = b.volume[slot];

@@ -121,7 +121,7 @@ MemoryUse measureMemory(const World& world) {
   }
   if (world.contacts) {
     const Contacts& k = *world.contacts;
-    m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.list.reference);
+    m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.list.reference);
     m.listRows = bytes(k.list.firstSlice);
     m.listPairs = bytes(k.list.slices, k.list.indices, k.adhesion.ofPairs);
     for (const BlockLists& lists : k.list.perBlock) {

@@ -61,17 +61,16 @@ double connectionLimit(const World& world, double stiffness, int slot) {
   return kind.oscillatorLimit(stiffness, kind.needsDrag ? p.drag * m : 0, m);
 }
 
-// [1] With the energy law membranes that stick fold, and where one-rings fold normals turn fast. Three cells of 42
+// [1] Membranes that stick fold, and where one-rings fold normals turn fast. Three cells of 42
 // vertices that collide without any damping, stick with W = 1 and crumple change their energy by 0.75 % at twice the step
 // that this gives, and by 0.15 % at it.
 constexpr double foldedAdhesion = 320;
 
-/// [force/length] Of one pair of vertices. With the pair law it either pushes or draws, and the steeper slope counts.
+/// [force/length] Of one pair of vertices. A sphere is either pushed or drawn by another: the steeper slope counts.
 double contactStiffness(const Contacts& c, const Bodies& b) {
   const double adhesion = adhesionStiffness(c, b);
-  return c.parameters.law == ContactLaw::energy && !b.areSpheres()
-             ? c.parameters.stiffness + foldedAdhesion * adhesion
-             : std::max(c.parameters.stiffness, adhesion);
+  return b.areSpheres() ? std::max(c.parameters.stiffness, adhesion)
+                        : c.parameters.stiffness + foldedAdhesion * adhesion;
 }
 
 /// The limits of the cell with the smallest combined one.

@@ -49,7 +49,7 @@ bool mayTouch(const World& world) {
 bool keepsEnergy(const World& world) {
   if (!world.contacts || world.bodies->areSpheres()) return !mayTouch(world);
   const ContactParameters& p = world.contacts->parameters;
-  return !p.adhesion && (p.law == ContactLaw::energy || !mayTouch(world));
+  return !p.adhesion && (p.law == ContactLaw::pair || !mayTouch(world));
 }
 
 /// True if measureEnergy sees all that there is at the start, and nothing adds to it: growth, crawling and what connects

@@ -65,6 +65,7 @@ std::unique_ptr<btSoftBody> makeSoftBody(const BulletScene& scene, const MeshTem
   for (int e = 0; e < mesh.edgeCount(); ++e) {
     btSoftBody::Link& link = body->m_links[e];
     link.m_c1 = link.m_rl * link.m_rl;
+    if (!mesh.springWeights.empty()) link.m_c0 /= mesh.springWeights[e];  // (1/m + 1/m)/kLST
   }
   if (scene.touching()) body->initializeFaceTree();
   body->updateNormals();

@@ -91,6 +91,7 @@ Json toJson(const BulletRequest& request) {
             {"integrator", static_cast<int>(s.physics.integrator)},
             {"stiffness", s.physics.membrane.stiffness},
             {"damping", s.physics.membrane.damping},
+            {"springs", static_cast<int>(s.physics.membrane.springs)},
             {"outside", s.physics.pressure.outside},
             {"drag", s.physics.drag},
             {"vertices", flat(s.mesh.vertices)},
@@ -99,6 +100,7 @@ Json toJson(const BulletRequest& request) {
   if (const auto& shell = s.physics.shell) {
     const auto& axes = shell->semiAxes;
     json["shell"] = {axes[0], axes[1], axes[2]};
+    json["holds"] = static_cast<int>(shell->holds);
   }
   return json;
 }
@@ -113,11 +115,13 @@ BulletRequest bulletRequestFrom(const Json& j) {
   s.physics.integrator = static_cast<Integrator>(j.at("integrator").get<int>());
   j.at("stiffness").get_to(s.physics.membrane.stiffness);
   j.at("damping").get_to(s.physics.membrane.damping);
+  s.physics.membrane.springs = static_cast<Springs>(j.at("springs").get<int>());
   j.at("outside").get_to(s.physics.pressure.outside);
   j.at("drag").get_to(s.physics.drag);
   if (j.contains("shell")) {
-    auto& axes = s.physics.shell.emplace().semiAxes;
-    for (std::size_t i = 0; i < 3; ++i) j["shell"].at(i).get_to(axes[i]);
+    ShellParameters& shell = s.physics.shell.emplace();
+    for (std::size_t i = 0; i < 3; ++i) j["shell"].at(i).get_to(shell.semiAxes[i]);
+    shell.holds = static_cast<Held>(j.at("holds").get<int>());
   }
   s.mesh.vertices = vectorsFrom(j.at("vertices"));
   j.at("faces").get_to(s.mesh.faces);

@@ -41,6 +41,7 @@ TEST_CASE("Each of two connected cells is drawn to the other with k_c, however f
     CHECK(norm(s.forceOn(0) - 0.2 * way) < 1e-13);
     CHECK(norm(s.forceOn(1) + 0.2 * way) < 1e-13);
     CHECK(norm(s.forceOn(2)) == 0);
+    CHECK(measureConnectionEnergy(s.connections, paths, s.lab.bodies) == Approx(0.2 * distance));
     // Spread evenly: it moves the cell without pulling it out of shape.
     for (int v = 0; v < s.lab.bodies.vertexCount(); ++v) CHECK(s.lab.force(0, v) == s.lab.force(0, 0));
     // Equal and opposite to the last bit.

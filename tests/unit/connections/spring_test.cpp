@@ -9,23 +9,31 @@ namespace {
 
 const std::vector<CellPath> pathsOfCells{CellPath::parse("AA"), CellPath::parse("AB"), CellPath::parse("B")};
 
-/// Sum of a spring's forces on two round cells, the second one of `size`, at this distance, along the way between them.
-std::array<Vector, 2> forcesOf(const ConnectionSpring& spring, const Vector& between, double size) {
+struct Spring {
+  std::array<Vector, 2> forces{};  // on the two cells
+  double energy = 0;
+};
+
+/// A spring between two round cells, the second one of `size`, so far apart. `volume`: of either, now.
+Spring stretched(const ConnectionSpring& spring, const Vector& between, double size, double volume = 1) {
   const Mesh ball = makeIcosphere(2);
   Body one = shakenBody(ball, 0, 0), other = one;
   for (Point& x : other.position) x = size * x + between;
-  Lab lab(softCell(), ball, {one, other});
-  lab.bodies.volume[0] = 4 * 3.141592653589793 / 3;  // as spheres of these radii
-  lab.bodies.volume[1] = lab.bodies.volume[0] * size * size * size;
+  other.restScale = size;
+  PhysicsParameters p = softCell();
+  p.cell.radius = 1;
+  Lab lab(p, ball, {one, other});
+  lab.bodies.volume.assign(lab.bodies.volume.size(), volume);
   lab.bodies.acceleration.assign(lab.bodies.acceleration.size(), 0);
   Connections c;
   c.parameters.spring = spring;
   connect(c, pathsOfCells[0], pathsOfCells[1], 0);
   addConnectionForces(c, {pathsOfCells[0], pathsOfCells[1]}, lab.bodies);
-  std::array<Vector, 2> sums{};
+  Spring result;
   for (int slot : {0, 1})
-    for (int v = 0; v < lab.bodies.vertexCount(); ++v) sums[slot] += lab.force(slot, v);
-  return sums;
+    for (int v = 0; v < lab.bodies.vertexCount(); ++v) result.forces[slot] += lab.force(slot, v);
+  result.energy = measureConnectionEnergy(c, {pathsOfCells[0], pathsOfCells[1]}, lab.bodies);
+  return result;
 }
 
 }  // namespace
@@ -34,7 +42,7 @@ TEST_CASE("A spring pulls cells that are farther apart than at rest, and pushes 
   const Vector way = Vector{2, -1, 2} / 3.0;
   // Radii 1 and 0.5, rest 1.2: at rest at 1.8. Stiffness 3.
   for (const auto& [distance, force] : {std::pair{1.8, 0.0}, {2.8, 3.0}, {1.3, -1.5}}) {
-    const auto [a, b] = forcesOf({3, 1.2}, distance * way, 0.5);
+    const auto [a, b] = stretched({3, 1.2}, distance * way, 0.5).forces;
     CAPTURE(distance);
     CHECK(norm(a - force * way) < 1e-12);
     CHECK(norm(a + b) < 1e-12);
@@ -42,10 +50,24 @@ TEST_CASE("A spring pulls cells that are farther apart than at rest, and pushes 
 }
 
 TEST_CASE("Turning two cells turns the spring's force") {
-  const auto along = forcesOf({2, 0.5}, {3, 0, 0}, 1)[0], across = forcesOf({2, 0.5}, {0, 0, -3}, 1)[0];
+  const Vector along = stretched({2, 0.5}, {3, 0, 0}, 1).forces[0],
+               across = stretched({2, 0.5}, {0, 0, -3}, 1).forces[0];
   CHECK(along.x == Approx(4));
   CHECK(across.z == Approx(-along.x));
   CHECK(norm(along) == Approx(norm(across)));
+}
+
+TEST_CASE(
+    "A spring's length at rest goes by the radii at rest, whatever the volumes are, and its force is its "
+    "energy's slope") {
+  for (double volume : {0.1, 1.0, 5.0})
+    CHECK(stretched({3, 1.2}, {2.8, 0, 0}, 0.5, volume).forces[0].x == Approx(3));
+  for (double distance : {1.3, 1.8, 2.8}) {
+    const auto energyAt = [](double d) { return stretched({3, 1.2}, {d, 0, 0}, 0.5).energy; };
+    const double slope = (energyAt(distance + 1e-5) - energyAt(distance - 1e-5)) / 2e-5;
+    CHECK(stretched({3, 1.2}, {distance, 0, 0}, 0.5).forces[0].x == Approx(slope).margin(1e-8));
+    CHECK(energyAt(distance) == Approx(1.5 * (distance - 1.8) * (distance - 1.8)).margin(1e-12));
+  }
 }
 
 TEST_CASE("No cell gets more connections than it may have, and room is made by a release") {

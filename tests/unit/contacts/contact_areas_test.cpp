@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "catch.h"
-#include "crowd.h"
+#include "pair_oracle.h"
 
 using namespace morula;
 
@@ -28,22 +28,36 @@ TEST_CASE("Balls side by side touch, balls apart do not") {
   CHECK(touching[0].b == 1);
 }
 
-TEST_CASE("Two balls cut flat against each other touch over the disc of the cut and little more") {
+TEST_CASE(
+    "Two balls cut flat that press each other touch over force over pressure: over the disc of the cut") {
   for (int level : {2, 3, 4}) {
     const Mesh ball = makeIcosphere(level);
-    const double reach = makeBodies({}, ball, 1).mesh.meanRestLength;
+    const double reach = meanEdge(ball);
     for (double height : {0.8, 0.6, 0.4}) {  // of the plane over the centre
+      const double overlap = 0.05 * reach;
       Body left = at(ball, {}), right = at(ball, {2 * height, 0, 0});
       for (Point& x : left.position) x.x = std::min(x.x, height);
-      for (Point& x : right.position) x.x = std::max(x.x, height);
-      const auto pairs = areas({left, right}, ball);
-      REQUIRE(pairs.size() == 1);
-      const double disc = std::numbers::pi * (1 - height * height);
-      // Around the disc, the gap is below a quarter of the reach; and there are the faces on the rim.
-      const double rim = std::sqrt(1 - (height - reach / 8) * (height - reach / 8)) + reach;
-      CAPTURE(level, height);
-      CHECK(pairs[0].area > 0.9 * disc);
-      CHECK(pairs[0].area < std::numbers::pi * rim * rim);
+      for (Point& x : right.position) x.x = std::max(x.x, height) - overlap;
+      Crowd limpOnes(limp(), {}, ball, {left, right});
+      limpOnes.evaluateForces();
+      const double force = forceOn(limpOnes, 1).x, disc = std::numbers::pi * (1 - height * height);
+      const double pressure = force / disc;
+      const auto areaAt = [&](double share) {  // of that pressure
+        for (Body* b : {&left, &right})
+          b->pressureConstant = share * pressure * measureVolume(b->position, ball.faces);
+        const auto pairs = areas({left, right}, ball);
+        REQUIRE(pairs.size() == 1);
+        return pairs[0].area;
+      };
+      CAPTURE(level, height, disc, pressure);
+      // On the rim pairs are tilted: of the coarsest disc's force they bear 5.1 % aside.
+      const double tilted = level == 2 ? 0.06 : 0.05;
+      CHECK(areaAt(1) == Approx(disc).epsilon(tilted));
+      CHECK(areaAt(2) == Approx(disc / 2).epsilon(tilted));
+      // However little they resist, it is no more than twice that of the vertices that are pressed.
+      const double rim = std::sqrt(1 - height * height) + 1.5 * reach;
+      CHECK(areaAt(1e-6) < 2 * std::numbers::pi * rim * rim);
+      CHECK(areaAt(1e-6) > 1.5 * disc);
     }
   }
 }
@@ -80,50 +94,54 @@ TEST_CASE("Areas do not depend on when the list was built") {
 
 namespace {
 
-/// The same by the definition alone: every vertex against every vertex of every other cell.
-std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& c) {
+/// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area.
+std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& law) {
   std::map<std::pair<int, int>, double> areas;
-  const std::vector<SeenVertex> all = seen(b, c);
-  for (const SeenVertex& i : all) {
-    double nearest = INFINITY;
-    int touched = -1;
-    for (const SeenVertex& j : all) {
-      const Vector apart = i.x - j.x, facing = j.normal - i.normal;
-      const double reach = std::sqrt(2 / (i.inverseRadiusSquared + j.inverseRadiusSquared));
-      const bool touches = j.slot != i.slot && norm(apart) < reach && dot(i.normal, j.normal) < 0 &&
-                           dot(apart, facing / norm(facing)) <= reach / 4;
-      if (touches && norm(apart) < nearest) nearest = norm(apart), touched = j.slot;
-    }
-    if (touched < 0) continue;
+  ContactParameters still = law;
+  still.damping = still.friction = 0;
+  const PairOracle oracle(b, still);
+  for (const SeenVertex& i : oracle.all) {
     double around = 0;
-    for (const Face& f : b.mesh.mesh.faces)
-      if (f[0] == i.v || f[1] == i.v || f[2] == i.v)
-        around += norm(cross(b.vertex(i.slot, f[1]) - b.vertex(i.slot, f[0]),
-                             b.vertex(i.slot, f[2]) - b.vertex(i.slot, f[0]))) /
-                  2;
-    areas[std::minmax(i.slot, touched)] += around / 3 / 2;  // its third, of the mean of two sides
+    for (const auto& [v, j, k] : oracle.rings.faces[i.v])
+      around +=
+          norm(cross(b.vertex(i.slot, j) - b.vertex(i.slot, v), b.vertex(i.slot, k) - b.vertex(i.slot, v))) /
+          6;
+    for (int other = 0; other < b.count; ++other) {
+      double pressing = 0;
+      for (const SeenVertex& j : oracle.all) {
+        const Vector h = (j.normal - i.normal) / 2.0;
+        if (j.slot == other && other != i.slot && dot(i.x - j.x, h) < 0)
+          pressing += std::max(0.0, dot(oracle.pushOf(i, j).force, h) / norm(h));
+      }
+      const double least = law.stiffness / 5000 / std::sqrt(i.inverseRadiusSquared) / around;
+      const double pressure = std::max((b.pressure[i.slot] + b.pressure[other]) / 2, least);
+      if (pressing > 0) areas[std::minmax(i.slot, other)] += std::min(pressing / pressure, 2 * around) / 2;
+    }
   }
   return areas;
 }
 
 }  // namespace
 
-TEST_CASE("Areas are those of the definition, vertex against vertex, whatever the law") {
+TEST_CASE("Areas are those of the definition, vertex by vertex, with friction and adhesion too") {
   const Mesh ball = makeIcosphere(2);
   int pairs = 0;
-  for (const ContactLaw law : {ContactLaw::pair, ContactLaw::thesis})
+  ContactParameters plain{}, sticky{ContactLaw::pair, 40, 0.05, 0.3};
+  sticky.adhesion = AdhesionParameters{2, {}};
+  for (const ContactParameters& law : {plain, sticky})
     for (std::uint32_t key = 0; key < 4; ++key) {
-      ContactParameters parameters;
-      parameters.law = law;
-      Crowd crowd(limp(), parameters, ball, heap(ball, 9, 1.85, 0, key));
-      const auto expected = bruteForce(crowd.lab.bodies, parameters);
+      auto cells = heap(ball, 9, 1.85, 0, key);
+      for (std::size_t c = 0; c < cells.size(); ++c)
+        cells[c].pressureConstant = 0.5 * static_cast<double>(c % 3);
+      Crowd crowd(limp(), law, ball, cells);
+      const auto expected = bruteForce(crowd.lab.bodies, law);
       const auto areas = measureContactAreas(crowd.contacts, crowd.lab.bodies);
       REQUIRE(areas.size() == expected.size());
       for (const ContactArea& p : areas) {
         REQUIRE(expected.contains({p.a, p.b}));
-        CHECK(p.area == Approx(expected.at({p.a, p.b})).epsilon(1e-12));
+        CHECK(p.area == Approx(expected.at({p.a, p.b})).epsilon(1e-5));
         ++pairs;
       }
     }
-  CHECK(pairs > 80);
+  CHECK(pairs > 60);
 }

@@ -9,7 +9,11 @@ TEST_CASE("All instruction sets move touching cells alike, at every step") {
   PhysicsParameters p = softCell();
   p.membrane = {40, 0.05, 1.26};
   p.pressure = {4, 0};
-  const std::vector<ContactParameters> laws{{}, {ContactLaw::pair, 40, 0.05, 0.3}, {ContactLaw::thesis}};
+  std::vector<ContactParameters> laws{{}, {ContactLaw::pair, 40, 0.05, 0.3}, {ContactLaw::thesis}};
+  for (double friction : {0.0, 0.3}) {  // kernels of their own
+    laws.push_back({ContactLaw::pair, 40, 0.05, friction, 0.01, 1.5});
+    laws.back().adhesion = AdhesionParameters{3, {}};
+  }
   const std::vector<Mesh> meshes{makeIcosphere(1), zoo::scaled(zoo::torus(7, 5), {0.33, 0.33, 0.33}),
                                  zoo::box({-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6})};
   for (const Mesh& mesh : meshes)

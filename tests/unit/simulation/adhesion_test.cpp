@@ -104,12 +104,18 @@ TEST_CASE("Spheres in contact lie as deep in each other as adhesion and stiffnes
   CHECK(2 - distance == Approx(3.141592653589793 * 1.5 / 30).epsilon(1e-3));
 }
 
-TEST_CASE("Strong adhesion shortens the automatic time step, and weak does not") {
-  const auto limitWith = [](double work) {
+TEST_CASE(
+    "Adhesion shortens the automatic time step, for membranes that stick fold; of spheres only strong one "
+    "does") {
+  const auto limitWith = [](double work, CellModel model = CellModel::shell) {
     Scene scene = sticking(resting, {work, {}});
+    scene.mechanics->physics.cell.model = model;
     scene.cells = {{.at = {-0.96, 0, 0}}, {.at = {0.96, 0, 0}}};
     return timeStepLimit(makeWorld(scene));
   };
-  CHECK(limitWith(1) == limitWith(0));
-  CHECK(limitWith(30) < 0.8 * limitWith(0));
+  CHECK(limitWith(0.001) > 0.99 * limitWith(0));
+  CHECK(limitWith(1) < 0.8 * limitWith(0));
+  CHECK(limitWith(30) < 0.8 * limitWith(1));
+  CHECK(limitWith(1, CellModel::sphere) == limitWith(0, CellModel::sphere));
+  CHECK(limitWith(30, CellModel::sphere) < 0.8 * limitWith(0, CellModel::sphere));
 }

@@ -93,7 +93,7 @@ TEST_CASE("Every search finds the neighbours between meshes: all within the mean
         std::vector<VertexNumber> expected;
         for (int j : b.slots)
           for (int w = 0; w < b.vertexCount(j) && i != j; ++w) {
-            const Vector d = b.vertex(i, v) - b.vertex(j, w);
+            const Vector d = b.read(c.list.reference, i, v) - b.read(c.list.reference, j, w);
             const double reach = 0.5 * (c.radius[i] + c.radius[j]) * (1 + 1e-6) + c.list.skin;
             if (dot(d, d) >= reach * reach) continue;
             expected.push_back(numberOf(b, j, w));

@@ -14,7 +14,7 @@ Scene collision(double work, double share) {
   Scene scene = scenes::withBodies(scenes::uniqueFour, 1, makeIcosphere(1));
   scene.mechanics->physics.membrane.damping = 0;
   scene.mechanics->physics.autoShare = share;
-  scene.mechanics->contact = ContactParameters{ContactLaw::energy, 30, 0};
+  scene.mechanics->contact = ContactParameters{ContactLaw::pair, 30, 0};
   if (work > 0) scene.mechanics->contact->adhesion = AdhesionParameters{work, {}};
   return scene;
 }
@@ -126,7 +126,7 @@ TEST_CASE("What drag, damping and friction take is what is missing") {
 TEST_CASE("A turned and a mirrored copy end turned and mirrored") {
   ContactParameters plain = scenes::pairContact, all = scenes::pairContactWithFriction;
   all.adhesion = AdhesionParameters{1, {}};
-  plain.law = all.law = ContactLaw::energy;
+  plain.law = all.law = ContactLaw::pair;
   for (const ContactParameters& contact : {plain, all}) {
     CHECK(differenceUnder(turned, false, contact) < 1e-9);
     CHECK(differenceUnder(mirrored, true, contact) < 1e-9);

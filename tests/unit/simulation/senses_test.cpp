@@ -111,16 +111,19 @@ TEST_CASE("A cell on the shell perceives the share of its surface that lies ther
   for (int z : {4, 5})
     for (const auto& [x, y] : {std::pair{0, 2}, std::pair{2, 1}, std::pair{1, 3}, std::pair{3, 0}})
       octahedron.surface.faces.push_back({x, y, z});
-  CHECK(measureShellShare(octahedron, {{1, 2, 3}}) == Approx(2 / 6.0));
-  CHECK(measureShellShare(octahedron, {{1, 1, 3}}) == Approx(4 / 6.0));
-  CHECK(measureShellShare(octahedron, {{1, 1, 1}}) == Approx(1));
+  // In a sphere the surface at a vertex lies by l²/8 = 1/4 below it.
+  const double out = 0.75;
+  CHECK(measureShellShare(octahedron, {{out, out, out}}) == Approx(1));
   CHECK(measureShellShare(octahedron, {{2, 2, 2}}) == 0);
+  CHECK(measureShellShare(octahedron, {{1, 1, 1}}) == 0);
+  CHECK(measureShellShare(octahedron, {{0.8, 4, 4}}) == Approx(2 / 6.0));
+  CHECK(measureShellShare(octahedron, {{0.7, 0.7, 4}}) == Approx(4 / 6.0));
   ShellParameters planes;
   planes.mesh =
       std::make_shared<ConvexShell>(ConvexShell{{}, {{{1, 0, 0}, 1}, {{0, 0, -1}, 1}, {{0, 1, 0}, 2}}});
   CHECK(measureShellShare(octahedron, planes) == Approx(2 / 6.0));
   octahedron.isBall = true;
-  CHECK(measureShellShare(octahedron, {{1, 1, 1}}) == 0);
+  CHECK(measureShellShare(octahedron, {{out, out, out}}) == 0);
 }
 
 TEST_CASE("A connection and a sister are perceived while they are there") {

@@ -1,20 +1,20 @@
 #pragma once
-// The energy law from the equations at the heads of energy_law_kernel.h, surface_kernel.h and adhesion.h, for all pairs of
+// The pair law from the equations at the heads of pair_law_kernel.h, surface_kernel.h and adhesion.h, for all pairs of
 // vertices and from the mesh alone. What forces on the surface are to vertices is found by differences.
 #include <numbers>
 
-#include "unit/contact_energy/crowd.h"
+#include "crowd.h"
 
 namespace morula {
 
-struct EnergyOracle {
+struct PairOracle {
   const Bodies& b;
   ContactParameters law;
   double strongestGrip = 0;
   Rings rings;
   std::vector<SeenVertex> all;  // [slot · vertices + vertex]
 
-  EnergyOracle(const Bodies& bodies, const ContactParameters& parameters, double timeStep = 1)
+  PairOracle(const Bodies& bodies, const ContactParameters& parameters, double timeStep = 1)
       : b(bodies), law(parameters), rings(bodies.mesh.mesh), all(seen(bodies, parameters)) {
     const double lightest = *std::min_element(b.vertexMass.begin(), b.vertexMass.begin() + b.count);
     strongestGrip = 0.1 * lightest / timeStep;

@@ -1,6 +1,6 @@
 // What takes energy from cells that touch: damping and friction.
 #include "catch.h"
-#include "unit/contact_energy/energy_oracle.h"
+#include "pair_oracle.h"
 
 using namespace morula;
 
@@ -36,8 +36,8 @@ Crowd rubbing(const ContactParameters& law, const Vector& velocity, std::uint32_
 }  // namespace
 
 TEST_CASE("Damping and friction take energy from cells in a heap, and never give any") {
-  const ContactParameters damped{ContactLaw::energy, 40, 0.5}, rubs{ContactLaw::energy, 40, 0, 0.5},
-      both{ContactLaw::energy, 40, 0.2, 0.3};
+  const ContactParameters damped{ContactLaw::pair, 40, 0.5}, rubs{ContactLaw::pair, 40, 0, 0.5},
+      both{ContactLaw::pair, 40, 0.2, 0.3};
   for (const int level : {1, 2}) {
     const Mesh ball = makeIcosphere(level);
     for (const ContactParameters& law : {damped, rubs, both})
@@ -60,7 +60,7 @@ TEST_CASE("Damping and friction take energy from cells in a heap, and never give
 
 TEST_CASE("Damping acts against approach only; cells that are torn apart feel no more than a trace of pull") {
   const auto pushAt = [&](double approach) {
-    return forceOn(rubbing({ContactLaw::energy, 40, 0.5}, {-approach, 0, 0}), 1).x;
+    return forceOn(rubbing({ContactLaw::pair, 40, 0.5}, {-approach, 0, 0}), 1).x;
   };
   CHECK(pushAt(1) > 1.2 * pushAt(0));
   CHECK(pushAt(0) > 1.2 * pushAt(-1));
@@ -73,8 +73,8 @@ TEST_CASE("Friction alone drives nothing: cells at rest, or in one motion, feel 
     auto cells = heap(ball, 9, 1.6, 0);
     for (Body& cell : cells)
       for (Vector& u : cell.velocity) u = all;
-    Crowd with(limp(), {ContactLaw::energy, 40, 0, 0.5}, ball, cells),
-        without(limp(), {ContactLaw::energy, 40, 0}, ball, cells);
+    Crowd with(limp(), {ContactLaw::pair, 40, 0, 0.5}, ball, cells),
+        without(limp(), {ContactLaw::pair, 40, 0}, ball, cells);
     with.evaluateForces();
     without.evaluateForces();
     Worst difference;
@@ -88,7 +88,7 @@ TEST_CASE("Friction alone drives nothing: cells at rest, or in one motion, feel 
 
 TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
   const auto onRight = [&](double friction, double slip, std::uint32_t key = 0, double timeStep = 0x1p-30) {
-    return forceOn(rubbing({ContactLaw::energy, 40, 0, friction, 0.01}, {0, slip, 0}, key, timeStep), 1);
+    return forceOn(rubbing({ContactLaw::pair, 40, 0, friction, 0.01}, {0, slip, 0}, key, timeStep), 1);
   };
   double pressed = 0, rubbed = 0;  // how vertices stand to each other is chance: in the mean
   for (std::uint32_t key = 0; key < 40; ++key) {
