@@ -32,7 +32,7 @@ struct BlockSlices {
   VertexNumber firstVertex;               // of the block
   RealPointer position;                   // [vertexCount][3][blockLanes]
   RealPointer surfaceForce, surfaceTurn;  // the same; scratch of the running thread
-  double* deepest;                        // κD², the largest of the block's pairs
+  double* deepest;                        // B u, the largest of the block's pairs
 };
 
 struct ContactConstants {

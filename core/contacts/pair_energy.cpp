@@ -21,22 +21,21 @@ Point6 read(const Contacts& c, const Bodies& b, VertexNumber g) {
 
 void add(const Point6& i, const Point6& j, double stiffness, double adhesion, PairSum& sum) {
   const Vector a = i.y - j.y, h = 0.5 * (j.n - i.n);
-  const double curvature = 0.5 * (i.curvature + j.curvature), u = 1 - curvature * dot(a, a);
-  if (!(u > 0)) return;
-  const double m = 1 - dot(i.n, j.n), t = std::min(m / facing, 1.0), s = t * t * (3 - 2 * t);
-  const double holds = 0.25 * m * m * (3 - m);
+  const double curvature = 0.5 * (i.curvature + j.curvature), nearness = curvature * dot(a, a);
+  if (!(nearness < 1)) return;
+  const double v = 1 - nearness, u = v * (1 + nearness);
+  const double m = 1 - dot(i.n, j.n), t = std::min(m / leastFacing, 1.0), s = t * t * (3 - 2 * t);
+  const double z = 0.25 * m * m * (3 - m), held = adhesion * v * v;
   const double depth = std::max(0.0, -dot(a, h)), b = curvature * depth * depth;
-  const double p = 1 + b * (hardening1 + hardening2 * b);
-  const double repulsion = 0.5 * stiffness * depth * depth * u * u * p;
-  const double held = adhesion * u * u;
+  const double barrier = stiffness * depth * depth * (1 + b * (hardening1 + hardening2 * b));
   const double byDepth = s * stiffness * depth * u * u * (1 + b * (2 * hardening1 + 3 * hardening2 * b));
-  const double byFade = s * stiffness * depth * depth * p * u - 0.5 * holds * held;
+  const double byFade = 2 * nearness * s * barrier * u - 0.5 * z * held;
+  const double byTurn = 3 / leastFacing * t * (1 - t) * barrier * u * u - 0.125 * m * (2 - m) * held * v;
   const Vector f = byDepth * h + (2 * curvature * byFade) * a;
-  sum.repulsion += 0.5 * s * repulsion;
-  sum.adhesion -= holds * held * u / 12;
-  sum.deepest = std::max(sum.deepest, b);
+  sum.repulsion += 0.25 * s * barrier * u * u;
+  sum.adhesion -= z * held * v / 12;
+  sum.deepest = std::max(sum.deepest, b * u);
   sum.force += f;
-  const double byTurn = 6 / facing * t * (1 - t) * repulsion - 0.125 * m * (2 - m) * held * u;
   sum.turn += byTurn * j.n - (0.5 * byDepth) * a;
   if (depth > 0 && dot(h, h) > 0) sum.pressing += std::max(0.0, dot(f, h) / norm(h));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The energy law (energy_law_kernel.h) once more, one pair at a time and in doubles: for measures, and as an oracle.
+// The pair law (pair_law_kernel.h) once more, one pair at a time and in doubles: for measures, and as an oracle.
 #include "contacts/contacts.h"
 
 namespace morula {
@@ -10,7 +10,7 @@ struct PairSum {
   int slot, other;       // of i and of the other cell
   double repulsion = 0;  // [energy] half of the pairs': the other half is that of the vertices j
   double adhesion = 0;   // [energy] the same, at most 0
-  double deepest = 0;    // [1] κD²
+  double deepest = 0;    // [1] B u (deepestHeld)
   double pressing = 0;   // [force] along h, where the planes of i and j overlap
   Vector force;          // −∂E/∂y_i
   Vector turn;           // −∂E/∂n_i

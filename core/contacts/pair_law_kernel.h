@@ -3,29 +3,33 @@
 //
 //   y     where the surface stands at a vertex, n its outward normal (surface_kernel.h);  a = y_i − y_j
 //   κ     1/R², the mean of both vertices' (R: influence radius, one mean edge at rest)
-//   u     max(0, 1 − κ a²)                        fades with the distance, 0 from R on
+//   u     max(0, 1 − κ² a⁴)                       fades with the distance, 0 from R on
+//   v     max(0, 1 − κ a²)                        the same, more evenly
 //   h     (n_j − n_i)/2                           from j's cell to i's; 1 long face to face
 //   D     max(0, −a·h)                            overlap: by how much the planes half-way between i and j overlap
-//   s     m² (3 − m)/4,  m = 1 − n_i·n_j          1 face to face, 0 for parallel normals: a thin cell's far side
 //   B     κ D²                                    how deep, over the reach
+//   m     1 − n_i·n_j                             2 face to face, 0 for parallel normals
+//   s     t² (3 − 2t),  t = min(m/m₀, 1), m₀ = ½  1, but for nearly parallel normals: a thin cell's far side
+//   z     m² (3 − m)/4                            the same, more evenly
 //
-//   E = s [ ½ K D² u² (1 + β₁ B + β₂ B²)  −  T/6 u³ ],   β₁ = 6, β₂ = 100                                    [energy]
+//   E = ½ s K D² u² (1 + β₁ B + β₂ B²)  −  T/6 z v³,   β₁ = 6, β₂ = 100                                      [energy]
 //
-// The first part repels: K [force/length]. β₁ and β₂ make up for the fade of u with depth, and harden: pressed together
-// face to face, the energy rises until D = 0.7 R, where it is 1.8 times what ½ K D² without any fade is at D = R.
-// With half of it cells pass through each other where a shell crushes them. The second part holds: over flat surfaces that
-// touch it sums up to the work of separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h).
+// The first part repels: K [force/length]. Pressed together face to face its energy rises until B = 0.62, 0.79 R deep,
+// where it is 5 K R²; whatever is pressed farther falls into the other cell, and the run ends (deepestHeld). With u = v
+// it rises to 1.9 K R², and young cells, which are soft, fall into each other in crowds. The second part holds: over
+// flat surfaces that touch it sums up to the work of separation W per area, whatever the mesh; T [energy] follows from W
+// (adhesion.h).
 //
 // y and n depend on the vertices' one-rings, and so do forces: that is what makes them the gradient of an energy. With
 //
-//   E_D = s K D u² (1 + 2β₁ B + 3β₂ B²)                   ∂E/∂D
-//   E_u = s [K D² u (1 + β₁ B + β₂ B²) − T/2 u²]          ∂E/∂u
-//   E_s = ½ K D² u² (1 + β₁ B + β₂ B²) − T/6 u³           ∂E/∂s
+//   E_D = s K D u² (1 + 2β₁ B + 3β₂ B²)                                ∂E/∂D
+//   E_q = −2 κ a² s K D² u (1 + β₁ B + β₂ B²) + T/2 z v²               ∂E/∂(κa²)
+//   E_m = ½ ds/dm K D² u² (1 + β₁ B + β₂ B²) − ¾ m (2 − m) T/6 v³      ∂E/∂m,   ds/dm = 6 t (1 − t)/m₀
 //
 // the pair gives i
 //
-//   f = E_D h + 2κ E_u a                           −∂E/∂y_i
-//   q = −½ E_D a + ¾ m (2 − m) E_s n_j             −∂E/∂n_i
+//   f = E_D h − 2κ E_q a                    −∂E/∂y_i
+//   q = −½ E_D a + E_m n_j                  −∂E/∂n_i
 //
 // and surface_kernel.h hands f and q on to the vertices. Exchanging i and j negates f and gives the other q: momentum
 // and, E being the same wherever both surfaces are turned together, angular momentum are kept to rounding.
@@ -66,14 +70,14 @@ struct PairLaw {
     const Lanes v = select(near, 1.0 - nearness, 0.0), u = v * (1.0 + nearness);
     const Lanes overlap = select(near, -0.5 * dot(a, apartNormals), 0.0);  // D, or how far apart
     const Lanes opening = 0.5 * dot(relative, apartNormals);
-    const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / facing) * m, 1.0), s = (t * t) * (3.0 - 2.0 * t);
+    const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / leastFacing) * m, 1.0), s = (t * t) * (3.0 - 2.0 * t);
     const Lanes depth = max(overlap, Lanes(0.0));
     const Lanes b = curvature * (depth * depth), su = s * u;
-    deepest = max(b, deepest);
+    deepest = max(b * u, deepest);
     const Lanes push = stiffness * overlap * (1.0 + b * (2 * hardening1 + (3 * hardening2) * b)) - damping * opening;
     const Lanes half = 0.5 * ((su * u) * max(push, Lanes(0.0)));                                   // E_D/2
     const Lanes barrier = (stiffness * (depth * depth)) * (1.0 + b * (hardening1 + hardening2 * b));  // K D² P
-    Lanes byFade = 2.0 * (nearness * (su * barrier)), byTurn = ((3 / facing) * (t * (1.0 - t))) * (barrier * (u * u));  // E_u, ∂E/∂m
+    Lanes byFade = 2.0 * (nearness * (su * barrier)), byTurn = ((3 / leastFacing) * (t * (1.0 - t))) * (barrier * (u * u));  // −E_q, E_m
     if constexpr (withAdhesion) {
       const Lanes held = adhesion * (v * v);
       byFade -= ((0.125 * m) * (m * (3.0 - m))) * held;

@@ -37,10 +37,11 @@ struct AdhesionParameters {
 constexpr double retreat = 0.125;                                            // γ
 constexpr double foldedNormal = 2;                                           // ε
 constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // ν²
-constexpr double facing = 0.5;                                               // m₀
+constexpr double leastFacing = 0.5;                                              // m₀
 constexpr double hardening1 = 6, hardening2 = 100;                           // β₁, β₂
-// κD² beyond which the energy falls again: surfaces that are farther in each other are let through.
-constexpr double deepestBulk = 0.6;
+// B u of two vertices face to face where the energy is about to fall again: farther in each other, surfaces are let
+// through. B = 0.62 there.
+constexpr double deepestHeld = 0.37, deepestBulk = 0.62;
 
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;

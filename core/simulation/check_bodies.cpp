@@ -57,20 +57,20 @@ namespace {
 /// Surfaces that are deeper in each other than contacts hold them apart.
 void checkDepth(const World& world) {
   const Contacts& c = *world.contacts;
-  if (std::ranges::all_of(c.deepest, [](double bulk) { return bulk <= deepestBulk; })) return;
+  if (std::ranges::all_of(c.deepest, [](double held) { return held <= deepestHeld; })) return;
   const Bodies& b = *world.bodies;
   const std::vector<PairSum> pairs = sumPairs(c, b);
   const PairSum& deepest = *std::ranges::max_element(pairs, {}, &PairSum::deepest);
   const auto nameOf = [&](int slot) {
     return world.cells.path[std::ranges::find(b.slots, slot) - b.slots.begin()].text();
   };
-  const double reach = c.radius[deepest.slot];
-  throw BodyFailure(nameOf(deepest.slot), world.clock.step,
-                    "its surface is " + numberText(reach * std::sqrt(deepest.deepest)) + " deep in that of cell " +
-                        nameOf(deepest.other) + "; from " + numberText(reach * std::sqrt(deepestBulk)) +
-                        " on contacts let cells into each other",
-                    "raise physics.contact.stiffness or physics.contact.radius, move cells apart (cells: at), or lower "
-                    "what drives them into each other: speeds (cells: velocity), physics.pressure, connections");
+  throw BodyFailure(
+      nameOf(deepest.slot), world.clock.step,
+      "it is pressed into cell " + nameOf(deepest.other) + ", more than the " +
+          numberText(c.radius[deepest.slot] * std::sqrt(deepestBulk)) +
+          " that contacts hold surfaces apart over: they would pass through each other",
+      "raise physics.contact.stiffness, take a finer physics.mesh, move cells apart (cells: at), or lower what drives them "
+      "into each other: speeds (cells: velocity), physics.pressure, connections");
 }
 
 }  // namespace
