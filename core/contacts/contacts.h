@@ -60,6 +60,9 @@ void takeSnapshot(Contacts& contacts, const Bodies& bodies, const BlockView& blo
 /// Builds the list anew if a vertex has moved half the skin. Needs all snapshots.
 void refreshList(Contacts& contacts, const Bodies& bodies, int threads);
 
+/// [1] How stiff the deepest overlap is, over K: as the last forces found it. The thesis' law and spheres: 1.
+double measureHardening(const Contacts& contacts);
+
 /// Adds contact forces to one block's force. Needs all snapshots and a valid list.
 void addContactForces(Contacts& contacts, Bodies& bodies, int block, double timeStep);
 

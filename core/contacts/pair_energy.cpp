@@ -26,15 +26,16 @@ void add(const Point6& i, const Point6& j, double stiffness, double adhesion, Pa
   const double v = 1 - nearness, u = v * (1 + nearness);
   const double m = 1 - dot(i.n, j.n), t = std::min(m / leastFacing, 1.0), s = t * t * (3 - 2 * t);
   const double z = 0.25 * m * m * (3 - m), held = adhesion * v * v;
-  const double depth = std::max(0.0, -dot(a, h)), b = curvature * depth * depth;
-  const double barrier = stiffness * depth * depth * (1 + b * (hardening1 + hardening2 * b));
+  const double depth = std::max(0.0, -dot(a, h)), b = curvature * depth * depth * u;
+  const double barrier = stiffness * depth * depth, hardened = 1 + b * (hardening1 + hardening2 * b);
   const double byDepth = s * stiffness * depth * u * u * (1 + b * (2 * hardening1 + 3 * hardening2 * b));
-  const double byFade = 2 * nearness * s * barrier * u - 0.5 * z * held;
-  const double byTurn = 3 / leastFacing * t * (1 - t) * barrier * u * u - 0.125 * m * (2 - m) * held * v;
+  const double byFade =
+      nearness * s * barrier * u * (2 + b * (3 * hardening1 + 4 * hardening2 * b)) - 0.5 * z * held;
+  const double byTurn = 3 / leastFacing * t * (1 - t) * barrier * u * u * hardened - 0.125 * m * (2 - m) * held * v;
   const Vector f = byDepth * h + (2 * curvature * byFade) * a;
-  sum.repulsion += 0.25 * s * barrier * u * u;
+  sum.repulsion += 0.25 * s * barrier * u * u * hardened;
   sum.adhesion -= z * held * v / 12;
-  sum.deepest = std::max(sum.deepest, b * u);
+  sum.deepest = std::max(sum.deepest, b);
   sum.force += f;
   sum.turn += byTurn * j.n - (0.5 * byDepth) * a;
   if (depth > 0 && dot(h, h) > 0) sum.pressing += std::max(0.0, dot(f, h) / norm(h));

@@ -7,23 +7,24 @@
 //   v     max(0, 1 − κ a²)                        the same, more evenly
 //   h     (n_j − n_i)/2                           from j's cell to i's; 1 long face to face
 //   D     max(0, −a·h)                            overlap: by how much the planes half-way between i and j overlap
-//   B     κ D²                                    how deep, over the reach
+//   B     κ D² u                                  how deep, over the reach, of vertices that lie on each other
 //   m     1 − n_i·n_j                             2 face to face, 0 for parallel normals
 //   s     t² (3 − 2t),  t = min(m/m₀, 1), m₀ = ½  1, but for nearly parallel normals: a thin cell's far side
 //   z     m² (3 − m)/4                            the same, more evenly
 //
-//   E = ½ s K D² u² (1 + β₁ B + β₂ B²)  −  T/6 z v³,   β₁ = 6, β₂ = 100                                      [energy]
+//   E = ½ s K D² u² (1 + β₁ B + β₂ B²)  −  T/6 z v³,   β₁ = 6, β₂ = 200                                      [energy]
 //
-// The first part repels: K [force/length]. Pressed together face to face its energy rises until B = 0.62, 0.79 R deep,
-// where it is 5 K R²; whatever is pressed farther falls into the other cell, and the run ends (deepestHeld). With u = v
-// it rises to 1.9 K R², and young cells, which are soft, fall into each other in crowds. The second part holds: over
-// flat surfaces that touch it sums up to the work of separation W per area, whatever the mesh; T [energy] follows from W
+// The first part repels: K [force/length]. Pressed together face to face its energy rises until B = 0.38, 0.74 R deep,
+// where it is 4.5 K R²; whatever is pressed farther falls into the other cell, and the run ends (deepestHeld). β₁ and β₂
+// harden B, not κ D²: otherwise vertices whose planes overlap far beside each other, where u ends, are so stiff that
+// crowds never come to rest. The second part holds: over flat surfaces that touch it sums up to the work of separation W
+// per area, whatever the mesh; T [energy] follows from W
 // (adhesion.h).
 //
 // y and n depend on the vertices' one-rings, and so do forces: that is what makes them the gradient of an energy. With
 //
 //   E_D = s K D u² (1 + 2β₁ B + 3β₂ B²)                                ∂E/∂D
-//   E_q = −2 κ a² s K D² u (1 + β₁ B + β₂ B²) + T/2 z v²               ∂E/∂(κa²)
+//   E_q = −κ a² s K D² u (2 + 3β₁ B + 4β₂ B²) + T/2 z v²               ∂E/∂(κa²)
 //   E_m = ½ ds/dm K D² u² (1 + β₁ B + β₂ B²) − ¾ m (2 − m) T/6 v³      ∂E/∂m,   ds/dm = 6 t (1 − t)/m₀
 //
 // the pair gives i
@@ -72,12 +73,14 @@ struct PairLaw {
     const Lanes opening = 0.5 * dot(relative, apartNormals);
     const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / leastFacing) * m, 1.0), s = (t * t) * (3.0 - 2.0 * t);
     const Lanes depth = max(overlap, Lanes(0.0));
-    const Lanes b = curvature * (depth * depth), su = s * u;
-    deepest = max(b * u, deepest);
-    const Lanes push = stiffness * overlap * (1.0 + b * (2 * hardening1 + (3 * hardening2) * b)) - damping * opening;
-    const Lanes half = 0.5 * ((su * u) * max(push, Lanes(0.0)));                                   // E_D/2
-    const Lanes barrier = (stiffness * (depth * depth)) * (1.0 + b * (hardening1 + hardening2 * b));  // K D² P
-    Lanes byFade = 2.0 * (nearness * (su * barrier)), byTurn = ((3 / leastFacing) * (t * (1.0 - t))) * (barrier * (u * u));  // −E_q, E_m
+    const Lanes b = curvature * (depth * depth) * u, su = s * u;
+    deepest = max(b, deepest);
+    const Lanes push =
+        stiffness * overlap * (1.0 + b * (2 * hardening1 + (3 * hardening2) * b)) - damping * opening;
+    const Lanes half = 0.5 * ((su * u) * max(push, Lanes(0.0)));  // E_D/2
+    const Lanes barrier = stiffness * (depth * depth);
+    Lanes byFade = (nearness * (su * barrier)) * (2.0 + b * (3 * hardening1 + (4 * hardening2) * b));  // −E_q
+    Lanes byTurn = ((3 / leastFacing) * (t * (1.0 - t))) * ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
     if constexpr (withAdhesion) {
       const Lanes held = adhesion * (v * v);
       byFade -= ((0.125 * m) * (m * (3.0 - m))) * held;

@@ -38,10 +38,10 @@ constexpr double retreat = 0.125;                                            // 
 constexpr double foldedNormal = 2;                                           // ε
 constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // ν²
 constexpr double leastFacing = 0.5;                                              // m₀
-constexpr double hardening1 = 6, hardening2 = 100;                           // β₁, β₂
-// B u of two vertices face to face where the energy is about to fall again: farther in each other, surfaces are let
-// through. B = 0.62 there.
-constexpr double deepestHeld = 0.37, deepestBulk = 0.62;
+constexpr double hardening1 = 6, hardening2 = 200;                           // β₁, β₂
+// B of two vertices face to face where the energy is about to fall again, and κ D² there: farther in each other,
+// surfaces are let through.
+constexpr double deepestHeld = 0.37, deepestBulk = 0.54;
 
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;

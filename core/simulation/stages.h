@@ -95,4 +95,8 @@ void refuseEndlessPace(const Scene& scene);
 /// limit, or is longer than the shortest cell cycle or than the whole run; the text names both numbers.
 void chooseTimeStep(World& world);
 
+/// After a step: an automatic time step is chosen anew when contacts have become too stiff for it, and now and then when
+/// a longer one would do.
+void followContacts(World& world);
+
 }  // namespace morula

@@ -58,6 +58,7 @@ void step(World& world) {
     clock.time = clock.nextCycle;
   }
   runCellCycles(world, before, dueUntil(world, before));
+  followContacts(world);
 }
 
 namespace {

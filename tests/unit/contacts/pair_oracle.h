@@ -43,9 +43,9 @@ struct PairOracle {
   Energy energyOf(const SeenVertex& i, const SeenVertex& j, double held) const {
     const Vector a = i.x - j.x, h = (j.normal - i.normal) / 2.0;
     const double k = kappa(i, j), q = k * dot(a, a), u = std::max(0.0, 1 - q * q), v = std::max(0.0, 1 - q);
-    const double depth = std::max(0.0, -dot(a, h)), bulk = k * depth * depth;
+    const double depth = std::max(0.0, -dot(a, h)), bulk = k * depth * depth * u;
     const double m = 1 - dot(i.normal, j.normal), t = std::min(2 * m, 1.0), s = t * t * (3 - 2 * t);
-    return {s * 0.5 * law.stiffness * depth * depth * u * u * (1 + 6 * bulk + 100 * bulk * bulk),
+    return {s * 0.5 * law.stiffness * depth * depth * u * u * (1 + 6 * bulk + 200 * bulk * bulk),
             -m * m * (3 - m) / 4 * held / 6 * v * v * v};
   }
 
@@ -68,16 +68,16 @@ struct PairOracle {
     const Vector a = i.x - j.x, h = (j.normal - i.normal) / 2.0, v = i.velocity - j.velocity;
     const double k = kappa(i, j), near = k * dot(a, a), u = 1 - near * near, fade = 1 - near;
     if (near >= 1) return {};
-    const double overlap = -dot(a, h), depth = std::max(0.0, overlap), bulk = k * depth * depth;
+    const double overlap = -dot(a, h), depth = std::max(0.0, overlap), bulk = k * depth * depth * u;
     const double m = 1 - dot(i.normal, j.normal), t = std::min(2 * m, 1.0), s = t * t * (3 - 2 * t);
-    const double hard = 1 + 12 * bulk + 300 * bulk * bulk;
+    const double hard = 1 + 12 * bulk + 600 * bulk * bulk;
     const double byDepth =
         std::max(0.0, s * u * u * (law.stiffness * overlap * hard - law.damping * dot(v, h)));
     const double held = holds(i, j),
-                 barrier = law.stiffness * depth * depth * (1 + 6 * bulk + 100 * bulk * bulk);
-    const double byNearness = -2 * near * s * barrier * u + m * m * (3 - m) / 4 * held / 2 * fade * fade;
+                 barrier = law.stiffness * depth * depth;
+    const double byNearness = -near * s * barrier * u * (2 + 18 * bulk + 800 * bulk * bulk) + m * m * (3 - m) / 4 * held / 2 * fade * fade;
     const double byNormals =
-        12 * t * (1 - t) * u * u * barrier / 2 - 0.75 * m * (2 - m) * held / 6 * fade * fade * fade;
+        12 * t * (1 - t) * u * u * barrier / 2 * (1 + 6 * bulk + 200 * bulk * bulk) - 0.75 * m * (2 - m) * held / 6 * fade * fade * fade;
     Push p{byDepth * h - 2 * k * byNearness * a, byNormals * j.normal - byDepth / 2 * a};
     if (law.friction > 0 && dot(a, a) > 0) {
       const double slip = std::sqrt(std::max(0.0, dot(v, v) - dot(v, h) * dot(v, h)));
