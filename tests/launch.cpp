@@ -1,6 +1,7 @@
 #include "launch.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 namespace morula::test {
@@ -75,6 +77,32 @@ Launched launch(const std::vector<std::string>& arguments, const Environment& en
 
 Launched launch(const std::vector<std::string>& arguments, const Environment& environment) {
   return launch(arguments, environment, {});
+}
+
+void waitUntil(const std::function<bool()>& holds) {
+  for (int i = 0; i < 600'000; ++i) {
+    if (holds()) return;
+    usleep(2'000);
+  }
+  throw std::runtime_error("it does not come to hold");
+}
+
+void waitUntilComputing(int process) {
+  const std::string folder = "/proc/" + std::to_string(process);
+  const auto cpuTime = [&] {  // [clock ticks], its 14th field
+    const std::string stat = readWhole(folder + "/stat");
+    std::istringstream words(stat.substr(stat.rfind(')') + 1));
+    std::string word;
+    for (int i = 0; i < 12; ++i) words >> word;
+    return word.empty() ? 0 : std::stol(word);
+  };
+  waitUntil([&] {
+    const std::string status = readWhole(folder + "/status"), caught = "SigCgt:\t";
+    const auto at = status.find(caught);
+    return at != status.npos && (std::stoull(status.substr(at + caught.size(), 16), nullptr, 16) >> (SIGINT - 1) & 1);
+  });
+  const long begun = cpuTime();
+  waitUntil([&] { return cpuTime() >= begun + sysconf(_SC_CLK_TCK) / 10; });
 }
 
 std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments,

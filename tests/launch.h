@@ -25,6 +25,13 @@ Launched launch(const std::vector<std::string>& arguments, const Environment& en
 Launched launch(const std::vector<std::string>& arguments, const Environment& environment,
                 const std::function<void(int)>& meanwhile);
 
+/// Waits until it holds, for many minutes if need be: how long that takes is a matter of the machine's load. Throws if it
+/// never comes to hold.
+void waitUntil(const std::function<bool()>& holds);
+
+/// Waits until a run has begun to compute: the process minds SIGINT, and has used a tenth of a second of CPU time since.
+void waitUntilComputing(int process);
+
 /// The same with stderr on a terminal, which `err` holds what was written to. None where the system has no
 /// pseudo-terminals: then the test says so (skippedWithoutTerminal) and has nothing to look at.
 std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments,

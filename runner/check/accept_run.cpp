@@ -23,11 +23,9 @@ std::vector<ToleranceRule> usualRules(const Scenario& scenario) {
 }
 
 /// No result is worth keeping that breaks what the scenario itself demands, or that is not sane.
-void refuseViolated(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
-                    const SanityCheck& sanity) {
-  CheckReport report{goldenName(scenario.file), checkInvariants(scenario, run, invariants)};
-  for (auto& result : sanity.results(run.world, scenario.check, true))
-    report.results.push_back(std::move(result));
+void refuseViolated(const Scenario& scenario, const CheckedRun& checked) {
+  CheckReport report{goldenName(scenario.file), checkInvariants(scenario, checked)};
+  report.results.insert(report.results.end(), checked.sanity.begin(), checked.sanity.end());
   if (!scenario.check.fails.empty()) report = checkStop(scenario, "");
   if (!report.passed()) throw InputError(scenario.file + ": nothing accepted: " + describe(report));
 }
@@ -56,15 +54,12 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
                       bool quiet) {
   const auto file = goldenFile(scenario);
   refuseWithinCi(file);
-  Progress progress(scenario.scene.name, quiet);
-  Invariants invariants(scenario.check);
-  World start = makeScenarioWorld(scenario, how);
-  const SanityCheck sanity(start);
-  const auto run = simulate(std::move(start), recordingOf(scenario, true), progress,
-                            [&](const World& world) { invariants.observe(world); });
+  const CheckedRun checked =
+      simulateChecked(scenario, how, {.quiet = quiet, .record = recordingOf(scenario, true)});
+  const Simulation& run = checked.run;
   if (run.signal) return {.signal = run.signal};
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
-  refuseViolated(scenario, run, invariants, sanity);
+  refuseViolated(scenario, checked);
   TwinRun again;
   try {
     again = runAgain(scenario, otherExecution(how), quiet);

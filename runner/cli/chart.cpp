@@ -38,9 +38,8 @@ Told resultsOf(const ChartOptions& options, const Scenario& scenario) {
     const auto run = store.find(options.run);
     return {store.results(run.id), run.time};
   }
-  Progress progress(scenario.scene.name, options.output.quiet);
-  auto run = simulate(makeScenarioWorld(scenario, execution(options.execution)), recordingOf(scenario, false),
-                      progress);
+  auto run = simulate(scenario, execution(options.execution),
+                      {.quiet = options.output.quiet, .record = recordingOf(scenario, false)});
   if (run.end.status == RunStatus::failed) throw InputError(run.end.failure);
   return {std::move(run.results), run.end.time, run.signal};
 }

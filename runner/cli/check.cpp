@@ -64,27 +64,22 @@ CheckReport failed(const Scenario& scenario, const Simulation& run) {
 
 /// Runs the scenario and checks it. A result that differs is kept for a review.
 CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet, int& signal) {
-  std::optional<World> world;
+  std::optional<CheckedRun> checked;
   try {
-    world = makeScenarioWorld(scenario, how);
+    checked = simulateChecked(scenario, how, {.quiet = quiet, .record = recordingOf(scenario, true)});
   } catch (const InputError& refused) {
     if (scenario.check.fails.empty()) throw;
     return checkStop(scenario, refused.what());
   }
-  Progress progress(scenario.scene.name, quiet);
-  Invariants invariants(scenario.check);
-  const SanityCheck sanity(*world);
-  const auto run = simulate(std::move(*world), recordingOf(scenario, true), progress,
-                            [&](const World& w) { invariants.observe(w); });
+  const Simulation& run = checked->run;
   signal = run.signal;
   if (run.end.status != RunStatus::done) return failed(scenario, run);
-  CheckReport report = check(scenario, run, invariants, true);
+  CheckReport report = check(scenario, *checked, true);
   if (report.passed()) removePending(scenario);
   else if (scenario.check.fails.empty())
     signal = putPending(scenario, run, observe(scenario, run), how, quiet);
   // Not matters for a review: a new golden makes no run sane, and would not bring it and Bullet together.
-  for (auto& result : sanity.results(run.world, scenario.check, true))
-    report.results.push_back(std::move(result));
+  report.results.insert(report.results.end(), checked->sanity.begin(), checked->sanity.end());
   for (auto& result : checkAgainstBullet(scenario, run.world, quiet).results)
     report.results.push_back(std::move(result));
   return report;

@@ -73,10 +73,9 @@ Tree prescribed(const LineageOptions& options) {
   const bool measured = !options.colour.empty();
   if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize)
     scenario.scene.mechanics.reset();
-  Progress progress(scenario.scene.name, options.output.quiet);
-  RecordOptions record{.nameOf = scenario.names.function()};
-  if (measured) record = recordingOf(scenario, false);
-  auto run = simulate(makeScenarioWorld(scenario, {}), std::move(record), progress);
+  auto run = simulate(scenario, Execution{},
+                      {.quiet = options.output.quiet,
+                       .record = measured ? recordingOf(scenario, false) : RecordOptions{}});
   return {scenario.scene.name, run.end.time, std::move(run.results)};
 }
 

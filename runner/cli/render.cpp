@@ -106,13 +106,13 @@ Shown show(
     time = nonNegativeOption("--time", options.time);
     if (planned && *time > *planned) failAfterEnd(options.time, *planned);
   }
-  Progress progress(scenario.scene.name, options.messages.quiet);
   World world = makeScenarioWorld(scenario, execution(options.execution));
   if (time)
     world.model.stop.time =
         time;  // of the world, not of the scenario: it runs as it always does, only not so far
-  shown.run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
-                       watch(scenario, time ? time : planned));
+  shown.run =
+      simulate(scenario, std::move(world),
+               {.quiet = options.messages.quiet, .watch = watch(scenario, time ? time : planned)});
   const Simulation& run = *shown.run;
   if (run.signal) shown.code = signalled + run.signal;
   else if (run.end.status == RunStatus::failed) {

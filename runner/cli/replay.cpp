@@ -57,6 +57,9 @@ int report(const Replay& found, const StoredRun& run, const OutputOptions& outpu
 
 int act(const ReplayOptions& options) {
   const Target target = targetOf(options);
+  if (!options.databaseOut.empty() && liesWithin(options.databaseOut, target.database))
+    throw UsageError("--db-out: '" + options.databaseOut +
+                     "' holds the run that is replayed, and would be written over; needs another file");
   auto store = Store::openForReading(target.database);
   const StoredRun before = store.find(target.run);
   if (before.status != RunStatus::done && before.status != RunStatus::failed)

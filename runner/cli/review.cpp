@@ -42,9 +42,8 @@ std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
 std::optional<GoldenData> resultToReview(const Scenario& scenario, const ReviewOptions& options,
                                          int& signal) {
   if (auto pending = findPending(scenario)) return pending;
-  Progress progress(scenario.scene.name, options.output.quiet);
-  const auto run = simulate(makeScenarioWorld(scenario, execution(options.execution)),
-                            recordingOf(scenario, true), progress);
+  const auto run = simulate(scenario, execution(options.execution),
+                            {.quiet = options.output.quiet, .record = recordingOf(scenario, true)});
   signal = run.signal;
   if (signal) return std::nullopt;
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);

@@ -86,10 +86,10 @@ GoldenData dataOf(Store& store, const StoredRun& run, const Scenario& scenario) 
 /// Runs the scenario to its end and tells how the result differs from `before`, in words.
 void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQuestion& question,
                 Findings& f) {
-  Progress progress(scenario.scene.name, question.quiet);
-  const auto run =
-      simulate(makeScenarioWorld(scenario, question.execution), recordingOf(scenario, false), progress);
+  const auto run = simulate(scenario, question.execution,
+                            {.quiet = question.quiet, .record = recordingOf(scenario, false)});
   if (run.signal) throw Interrupted{run.signal};
+  requireEnough(run.end);
   const GoldenData now = observe(scenario, run, false);
   f.changed = changedKeys(before, now);
   f.text += changeInWords(before, now);
@@ -163,11 +163,11 @@ std::vector<KeyChange> changedFrom(const Scenario& scenario, const Simulation& r
 }
 
 void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
-  Progress progress(scenario.scene.name, question.quiet);
-  Invariants invariants(scenario.check);
-  const auto run = simulate(makeScenarioWorld(scenario, question.execution), recordingOf(scenario, true),
-                            progress, [&](const World& world) { invariants.observe(world); });
+  const CheckedRun checked = simulateChecked(
+      scenario, question.execution, {.quiet = question.quiet, .record = recordingOf(scenario, true)});
+  const Simulation& run = checked.run;
   if (run.signal) throw Interrupted{run.signal};
+  requireEnough(run.end);
   if (run.end.status == RunStatus::failed && checkStop(scenario, run.end.failure).passed()) {
     f.text += describe(checkStop(scenario, run.end.failure));
     return;
@@ -179,7 +179,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
               run.end.failure + "\n";
     return;
   }
-  const CheckReport report = check(scenario, run, invariants, true);
+  const CheckReport report = check(scenario, checked, true);
   f.checks = report.results;
   if (fileExists(goldenFile(scenario)) && !report.passed()) f.changed = changedFrom(scenario, run);
   f.text += describe(report);

@@ -115,9 +115,8 @@ int runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
     const auto end = plannedEnd(scenario.scene);
     if (!end) return 0;
     FrameTaker taker(*end, question.frames, ForceMeter(makeScenarioWorld(scenario, question.execution)));
-    Progress progress(scenario.scene.name, question.quiet);
-    auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
-                        [&](const World& w) { taker.observe(w); });
+    auto run = simulate(scenario, std::move(world),
+                        {.quiet = question.quiet, .watch = [&](const World& w) { taker.observe(w); }});
     if (run.signal) return run.signal;
     c.again = std::make_unique<FailedAgain>(
         FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});

@@ -94,11 +94,11 @@ bool canRunAgain(const RunFacts& facts) {
 }
 
 int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool quiet) {
-  Progress progress(facts.run.record.scenario, quiet);
   FrameTaker taker(facts.run.time, frames, ForceMeter(makeScenarioWorld(facts.scenario, how)));
-  auto run = simulate(makeScenarioWorld(facts.scenario, how), {.nameOf = facts.scenario.names.function()},
-                      progress, [&](const World& world) { taker.observe(world); });
+  auto run = simulate(facts.scenario, how,
+                      {.quiet = quiet, .watch = [&](const World& world) { taker.observe(world); }});
   if (run.signal) return run.signal;
+  requireEnough(run.end);
   const bool same = facts.run.status == RunStatus::done
                         ? run.end.stateHash && run.end.stateHash->text() == facts.run.stateHash
                         : run.end.status == facts.run.status && run.end.failure == facts.run.failure;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "biology/lineage.h"
 #include "division/record.h"
 #include "golden/check_result.h"
@@ -57,6 +58,7 @@ struct RunEnd {
   std::uint64_t cells = 0;  // alive at the end
   double time = 0;          // [time] simulated
   std::string failure;      // what went wrong; "" unless failed
+  Want want = Want::nothing;  // what the failure is for want of: then it is compared with nothing
 };
 
 /// The state of the organism at one moment, as far as it was measured.
@@ -89,6 +91,9 @@ struct RunResults {
   std::vector<ChainLink> chain;           // by step
   std::vector<CheckResult> checks;
 };
+
+/// Takes samples and hashes, in their order, with the texts of the states and the faces of the meshes in them.
+using RecordSink = std::function<void(const RunResults& records)>;
 
 /// What a run that was stopped goes on from. Samples and hashes up to its step stand in their tables.
 struct Checkpoint {

@@ -87,6 +87,8 @@ int act(const RunCommand& command) {
   PlanOptions planning;
   planning.predict = !command.noPredict;
   planning.execution = execution(command.execution);
+  // Runs are forked off this process, which must therefore have no threads: predictions are made with one.
+  planning.execution.threads = 1;
   const PlannedStudy study =
       openStudy({command.study, command.to, command.input.allowOutside, command.resume, false}, planning);
   const std::vector<std::size_t> tasks = chosenTasks(command, study.plan);

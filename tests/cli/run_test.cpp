@@ -137,9 +137,7 @@ TEST_CASE("Ctrl-C and kill end a run cleanly, stored as killed") {
     const auto run = launch(
         {"run", four, "--out", folder.path(), "--db", database, "--json", "--set", "stop.cycles=90000"}, {},
         [&, signal = signal](int process) {
-          // The row `running` is written before the first step.
-          for (int i = 0; i < 6000 && !fs::exists(database); ++i) usleep(10'000);
-          usleep(300'000);
+          waitUntilComputing(process);
           kill(process, signal);
         });
     INFO(run.err);

@@ -277,8 +277,7 @@ TEST_CASE("a long chain is thinned, and its last link stays") {
   for (std::uint64_t i = 0; i <= 200; ++i) facts.chain.push_back({64 * i, {i, i}, {}});
   const GoldenData data = makeGoldenData(facts);
   std::vector<std::string> steps;
-  for (const GoldenItem& item : data.items)
-    if (item.kind == "step_hash") steps.push_back(item.key);
+  for (const auto* link : all<GoldenLink>(data)) steps.push_back(std::to_string(link->step));
   CHECK(steps.size() == 51);  // every fourth of 201
   CHECK(steps[1] == "256");
   CHECK(steps.back() == "12800");
@@ -331,9 +330,7 @@ TEST_CASE("a large lineage is counts and one digest per generation") {
     generation = std::move(next);
   }
   const GoldenData data = makeGoldenData(facts);
-  const auto generations =
-      std::count_if(data.items.begin(), data.items.end(), [](auto& i) { return i.kind == "generation"; });
-  CHECK(generations == 13);
+  CHECK(all<GoldenGeneration>(data).size() == 13);
   CHECK(data.items.size() < 40);
 
   Golden golden = exampleGolden();
