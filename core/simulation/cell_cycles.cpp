@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "contacts/contacts.h"
 #include "simulation/observation.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "contacts/contacts.h"
 #include "mesh/measures.h"
 #include "simulation/body_measures.h"
 #include "simulation/sanity.h"

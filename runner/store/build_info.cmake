@@ -31,6 +31,7 @@ set(libraries [[@libraries@]])
     COMMAND ${CMAKE_COMMAND} -DSOURCE=${CMAKE_SOURCE_DIR} -DFACTS=${facts} -DOUTPUT=${BUILD_INFO_CPP}
             -P ${CMAKE_CURRENT_LIST_FILE}
     BYPRODUCTS ${BUILD_INFO_CPP} VERBATIM COMMENT "What this build is made from")
+  set_source_files_properties(${BUILD_INFO_CPP} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # new with each commit
   target_sources(runner_store PRIVATE ${BUILD_INFO_CPP})
   add_dependencies(runner_store build_info)
   return()
