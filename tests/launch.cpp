@@ -99,7 +99,8 @@ void waitUntilComputing(int process) {
   waitUntil([&] {
     const std::string status = readWhole(folder + "/status"), caught = "SigCgt:\t";
     const auto at = status.find(caught);
-    return at != status.npos && (std::stoull(status.substr(at + caught.size(), 16), nullptr, 16) >> (SIGINT - 1) & 1);
+    return at != status.npos &&
+           (std::stoull(status.substr(at + caught.size(), 16), nullptr, 16) >> (SIGINT - 1) & 1);
   });
   const long begun = cpuTime();
   waitUntil([&] { return cpuTime() >= begun + sysconf(_SC_CLK_TCK) / 10; });

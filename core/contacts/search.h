@@ -57,7 +57,7 @@ struct BlockLists {
   std::vector<std::int32_t> begin, length;  // [row] into neighbours
   std::vector<VertexNumber> neighbours;     // longer than used
   std::int32_t used = 0;
-  std::int64_t asked = 0;                   // the most that room was asked for
+  std::int64_t asked = 0;                                        // the most that room was asked for
   std::int64_t most = std::numeric_limits<std::int32_t>::max();  // numbers that may be kept
   std::vector<std::int32_t> order, place;  // rows by length, longest first; scratch of the ordering
   SearchCounters counters;                 // of this search

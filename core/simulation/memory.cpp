@@ -101,9 +101,9 @@ void requireMemoryForStart(const World& world) {
   const std::string problem = problemOf(world, double(world.lineage.entries.size()), lanes * each);
   if (problem.empty()) return;
   throw InputError((world.model.cells.empty() ? "physics.mesh " : "cells ") + std::to_string(cells) +
-                   (cells == 1 ? " cell of " : " cells of ") + numberText(each, 15) +
-                   (each == 1 ? " vertex " : " vertices ") + problem +
-                   "; take a coarser physics.mesh, begin with fewer cells, or raise --memory-limit",
+                       (cells == 1 ? " cell of " : " cells of ") + numberText(each, 15) +
+                       (each == 1 ? " vertex " : " vertices ") + problem +
+                       "; take a coarser physics.mesh, begin with fewer cells, or raise --memory-limit",
                    Want::memory);
 }
 

@@ -95,6 +95,22 @@ GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPic
   return data;
 }
 
+GoldenData goldenOf(const StoredRun& run, const RunResults& results, const Scenario& scenario) {
+  GoldenFacts facts;
+  facts.scenario = run.record.scenario, facts.scenarioHash = run.record.scenarioHash;
+  facts.seed = run.record.seed, facts.steps = run.steps;
+  facts.lineage = results.lineage;
+  facts.describe = [&](StateId state) { return results.stateTexts.at(state); };
+  for (const TimeStepRecord& t : results.timeSteps) facts.timeSteps.push_back({t.step, t.time, t.timeStep});
+  if (!results.samples.empty() && results.samples.back().world.step == run.steps) {
+    facts.mechanics = !results.samples.back().cells.empty();
+    facts.end = results.samples.back().world, facts.cells = results.samples.back().cells;
+  }
+  GoldenData data = makeGoldenData(facts);
+  data.parameters = decidingValues(scenario);
+  return data;
+}
+
 Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file) {
   Golden golden = readGoldenFile(file);
   if (!golden.data.parameters.empty() || golden.data.scenarioHash == scenario.meaning.text()) return golden;

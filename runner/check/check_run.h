@@ -7,6 +7,7 @@
 #include "golden/check_result.h"
 #include "golden/golden.h"
 #include "loop/simulate.h"
+#include "store/store.h"
 
 namespace morula {
 
@@ -39,6 +40,10 @@ CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOp
 
 /// What the run's golden would say.
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture = true);
+
+/// A stored run as its golden would tell it: what decided it, its lineage, and its cells where it was sampled last if that
+/// was its end.
+GoldenData goldenOf(const StoredRun& run, const RunResults& results, const Scenario& scenario);
 
 /// The golden in the file. One without lines `parameter`, whose scenario has changed since, gets them from the
 /// scenario as it was last committed, if that has the golden's hash. Throws InputError.

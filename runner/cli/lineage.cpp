@@ -73,9 +73,9 @@ Tree prescribed(const LineageOptions& options) {
   const bool measured = !options.colour.empty();
   if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize)
     scenario.scene.mechanics.reset();
-  auto run = simulate(scenario, Execution{},
-                      {.quiet = options.output.quiet,
-                       .record = measured ? recordingOf(scenario, false) : RecordOptions{}});
+  auto run = simulate(
+      scenario, Execution{},
+      {.quiet = options.output.quiet, .record = measured ? recordingOf(scenario, false) : RecordOptions{}});
   return {scenario.scene.name, run.end.time, std::move(run.results)};
 }
 

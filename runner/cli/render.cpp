@@ -110,9 +110,8 @@ Shown show(
   if (time)
     world.model.stop.time =
         time;  // of the world, not of the scenario: it runs as it always does, only not so far
-  shown.run =
-      simulate(scenario, std::move(world),
-               {.quiet = options.messages.quiet, .watch = watch(scenario, time ? time : planned)});
+  shown.run = simulate(scenario, std::move(world),
+                       {.quiet = options.messages.quiet, .watch = watch(scenario, time ? time : planned)});
   const Simulation& run = *shown.run;
   if (run.signal) shown.code = signalled + run.signal;
   else if (run.end.status == RunStatus::failed) {

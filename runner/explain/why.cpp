@@ -10,10 +10,8 @@
 #include "files/folders.h"
 #include "files/text.h"
 #include "golden/accept.h"
-#include "golden/facts.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
-#include "scenario/deciding_values.h"
 #include "store/store.h"
 #include "system/signals.h"
 
@@ -65,24 +63,6 @@ std::string resolvedOf(const std::vector<Document>& documents) {
   return {};
 }
 
-/// A stored run as a golden would tell it: what decided it, its lineage, and its cells where it was sampled
-/// last if that was its end.
-GoldenData dataOf(Store& store, const StoredRun& run, const Scenario& scenario) {
-  const RunResults results = store.results(run.id);
-  GoldenFacts facts;
-  facts.scenario = goldenName(scenario.file), facts.scenarioHash = run.record.scenarioHash;
-  facts.seed = run.record.seed, facts.steps = run.steps;
-  facts.lineage = results.lineage;
-  facts.describe = [&](StateId state) { return results.stateTexts.at(state); };
-  if (!results.samples.empty() && results.samples.back().world.step == run.steps) {
-    facts.mechanics = !results.samples.back().cells.empty();
-    facts.end = results.samples.back().world, facts.cells = results.samples.back().cells;
-  }
-  GoldenData data = makeGoldenData(facts);
-  data.parameters = decidingValues(scenario);
-  return data;
-}
-
 /// Runs the scenario to its end and tells how the result differs from `before`, in words.
 void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQuestion& question,
                 Findings& f) {
@@ -112,7 +92,7 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
   const bool otherInput = lookAtInput(scenario, stored, f);
   std::optional<GoldenData> before;
   try {
-    before = dataOf(store, stored, storedScenario(question.database, stored.id));
+    before = goldenOf(stored, store.results(stored.id), storedScenario(question.database, stored.id));
   } catch (const InputError&) {  // stored by a Morula with other keys: the lines still tell
     if (otherInput)
       f.text += "(-: theirs, +: here, all defaults filled in)\n" +

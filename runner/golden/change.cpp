@@ -48,7 +48,8 @@ std::map<Key, const Item*> byKey(const GoldenData& data, Key Item::*key) {
 std::string nameOf(const CellPath& cell) { return cellName(cell.text()); }
 
 std::string lifeOf(const GoldenCell& cell) {
-  return cell.ended ? std::string(name(cell.fate)) + " at time " + exactText(*cell.ended) : "alive at the end";
+  return cell.ended ? std::string(name(cell.fate)) + " at time " + exactText(*cell.ended)
+                    : "alive at the end";
 }
 
 std::string cellChange(const GoldenCell* a, const GoldenCell* b) {
@@ -58,8 +59,7 @@ std::string cellChange(const GoldenCell* a, const GoldenCell* b) {
   if (!a) return who + "never born → " + birth(*b);
   if (a->born != b->born) return who + birth(*a) + " → " + exactText(b->born);
   if (lifeOf(*a) != lifeOf(*b)) return who + lifeOf(*a) + " → " + lifeOf(*b);
-  if (a->state != b->state)
-    return who + "substances '" + a->state.text + "' → '" + b->state.text + "'";
+  if (a->state != b->state) return who + "substances '" + a->state.text + "' → '" + b->state.text + "'";
   return who + "the same times in other steps";
 }
 
@@ -73,7 +73,9 @@ std::vector<std::string> lineageChanges(const GoldenData& before, const GoldenDa
   const auto a = byKey(before, &GoldenCell::path), b = byKey(after, &GoldenCell::path);
   std::vector<Event> events;
   const auto note = [&](const GoldenCell* x, const GoldenCell* y) {
-    const auto when = [](const GoldenCell* cell) { return cell ? cell->ended.value_or(cell->born) : HUGE_VAL; };
+    const auto when = [](const GoldenCell* cell) {
+      return cell ? cell->ended.value_or(cell->born) : HUGE_VAL;
+    };
     events.push_back({std::min(when(x), when(y)), (x ? x : y)->path.depth(), cellChange(x, y)});
   };
   for (const auto& [path, cell] : a) {
@@ -111,7 +113,8 @@ Values endOf(const GoldenData& data) {
 }
 
 /// Of the cell; without one, of the organism.
-std::optional<double> valueIn(const Values& values, const std::optional<CellPath>& cell, const char* measure) {
+std::optional<double> valueIn(const Values& values, const std::optional<CellPath>& cell,
+                              const char* measure) {
   const auto found = values.find({{}, cell, measure});
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }

@@ -85,12 +85,12 @@ CheckResult compareExactly(const std::string& file, const std::string& check, co
   for (const Pair& p : pairs)
     if (auto d = findDifference(file, p.golden, p.observed)) differences.push_back(std::move(*d));
   CheckResult r = resultOf(check, std::move(differences), pairs.size());
-  if (pairs.size() == 1 && r.passed)
-    std::visit(
-        [&](const auto& only) {
-          visitFields(only, [&](const char*, const auto& last) { r.expected = r.actual = goldenText(last); });
-        },
-        *pairs.front().golden);
+  if (pairs.size() == 1 && r.passed) {
+    const auto last = [&](const std::string&, const auto& value) {
+      r.expected = r.actual = goldenText(value);
+    };
+    std::visit([&](const auto& only) { visitFields(last, only); }, *pairs.front().golden);
+  }
   return r;
 }
 
@@ -228,7 +228,8 @@ void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckRe
     if (!value) continue;
     std::size_t holds = rules.size();
     for (std::size_t i = 0; i < rules.size(); ++i)
-      if (rules[i].matches(goldenText(value->name), value->step)) matched[i] = true, holds = i;  // the last wins
+      if (rules[i].matches(goldenText(value->name), value->step))
+        matched[i] = true, holds = i;  // the last wins
     if (both) checks[holds].add(golden, pair);
     if (holds < rules.size()) noteHorizon(golden, rules[holds], value->step, blind);
   }

@@ -33,7 +33,8 @@ std::string nameOf(const GoldenItem& item) {
 std::optional<std::uint64_t> partingStep(const GoldenCell& golden, const GoldenCell& observed,
                                          const std::string& field) {
   if (field.starts_with("born")) return std::min(golden.bornStep, observed.bornStep);
-  if (!golden.endedStep || !observed.endedStep) return golden.endedStep ? golden.endedStep : observed.endedStep;
+  if (!golden.endedStep || !observed.endedStep)
+    return golden.endedStep ? golden.endedStep : observed.endedStep;
   return std::min(*golden.endedStep, *observed.endedStep);
 }
 
@@ -73,7 +74,8 @@ std::optional<Difference> findDifference(const std::string& file, const GoldenIt
                                          const GoldenItem* observed) {
   const GoldenItem& item = golden ? *golden : *observed;
   Difference d;
-  d.place = golden ? file + ':' + std::to_string(lineOf(*golden)) : file;
+  d.place =
+      golden ? file + ':' + std::to_string(std::visit([](const auto& i) { return i.line; }, *golden)) : file;
   d.cell = cellOf(item);
   d.step = stepOf(item);
   if (!golden || !observed) {
@@ -85,12 +87,13 @@ std::optional<Difference> findDifference(const std::string& file, const GoldenIt
   }
   const auto compare = [&]<class Item>(const Item& e) {
     const Item& a = std::get<Item>(*observed);
-    visitFields(e, a, [&](const char* field, const auto& x, const auto& y) {
+    const auto compareField = [&](const std::string& field, const auto& x, const auto& y) {
       if (!d.field.empty() || agree(x, y)) return;
       d.field = field, d.expected = goldenText(x), d.actual = goldenText(y);
-      if constexpr (std::is_same_v<Item, GoldenCell>) d.step = partingStep(e, a, d.field);
-      d.text = d.place + ": " + nameOf(item) + ": " + d.field + ": " + inWords(x, y);
-    });
+      if constexpr (std::is_same_v<Item, GoldenCell>) d.step = partingStep(e, a, field);
+      d.text = d.place + ": " + nameOf(item) + ": " + field + ": " + inWords(x, y);
+    };
+    visitFields(compareField, e, a);
   };
   std::visit(compare, *golden);
   return d.field.empty() ? std::nullopt : std::optional(d);

@@ -46,8 +46,13 @@ void addCounts(Items& to, const GoldenFacts& facts) {
 void addLineage(Items& to, std::vector<const LineageEntry*> entries, StateTexts& stateText) {
   std::sort(entries.begin(), entries.end(), [](auto* a, auto* b) { return a->path < b->path; });
   for (const LineageEntry* e : entries) {
-    GoldenCell cell{.path = e->path, .born = e->born, .bornStep = e->bornStep, .ended = {}, .endedStep = {},
-                    .fate = e->fate, .state = {stateText(e->state)}};
+    GoldenCell cell{.path = e->path,
+                    .born = e->born,
+                    .bornStep = e->bornStep,
+                    .ended = {},
+                    .endedStep = {},
+                    .fate = e->fate,
+                    .state = {stateText(e->state)}};
     if (e->fate != Fate::alive) cell.ended = e->ended, cell.endedStep = e->endedStep;
     to.push_back(std::move(cell));
   }

@@ -44,7 +44,8 @@ GoldenData keepValuesWithinTolerance(GoldenData observed, const Golden& old) {
     const auto found = value ? before.find(value->name) : before.end();
     if (found == before.end() || found->second->step != value->step) continue;
     const ToleranceRule* rule = ruleFor(old.rules, *value);
-    if (rule && rule->tolerance.passes(found->second->value, value->value)) value->value = found->second->value;
+    if (rule && rule->tolerance.passes(found->second->value, value->value))
+      value->value = found->second->value;
   }
   return observed;
 }
@@ -102,10 +103,10 @@ std::string describeGoldenDiff(const Golden& golden, const GoldenData& observed)
     }
     if (agree(item, *now->second)) continue;
     const std::string check = checkOf(item);
-    (check == "lineage"                           ? lineage
+    (check == "lineage"                          ? lineage
      : check == "bits" || check == "step_hashes" ? bits
-     : check == "values"                          ? values
-                                                  : others)
+     : check == "values"                         ? values
+                                                 : others)
         .push_back(write(item) + "  →  " + write(*now->second));
   }
   for (const GoldenItem& item : observed.items)

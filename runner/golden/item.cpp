@@ -64,13 +64,13 @@ template <class Item>
 Item readAs(std::string_view line, const std::string& place) {
   Item item;
   bool isKey = true;
-  visitFields(item, [&]<class Value>(const char* name, Value& value) {
+  const auto readField = [&]<class Value>(const std::string& name, Value& value) {
     constexpr bool takesAll = std::is_same_v<Value, RestOfLine>;
     const std::string_view given = takesAll ? std::exchange(line, {}) : takeWord(line);
     if (given.empty() && !takesAll)
-      throw InputError(place + (isKey ? ": the line ends after '" + std::string(Item::kind) + "'; its "
-                                      : std::string(": the line is cut short; ")) +
-                       name + " is expected");
+      throw InputError(place +
+                       (isKey ? ": the line ends after its kind; its " : ": the line is cut short; ") + name +
+                       " is expected");
     isKey = false;
     const char* right = nullptr;
     try {
@@ -78,7 +78,8 @@ Item readAs(std::string_view line, const std::string& place) {
     } catch (const InputError& e) { throw InputError(place + ": path: " + e.what()); }
     if (right)
       throw InputError(place + ": " + name + ": '" + std::string(given) + "'; " + right + " is expected");
-  });
+  };
+  visitFields(readField, item);
   if (!line.empty())
     throw InputError(place + ": '" + std::string(line) + "' follows the end of the line; remove it");
   return item;
@@ -102,58 +103,50 @@ std::string_view takeWord(std::string_view& rest) {
   return word;
 }
 
+std::string kindOf(const GoldenItem& item) {
+  std::string_view form = std::visit([](const auto& i) { return i.form; }, item);
+  return std::string(takeWord(form));
+}
+
 std::string keyOf(const GoldenItem& item) {
-  return std::visit([](const auto& i) { return goldenText(i.*std::get<0>(i.fields()).value); }, item);
+  return std::visit([](const auto& i) { return goldenText(std::get<0>(fieldsOf(i))); }, item);
 }
 
 bool agree(const GoldenItem& a, const GoldenItem& b) {
   if (a.index() != b.index()) return false;
   bool same = true;
-  std::visit(
-      [&]<class Item>(const Item& i) {
-        visitFields(i, std::get<Item>(b),
-                    [&](const char*, const auto& x, const auto& y) { same = same && agree(x, y); });
-      },
-      a);
+  const auto compare = [&](const std::string&, const auto& x, const auto& y) { same = same && agree(x, y); };
+  std::visit([&]<class Item>(const Item& i) { visitFields(compare, i, std::get<Item>(b)); }, a);
   return same;
 }
 
 std::string write(const GoldenItem& item) {
   std::string line = kindOf(item);
-  std::visit(
-      [&](const auto& i) {
-        visitFields(i, [&](const char*, const auto& value) {
-          if (const std::string text = goldenText(value); !text.empty()) line += ' ' + text;
-        });
-      },
-      item);
+  const auto add = [&](const std::string&, const auto& value) {
+    if (const std::string text = goldenText(value); !text.empty()) line += ' ' + text;
+  };
+  std::visit([&](const auto& i) { visitFields(add, i); }, item);
   return line;
 }
 
 std::string headingOf(const GoldenItem& item) {
-  std::string line = "# " + kindOf(item);
-  std::visit(
-      [&](const auto& i) {
-        visitFields(i, [&](const char* name, const auto&) { line += std::string(" ") + name; });
-      },
-      item);
-  return line;
+  return std::visit([](const auto& i) { return std::string("# ") + i.form; }, item);
 }
 
 GoldenItem readItem(std::string_view line, const std::string& place) {
   const std::string_view kind = takeWord(line);
   std::optional<GoldenItem> item;
   std::string kinds;
-  [&]<class... Items>(std::type_identity<std::variant<Items...>>) {
-    const auto tryAs = [&]<class Item>(std::type_identity<Item>) {
-      kinds += (kinds.empty() ? "" : ", ") + std::string(Item::kind);
-      if (kind == Item::kind) item = readAs<Item>(line, place);
-    };
-    (tryAs(std::type_identity<Items>{}), ...);
-  }(std::type_identity<GoldenItem>{});
+  const auto tryAs = [&]<class Item>(const Item& empty) {
+    if (kind == kindOf(empty)) item = readAs<Item>(line, place);
+    kinds += (kinds.empty() ? "" : ", ") + kindOf(empty);
+  };
+  [&]<class... Items>(const std::variant<Items...>*) {
+    (tryAs(Items{}), ...);
+  }(static_cast<GoldenItem*>(nullptr));
   if (!item)
-    throw InputError(place + ": '" + std::string(kind) + "' begins no line of a golden file; one of " + kinds +
-                     " is expected");
+    throw InputError(place + ": '" + std::string(kind) + "' begins no line of a golden file; one of " +
+                     kinds + " is expected");
   return *item;
 }
 

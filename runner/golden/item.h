@@ -1,7 +1,8 @@
 #pragma once
 // The lines of a golden file's body: `kind field…`, each a struct. Kind and first field, the key, name the item; the
-// other fields are what must agree. A struct's list of fields is how it is read, written, compared and headed: a new
-// kind is one struct and its place in GoldenItem.
+// other fields are what must agree. How a struct is read, written, compared and headed follows from its members and its
+// form: a new kind is one struct, and its place in GoldenItem.
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -17,12 +18,6 @@
 
 namespace morula {
 
-template <class Item, class Value>
-struct GoldenField {
-  const char* name;
-  Value Item::*value;
-};
-
 /// What stands last on a line, blanks and all; may be empty.
 struct RestOfLine {
   std::string text;
@@ -37,119 +32,86 @@ struct ValueName {
   friend auto operator<=>(const ValueName&, const ValueName&) = default;
 };
 
-// `line`: in the file it was read from; 0: observed.
+// `form`: the kind, and the fields by name, in the order of the members; `check`: what compares it; `line`: in the file it
+// was read from, 0: observed.
 
 struct GoldenCount {
+  static constexpr const char *form = "count name count", *check = "counts";
   std::string name;
   std::uint64_t count = 0;
   int line = 0;
-  static constexpr const char *kind = "count", *check = "counts";
-  static constexpr auto fields() {
-    return std::tuple(GoldenField{"name", &GoldenCount::name}, GoldenField{"count", &GoldenCount::count});
-  }
 };
 
 struct GoldenCell {
+  static constexpr const char *form = "cell path born born_step ended ended_step fate state",
+                              *check = "lineage";
   CellPath path;
   double born = 0;  // [time]
   std::uint64_t bornStep = 0;
-  std::optional<double> ended;  // [time]
+  std::optional<double> ended;  // [time] absent: it lives
   std::optional<std::uint64_t> endedStep;
   Fate fate = Fate::alive;
   RestOfLine state;  // substances
   int line = 0;
-  static constexpr const char *kind = "cell", *check = "lineage";
-  static constexpr auto fields() {
-    return std::tuple(GoldenField{"path", &GoldenCell::path}, GoldenField{"born", &GoldenCell::born},
-                      GoldenField{"born_step", &GoldenCell::bornStep}, GoldenField{"ended", &GoldenCell::ended},
-                      GoldenField{"ended_step", &GoldenCell::endedStep}, GoldenField{"fate", &GoldenCell::fate},
-                      GoldenField{"state", &GoldenCell::state});
-  }
 };
 
-/// In place of its cells, of which there are too many.
+/// In place of its cells, where they are too many.
 struct GoldenGeneration {
+  static constexpr const char *form = "generation number cells hash", *check = "lineage";
   std::uint64_t number = 0, cells = 0;
   Hash hash;
   int line = 0;
-  static constexpr const char *kind = "generation", *check = "lineage";
-  static constexpr auto fields() {
-    return std::tuple(GoldenField{"number", &GoldenGeneration::number},
-                      GoldenField{"cells", &GoldenGeneration::cells}, GoldenField{"hash", &GoldenGeneration::hash});
-  }
 };
 
 struct GoldenTimeStep {
+  static constexpr const char *form = "time_step step time time_step", *check = "time_steps";
   std::uint64_t step = 0;
   double time = 0, timeStep = 0;  // [time]
   int line = 0;
-  static constexpr const char *kind = "time_step", *check = "time_steps";
-  static constexpr auto fields() {
-    return std::tuple(GoldenField{"step", &GoldenTimeStep::step}, GoldenField{"time", &GoldenTimeStep::time},
-                      GoldenField{"time_step", &GoldenTimeStep::timeStep});
-  }
 };
 
 struct GoldenBits {
+  static constexpr const char *form = "bits domain hash", *check = "bits";
   std::string domain;  // "solver"
   Hash hash;           // of the last state
   int line = 0;
-  static constexpr const char *kind = "bits", *check = "bits";
-  static constexpr auto fields() {
-    return std::tuple(GoldenField{"domain", &GoldenBits::domain}, GoldenField{"hash", &GoldenBits::hash});
-  }
 };
 
 struct GoldenLink {
+  static constexpr const char *form = "step_hash step hash cells", *check = "step_hashes";
   std::uint64_t step = 0;
   Hash hash;
   RestOfLine cells;  // the last four digits of each living cell's hash, by path; none if they are too many
   int line = 0;
-  static constexpr const char *kind = "step_hash", *check = "step_hashes";
-  static constexpr auto fields() {
-    return std::tuple(GoldenField{"step", &GoldenLink::step}, GoldenField{"hash", &GoldenLink::hash},
-                      GoldenField{"cells", &GoldenLink::cells});
-  }
 };
 
 struct GoldenImage {
+  static constexpr const char *form = "image name renderer hash", *check = "images";
   std::string name;      // "organism"
   std::string renderer;  // only pictures of one renderer are alike to the bit; one word
   Hash hash;             // of the pixels
   int line = 0;
-  static constexpr const char *kind = "image", *check = "images";
-  static constexpr auto fields() {
-    return std::tuple(GoldenField{"name", &GoldenImage::name}, GoldenField{"renderer", &GoldenImage::renderer},
-                      GoldenField{"hash", &GoldenImage::hash});
-  }
 };
 
 /// A counter that says what the run cost.
 struct GoldenCost {
+  static constexpr const char *form = "cost name count", *check = "costs";
   std::string name;
   std::uint64_t count = 0;
   int line = 0;
-  static constexpr const char *kind = "cost", *check = "costs";
-  static constexpr auto fields() {
-    return std::tuple(GoldenField{"name", &GoldenCost::name}, GoldenField{"count", &GoldenCost::count});
-  }
 };
 
 struct GoldenValue {
+  static constexpr const char *form = "value name step value", *check = "values";
   ValueName name;
   std::uint64_t step = 0;
   double value = 0;
   int line = 0;
-  static constexpr const char *kind = "value", *check = "values";
-  static constexpr auto fields() {
-    return std::tuple(GoldenField{"name", &GoldenValue::name}, GoldenField{"step", &GoldenValue::step},
-                      GoldenField{"value", &GoldenValue::value});
-  }
 };
 
 /// The kinds in their order in the file.
-using GoldenItem = std::variant<GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep, GoldenBits, GoldenLink,
-                                GoldenImage, GoldenCost, GoldenValue>;
+using GoldenItem = std::variant<GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep, GoldenBits,
+                                GoldenLink, GoldenImage, GoldenCost, GoldenValue>;
 
 // Each value has one text, so that equal text is equal bits and the other way round.
 std::string goldenText(std::uint64_t value);
@@ -177,37 +139,50 @@ inline bool agree(const std::optional<double>& a, const std::optional<double>& b
   return a.has_value() == b.has_value() && (!a || agree(*a, *b));
 }
 
-/// Calls visit(name, value) for each field of the item.
-template <class Item, class Visit>
-void visitFields(Item& item, const Visit& visit) {
-  std::apply([&](const auto&... field) { (visit(field.name, item.*field.value), ...); },
-             std::remove_const_t<Item>::fields());
-}
-/// Calls visit(name, value, value) for each field of two of one kind.
-template <class Item, class Visit>
-void visitFields(const Item& a, const Item& b, const Visit& visit) {
-  std::apply([&](const auto&... field) { (visit(field.name, a.*field.value, b.*field.value), ...); },
-             Item::fields());
+/// All members but `line`.
+template <class Item>
+auto fieldsOf(Item& item) {
+  constexpr auto count = std::ranges::count(std::string_view(Item::form), ' ');
+  if constexpr (count == 2) {
+    auto& [a, b, line] = item;
+    return std::tie(a, b);
+  } else if constexpr (count == 3) {
+    auto& [a, b, c, line] = item;
+    return std::tie(a, b, c);
+  } else {
+    auto& [a, b, c, d, e, f, g, line] = item;
+    return std::tie(a, b, c, d, e, f, g);
+  }
 }
 
-inline int lineOf(const GoldenItem& item) {
-  return std::visit([](const auto& i) { return i.line; }, item);
+/// Splits off the text before the next space; the rest keeps what follows the space.
+std::string_view takeWord(std::string_view& rest);
+
+/// Calls visit(name, value…) for each field of one or several items of one kind.
+template <class Visit, class Item, class... Others>
+void visitFields(const Visit& visit, Item& item, Others&... others) {
+  std::string_view names = Item::form;
+  takeWord(names);
+  const auto visitField = [&]<std::size_t number>(std::integral_constant<std::size_t, number>) {
+    visit(std::string(takeWord(names)), std::get<number>(fieldsOf(item)),
+          std::get<number>(fieldsOf(others))...);
+  };
+  [&]<std::size_t... number>(std::index_sequence<number...>) {
+    (visitField(std::integral_constant<std::size_t, number>{}), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(fieldsOf(item))>>{});
 }
-inline std::string kindOf(const GoldenItem& item) {
-  return std::visit([](const auto& i) { return i.kind; }, item);
-}
+
+std::string kindOf(const GoldenItem& item);
+std::string keyOf(const GoldenItem& item);
+/// Kind and key: no two items of a file have the same.
+inline std::string idOf(const GoldenItem& item) { return kindOf(item) + ' ' + keyOf(item); }
 /// The check that compares it.
 inline std::string checkOf(const GoldenItem& item) {
   return std::visit([](const auto& i) { return i.check; }, item);
 }
-std::string keyOf(const GoldenItem& item);
-/// Kind and key: no two items of a file have the same.
-inline std::string idOf(const GoldenItem& item) { return kindOf(item) + ' ' + keyOf(item); }
 /// The same in all fields, whatever their lines.
 bool agree(const GoldenItem& a, const GoldenItem& b);
-
-/// Splits off the text before the next space; the rest keeps what follows the space.
-std::string_view takeWord(std::string_view& rest);
 
 std::string write(const GoldenItem& item);
 /// "# cell path born born_step …", so that the file can be read without its description.

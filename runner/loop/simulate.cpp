@@ -19,8 +19,7 @@ namespace {
 constexpr std::uint64_t mostStepsAtOnce = 64;
 
 /// After how many steps the recorder or a hook is to see the world.
-std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder,
-                             const RunOptions& hooks) {
+std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunOptions& hooks) {
   if (hooks.watch) return 1;
   std::uint64_t steps = std::min(mostStepsAtOnce, recorder.stepsUntilDue(world));
   if (hooks.keepEvery > 0) steps = std::min(steps, hooks.keepEvery - world.clock.step % hooks.keepEvery);
@@ -35,8 +34,7 @@ void requireMemoryForRecords(const World& world, const Recorder& recorder) {
       "", world.clock.step,
       "samples, surfaces and hashes take " + bytesText(recorder.bytes()) +
           ", more than half of the memory limit of " + bytesText(world.execution.memoryLimit),
-      "record less often (record.every, record.meshes), stop earlier, or raise --memory-limit",
-      Want::memory);
+      "record less often (record.every, record.meshes), stop earlier, or raise --memory-limit", Want::memory);
 }
 
 }  // namespace
@@ -52,9 +50,9 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
     const auto path = what.substr(0, what.find(' '));
     const auto place = scenario.places.find(path);
     if (place == scenario.places.end()) throw InputError(scenario.file + ": " + what, error.want);
-    throw InputError(
-        place->second + ": " + (place->second.ends_with(path) ? "" : path + ": ") + what.substr(path.size() + 1),
-        error.want);
+    throw InputError(place->second + ": " + (place->second.ends_with(path) ? "" : path + ": ") +
+                         what.substr(path.size() + 1),
+                     error.want);
   }
 }
 
@@ -140,9 +138,7 @@ Simulation simulate(World world, Recorder recorder, const RunOptions& options, b
     run.end = endOf(run.world, status);  // hashes the state, which must be numbers
   } catch (const BodyFailure& error) {
     fail(diagnose(run.world.model, run.world.execution, error), error.want);
-  } catch (const NumericalError& error) {
-    fail(error.what(), error.want);
-  } catch (const std::bad_alloc&) {
+  } catch (const NumericalError& error) { fail(error.what(), error.want); } catch (const std::bad_alloc&) {
     fail(fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy),
          Want::memory);
   }

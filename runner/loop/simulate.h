@@ -15,7 +15,8 @@ struct Simulation {
   RunEnd end;          // done, failed or killed
   RunResults results;  // lineage, samples, step hashes, …
   int signal = 0;      // the one that ended it
-  RunResults passed = {};  // of what went elsewhere meanwhile: hashes, and samples without cells, if a golden asks
+  RunResults passed =
+      {};  // of what went elsewhere meanwhile: hashes, and samples without cells, if a golden asks
 };
 
 /// Builds the scenario's world. InputErrors name the scenario's file.

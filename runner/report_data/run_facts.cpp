@@ -7,9 +7,7 @@
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/change.h"
-#include "golden/facts.h"
 #include "loop/stored_scenario.h"
-#include "scenario/deciding_values.h"
 
 namespace morula {
 
@@ -29,26 +27,7 @@ std::string goldenOf(const std::vector<Document>& documents) {
   return {};
 }
 
-/// What the run's golden would say, from what is stored of it.
-GoldenData goldenDataOf(const RunFacts& facts) {
-  const RunResults& results = facts.results;
-  GoldenFacts golden;
-  golden.scenario = facts.run.record.scenario;
-  golden.scenarioHash = facts.run.record.scenarioHash;
-  golden.seed = facts.run.record.seed;
-  golden.steps = facts.run.steps;
-  golden.lineage = results.lineage;
-  golden.describe = [&](StateId state) { return results.stateTexts.at(state); };
-  for (const TimeStepRecord& t : results.timeSteps) golden.timeSteps.push_back({t.step, t.time, t.timeStep});
-  golden.mechanics = facts.scenario.scene.mechanics.has_value() && !results.samples.empty();
-  if (golden.mechanics) {
-    golden.end = results.samples.back().world;
-    golden.cells = results.samples.back().cells;
-  }
-  GoldenData data = makeGoldenData(golden);
-  data.parameters = decidingValues(facts.scenario);
-  return data;
-}
+GoldenData goldenDataOf(const RunFacts& facts) { return goldenOf(facts.run, facts.results, facts.scenario); }
 
 void compareWithGolden(RunFacts& facts) {
   facts.golden = goldenOf(facts.documents);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "check/ambiguous.h"
 #include "check/beside_golden.h"
 #include "check/check_run.h"
@@ -149,14 +150,22 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   outcome.ambiguous = ambiguousDivisions(
       run.world.model, run.world.lineage.entries,
       [&](StateId state) { return run.world.biology->describe(state); }, run.world.divisions);
-  if (done && settings.draw) {
-    // Runs of the same folder draw one after the other; the pictures that stay are those of the last one.
-    const FolderLock lock(settings.folder);
-    outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
-  }
   outcome.signal = run.signal;
-  if (done && settings.draw) besideGolden(scenario, settings, run, outcome);
-  if (done) besideBullet(scenario, settings, run, store, outcome);
+  if (!done) return outcome;
+  try {
+    if (settings.draw) {
+      // Runs of the same folder draw one after the other; the pictures that stay are those of the last one.
+      const FolderLock lock(settings.folder);
+      outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
+    }
+    if (settings.draw) besideGolden(scenario, settings, run, outcome);
+    besideBullet(scenario, settings, run, store, outcome);
+  } catch (const NumericalError& error) {
+    if (error.want == Want::nothing) throw;
+    throw NumericalError(
+        fmt::format("{}; run {} is stored in {}", error.what(), outcome.id, settings.database.string()),
+        error.want);
+  }
   return outcome;
 }
 

@@ -107,9 +107,7 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
       pour(), add(link);
 }
 
-void Recorder::hash(const World& world) {
-  add(nextLink(lastLink_, world));
-}
+void Recorder::hash(const World& world) { add(nextLink(lastLink_, world)); }
 
 void Recorder::pour() {
   constexpr double enough = 1 << 20;  // [byte] fewer calls than one for each sample
@@ -120,9 +118,10 @@ void Recorder::pour() {
 }
 
 void Recorder::add(Sample sample) {
-  double bytes = double(sizeof(Sample) + sample.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +
-                        sample.contacts.size() * (sizeof(ContactMeasures) + ContactMeasures::bytes()) +
-                        sample.more.size() * sizeof(TakenMeasure));
+  double bytes =
+      double(sizeof(Sample) + sample.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +
+             sample.contacts.size() * (sizeof(ContactMeasures) + ContactMeasures::bytes()) +
+             sample.more.size() * sizeof(TakenMeasure));
   for (const CellSurface& s : sample.surfaces) bytes += bytesOf(s);
   bytes_ += bytes;
   results_.samples.push_back(std::move(sample));

@@ -55,9 +55,9 @@ struct RunEnd {
   RunStatus status = RunStatus::done;  // done, failed or killed
   std::optional<Hash> stateHash;       // of the final state; required when done
   std::uint64_t steps = 0;
-  std::uint64_t cells = 0;  // alive at the end
-  double time = 0;          // [time] simulated
-  std::string failure;      // what went wrong; "" unless failed
+  std::uint64_t cells = 0;    // alive at the end
+  double time = 0;            // [time] simulated
+  std::string failure;        // what went wrong; "" unless failed
   Want want = Want::nothing;  // what the failure is for want of: then it is compared with nothing
 };
 

@@ -99,7 +99,8 @@ std::string Store::begin(const RunRecord& record) {
 
 void Store::record(const std::string& id, const RunResults& records) {
   if (!recorded_) {
-    recorded_.emplace("the records of a run that goes on", Database::Mode::temporary, std::chrono::seconds(1));
+    recorded_.emplace("the records of a run that goes on", Database::Mode::temporary,
+                      std::chrono::seconds(1));
     migrate(*recorded_);
   }
   recorded_->execute("BEGIN");
@@ -111,8 +112,7 @@ void Store::takeOver(const std::string& id, std::optional<std::uint64_t> after) 
   if (!recorded_) return;
   // All rows but those of hashes go by their sample's time.
   Statement last(db_, "SELECT max(time) FROM sample WHERE run_id = ? AND step <= ?");
-  const double time =
-      after && last.start(id, *after).next() && !last.isNull(0) ? last.real(0) : -1;
+  const double time = after && last.start(id, *after).next() && !last.isNull(0) ? last.real(0) : -1;
   const std::int64_t step = after ? static_cast<std::int64_t>(*after) : -1;
   for (const char* table : {"sample", "cell_sample", "contact", "measure", "mesh_sample"})
     copyRows(*recorded_, db_, table, "run_id = ? AND time > ?", id, time);

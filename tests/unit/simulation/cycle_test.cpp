@@ -143,7 +143,8 @@ TEST_CASE("Another biology may control the cells") {
   CHECK(world.clock.time == Approx(1.5).margin(0.02));
 }
 
-TEST_CASE("A number of cells that alone ends a run, and is never reached, ends it as a failure that says so") {
+TEST_CASE(
+    "A number of cells that alone ends a run, and is never reached, ends it as a failure that says so") {
   for (const bool bodies : {false, true}) {
     Scene scene = scenes::lineageOnly("START: a0\ng1(a0|a0)\n", 1);
     scene.stop = {};

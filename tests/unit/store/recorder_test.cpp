@@ -348,18 +348,19 @@ TEST_CASE("daughters have touched nobody before they were born") {
 namespace {
 
 /// Many samples with surfaces: some megabytes.
-const RecordOptions much{.every = 0.001, .hashEvery = 1, .atCells = {2}, .measures = {"contact_duration"}, .meshes = 0.001};
+const RecordOptions much{
+    .every = 0.001, .hashEvery = 1, .atCells = {2}, .measures = {"contact_duration"}, .meshes = 0.001};
 
-struct StoredRun {
+struct RunOnDisk {
   TemporaryFolder folder;
   Store store = Store::openForWriting(folder / "runs.db");
   RunRecord record;
   std::string id;
-  StoredRun() {
+  RunOnDisk() {
     record.scenario = "four-cells";
     id = store.begin(record);
   }
-  void requireSameAs(StoredRun& other) {
+  void requireSameAs(RunOnDisk& other) {
     for (const TableDifference& t : store.compareResults(id, other.store, other.id)) {
       CAPTURE(t.table);
       CHECK(t.differing == 0);
@@ -371,14 +372,15 @@ struct StoredRun {
 }  // namespace
 
 TEST_CASE("what is recorded goes to the store while the run goes on, and is the same there") {
-  StoredRun atOnce, poured;
+  RunOnDisk atOnce, poured;
   Run whole(fourCells(true), much);
   CHECK(whole.recorder.bytes() > 3e6);
   atOnce.store.finish(atOnce.id, endOf(whole.world, RunStatus::done), whole.recorder.take(whole.world));
 
   World world = makeWorld(fourCells(true));
   int times = 0;
-  Recorder recorder(much, [&](const RunResults& records) { poured.store.record(poured.id, records), ++times; });
+  Recorder recorder(much,
+                    [&](const RunResults& records) { poured.store.record(poured.id, records), ++times; });
   double most = 0;
   for (recorder.observe(world); !finished(world); recorder.observe(world)) {
     step(world);
@@ -392,12 +394,12 @@ TEST_CASE("what is recorded goes to the store while the run goes on, and is the 
 }
 
 TEST_CASE("a run that is stopped and goes on takes as much memory for its records, and leaves the same") {
-  StoredRun atOnce;
+  RunOnDisk atOnce;
   Run whole(fourCells(true), much);
   const double bytes = whole.recorder.bytes();
   atOnce.store.finish(atOnce.id, endOf(whole.world, RunStatus::done), whole.recorder.take(whole.world));
   for (const bool pours : {false, true}) {
-    StoredRun kept;
+    RunOnDisk kept;
     World world = makeWorld(fourCells(true));
     const auto sinkOf = [&](Store& store) {
       return pours ? RecordSink([&](const RunResults& r) { store.record(kept.id, r); }) : nullptr;
@@ -406,7 +408,8 @@ TEST_CASE("a run that is stopped and goes on takes as much memory for its record
     first.observe(world);
     for (const double until : {0.1, 0.2, 0.3}) {  // three checkpoints, and more that is lost
       while (world.clock.time < until) step(world), first.observe(world);
-      kept.store.keepCheckpoint(kept.id, {world.clock.step, much.every, much.hashEvery, "a state"}, first.records());
+      kept.store.keepCheckpoint(kept.id, {world.clock.step, much.every, much.hashEvery, "a state"},
+                                first.records());
     }
     Store again = Store::openForWriting(kept.folder / "runs.db");
     REQUIRE(again.resume(kept.record));

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/error.h"
-
 #include "catch.h"
 
 using namespace morula;
