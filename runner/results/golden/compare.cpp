@@ -89,7 +89,7 @@ CheckResult compareExactly(const std::string& file, const std::string& check, co
     const auto last = [&](const std::string&, const auto& value) {
       r.expected = r.actual = goldenText(value);
     };
-    std::visit([&](const auto& only) { visitFields(last, only); }, *pairs.front().golden);
+    std::visit([&](const auto& only) { visitGoldenFields(last, only); }, *pairs.front().golden);
   }
   return r;
 }

@@ -93,7 +93,7 @@ std::optional<Difference> findDifference(const std::string& file, const GoldenIt
       if constexpr (std::is_same_v<Item, GoldenCell>) d.step = partingStep(e, a, field);
       d.text = d.place + ": " + nameOf(item) + ": " + field + ": " + inWords(x, y);
     };
-    visitFields(compareField, e, a);
+    visitGoldenFields(compareField, e, a);
   };
   std::visit(compare, *golden);
   return d.field.empty() ? std::nullopt : std::optional(d);

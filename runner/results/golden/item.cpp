@@ -79,7 +79,7 @@ Item readAs(std::string_view line, const std::string& place) {
     if (right)
       throw InputError(place + ": " + name + ": '" + std::string(given) + "'; " + right + " is expected");
   };
-  visitFields(readField, item);
+  visitGoldenFields(readField, item);
   if (!line.empty())
     throw InputError(place + ": '" + std::string(line) + "' follows the end of the line; remove it");
   return item;
@@ -109,14 +109,14 @@ std::string kindOf(const GoldenItem& item) {
 }
 
 std::string keyOf(const GoldenItem& item) {
-  return std::visit([](const auto& i) { return goldenText(std::get<0>(fieldsOf(i))); }, item);
+  return std::visit([](const auto& i) { return goldenText(std::get<0>(goldenFields(i))); }, item);
 }
 
 bool agree(const GoldenItem& a, const GoldenItem& b) {
   if (a.index() != b.index()) return false;
   bool same = true;
   const auto compare = [&](const std::string&, const auto& x, const auto& y) { same = same && agree(x, y); };
-  std::visit([&]<class Item>(const Item& i) { visitFields(compare, i, std::get<Item>(b)); }, a);
+  std::visit([&]<class Item>(const Item& i) { visitGoldenFields(compare, i, std::get<Item>(b)); }, a);
   return same;
 }
 
@@ -125,7 +125,7 @@ std::string write(const GoldenItem& item) {
   const auto add = [&](const std::string&, const auto& value) {
     if (const std::string text = goldenText(value); !text.empty()) line += ' ' + text;
   };
-  std::visit([&](const auto& i) { visitFields(add, i); }, item);
+  std::visit([&](const auto& i) { visitGoldenFields(add, i); }, item);
   return line;
 }
 

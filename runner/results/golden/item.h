@@ -141,7 +141,7 @@ inline bool agree(const std::optional<double>& a, const std::optional<double>& b
 
 /// All members but `line`.
 template <class Item>
-auto fieldsOf(Item& item) {
+auto goldenFields(Item& item) {
   constexpr auto count = std::ranges::count(std::string_view(Item::form), ' ');
   if constexpr (count == 2) {
     auto& [a, b, line] = item;
@@ -160,17 +160,17 @@ std::string_view takeWord(std::string_view& rest);
 
 /// Calls visit(name, value…) for each field of one or several items of one kind.
 template <class Visit, class Item, class... Others>
-void visitFields(const Visit& visit, Item& item, Others&... others) {
+void visitGoldenFields(const Visit& visit, Item& item, Others&... others) {
   std::string_view names = Item::form;
   takeWord(names);
   const auto visitField = [&]<std::size_t number>(std::integral_constant<std::size_t, number>) {
-    visit(std::string(takeWord(names)), std::get<number>(fieldsOf(item)),
-          std::get<number>(fieldsOf(others))...);
+    visit(std::string(takeWord(names)), std::get<number>(goldenFields(item)),
+          std::get<number>(goldenFields(others))...);
   };
   [&]<std::size_t... number>(std::index_sequence<number...>) {
     (visitField(std::integral_constant<std::size_t, number>{}), ...);
   }
-  (std::make_index_sequence<std::tuple_size_v<decltype(fieldsOf(item))>>{});
+  (std::make_index_sequence<std::tuple_size_v<decltype(goldenFields(item))>>{});
 }
 
 std::string kindOf(const GoldenItem& item);

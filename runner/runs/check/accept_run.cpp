@@ -32,20 +32,19 @@ void refuseViolated(const Scenario& scenario, const CheckedRun& checked) {
 
 /// The same again, by another way. With bodies its twin runs beside it.
 TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
-  const SignalWatch signals;
-  Progress progress(scenario.scene.name + " again", quiet);
-  const auto watch = [&](const World& world) {
-    stopAtSignal();
-    progress.show(world);
-  };
-  if (scenario.scene.mechanics)
-    return runTwins(makeScenarioWorld(scenario, how), makeScenarioWorld(scenario, how), watch);
-  World world = makeScenarioWorld(scenario, how);
-  while (!finished(world)) {
-    watch(world);
-    step(world);
+  const std::string label = scenario.scene.name + " again";
+  if (!scenario.scene.mechanics) {
+    const auto run = simulate(scenario, how, {.label = label, .quiet = quiet});
+    if (run.signal) throw Interrupted{run.signal};
+    return {{}, run.end.stateHash.value_or(Hash{})};
   }
-  return {{}, stateHash(world)};
+  const SignalWatch signals;
+  Progress progress(label, quiet);
+  return runTwins(makeScenarioWorld(scenario, how), makeScenarioWorld(scenario, how),
+                  [&](const World& world) {
+                    stopAtSignal();
+                    progress.show(world);
+                  });
 }
 
 }  // namespace
