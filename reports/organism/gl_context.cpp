@@ -46,24 +46,23 @@ void settleDriver() {
 }
 
 /// [byte] Of address space: compiled shaders, threads, and what they draw into. Measured; a third is in reserve.
-constexpr double ofContext = 200e6;
+constexpr double ofContext = 300e6;
 
 }  // namespace
 
 void requireMemoryToDraw(double bytes) {
-  const auto all = static_cast<std::size_t>(bytes + ofContext);
+  const auto all = static_cast<std::size_t>(bytes);
   void* const place = ::mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (place == MAP_FAILED)
-    throw NumericalError("there is not enough memory to draw: the picture would take " +
-                             std::to_string(all / 1'000'000) +
-                             " MB; draw a smaller one, with fewer --supersample, or where there is more",
+    throw NumericalError("there is not enough memory to draw: it takes " + std::to_string(all / 1'000'000) +
+                             " MB; draw a smaller picture, with less --supersample, or where there is more",
                          Want::memory);
   ::munmap(place, all);
 }
 
 OffscreenContext::OffscreenContext() {
   settleDriver();
-  requireMemoryToDraw(0);
+  requireMemoryToDraw(ofContext);
   handle_ = new Handle;
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_RGBA,

@@ -135,8 +135,9 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
       targets_->samples != picture.samples || targets_->counted != picture.clip.has_value()) {
     targets_.reset();
     // As Targets has textures, and once more for what is translucent and for what is read back.
-    constexpr double ofSample = 64, ofPixel = 24;
-    requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel));
+    constexpr double ofSample = 64, ofPixel = 24, ofThreads = 100e6;
+    requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) +
+                        ofThreads);
     targets_ = std::make_unique<Targets>(width, height, picture.samples, picture.clip.has_value());
   }
   drawSolid(frame);

@@ -306,8 +306,10 @@ TEST_CASE(
     "a measure that joined after a golden was accepted is no part of it; a cell or a time that it lacks is") {
   const auto without = [](const auto& wanted) {
     Golden golden = exampleGolden();
-    std::erase_if(golden.data.items,
-                  [&](const GoldenItem& i) { return kindOf(i) == "value" && wanted(keyOf(i)); });
+    std::erase_if(golden.data.items, [&](const GoldenItem& i) {
+      const std::string key = keyOf(i);
+      return kindOf(i) == "value" && wanted(key);
+    });
     return reread(golden);
   };
   const auto none = [](GoldenFacts&) {};

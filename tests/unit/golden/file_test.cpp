@@ -2,6 +2,8 @@
 // comes back, and a file that was damaged says so and where.
 #include "catch.h"
 #include "example_facts.h"
+#include "files/folders.h"
+#include "files/read_file.h"
 
 using namespace morula;
 
@@ -341,4 +343,14 @@ TEST_CASE("a large lineage is counts and one digest per generation") {
   const CheckReport report = compareGolden(golden, makeGoldenData(facts));
   CHECK_FALSE(report.passed());
   CHECK_THAT(describe(report), ContainsSubstring("generation 12: hash: expected"));
+}
+
+TEST_CASE("every shipped golden is written again as it stands, byte for byte") {
+  int goldens = 0;
+  for (const auto& file : filesBelow("golden", ".golden")) {
+    CAPTURE(file.string());
+    CHECK(writeGolden(readGoldenFile(file)) == readFile(file));
+    ++goldens;
+  }
+  CHECK(goldens > 50);
 }
