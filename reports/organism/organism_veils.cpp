@@ -125,7 +125,7 @@ bool OrganismRenderer::drawVeils(const Frame& frame) {
       before.push_back(before.back() + inRow);
     }
     for (int first = block, last; first < blockEnd; first = last) {
-      const auto fragmentsOf = [&](int end) {
+      const auto fragmentsOf = [&, low = low, high = high](int end) {  // clang 14 captures no bindings
         const auto [from, to] = around(first, end);
         return before[std::min(to, high) - low] - before[from - low];
       };

@@ -16,21 +16,22 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 
 /// Values of the golden as one value in YAML's flow style: members of maps by their names, of lists by "[i]".
 struct Tree {
-  std::string value;
-  std::vector<std::pair<std::string, Tree>> members;  // in the golden's order
+  std::string name, value;
+  std::vector<Tree> members;  // in the golden's order
 
-  Tree& member(const std::string& name) {
-    for (auto& [known, tree] : members)
-      if (known == name) return tree;
-    return members.emplace_back(name, Tree{}).second;
+  Tree& member(const std::string& wanted) {
+    for (Tree& tree : members)
+      if (tree.name == wanted) return tree;
+    members.push_back({wanted, "", {}});
+    return members.back();
   }
 
   std::string text() const {
     if (members.empty()) return value;
-    const bool isList = members[0].first.starts_with('[');
+    const bool isList = members[0].name.starts_with('[');
     std::string inner;
-    for (const auto& [name, tree] : members)
-      inner += (inner.empty() ? "" : ", ") + (isList ? "" : name + ": ") + tree.text();
+    for (const Tree& tree : members)
+      inner += (inner.empty() ? "" : ", ") + (isList ? "" : tree.name + ": ") + tree.text();
     return isList ? '[' + inner + ']' : '{' + inner + '}';
   }
 };
