@@ -110,8 +110,7 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
 void Recorder::hash(const World& world) { add(nextLink(lastLink_, world)); }
 
 void Recorder::pour() {
-  constexpr double enough = 1 << 20;  // [byte] fewer calls than one for each sample
-  if (!sink_ || bytes_ < enough) return;
+  if (!sink_ || bytes_ < enough_) return;
   sink_(results_);
   results_.samples.clear(), results_.chain.clear();
   bytes_ = 0;

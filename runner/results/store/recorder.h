@@ -36,8 +36,9 @@ class Recorder {
  public:
   /// What has been recorded goes to `sink` now and then, so that the memory it takes does not grow with the run; without
   /// one it stays here until `take`.
-  explicit Recorder(RecordOptions options = {}, RecordSink sink = {})
-      : options_(std::move(options)), sink_(std::move(sink)) {}
+  /// `enough` [byte]: it goes when it is so much.
+  explicit Recorder(RecordOptions options = {}, RecordSink sink = {}, double enough = 1 << 20)
+      : options_(std::move(options)), sink_(std::move(sink)), enough_(enough) {}
 
   /// Call once after makeWorld and once after every step. Costs two comparisons unless something is due; a
   /// sample is taken at the first step at or after its time and carries the time of that step.
@@ -88,6 +89,7 @@ class Recorder {
 
   RecordOptions options_;
   RecordSink sink_;
+  double enough_;
   std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every; without `every` only
                             // number 0 is ever due
   std::uint64_t nextMeshes_ = 0;  // the same of `meshes`
