@@ -9,7 +9,7 @@
 #include "accuracy/mesh_error.h"
 #include "accuracy/trial.h"
 #include "charts/chart.h"
-#include "system/json.h"
+#include "document/document.h"
 
 namespace morula {
 
@@ -121,7 +121,7 @@ std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows);
 std::vector<SpeedAtError> findSpeeds(const std::vector<AccuracyRow>& rows, const std::string& usual);
 
 /// For people.
-std::string describe(const AccuracyReport& report);
+Document describe(const AccuracyReport& report);
 
 /// For other programs. `picture`: where it lies.
 Json toJson(const AccuracyReport& report, const std::string& picture);

@@ -6,11 +6,11 @@
 
 #include "analysis/margins.h"
 #include "analysis/study_results.h"
+#include "document/document.h"
 #include "statistics/bootstrap.h"
 #include "statistics/compare_means.h"
 #include "statistics/equivalence.h"
 #include "statistics/factorial.h"
-#include "system/json.h"
 
 namespace morula {
 
@@ -116,7 +116,7 @@ std::vector<std::string> verdictsOf(const StudyComparison& comparison);
 std::vector<std::string> troublesOf(const StudyResults& results);
 
 /// For people.
-std::string describe(const StudyComparison& comparison);
+Document describe(const StudyComparison& comparison);
 /// As `compare --json` prints it.
 Json toJson(const StudyComparison& comparison);
 /// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column. Quoted as RFC 4180

@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "charts/chart.h"
 #include "drawing/palette.h"
+#include "report_data/words.h"
 
 namespace morula {
 
@@ -17,8 +18,6 @@ constexpr std::size_t mostCommands = 4;
 constexpr std::size_t mostLabels = 60;  // of points in the chart
 constexpr std::size_t fewBullets =
     4;  // of Bullet's series in the chart; of more those that others beat are left out
-
-std::string number(const std::optional<double>& a, int digits = 3) { return a ? numberText(*a, digits) : ""; }
 
 /// Series of Bullet's of which no point is the best in both error and cost.
 bool isBeaten(const std::string& series, const std::vector<AccuracyEntry>& rows) {
@@ -93,46 +92,41 @@ std::string setCommand(const AccuracyRead& read, const AccuracyEntry& e) {
 }
 
 /// The whole error of a row, with a word where it is more than `error` or not known.
-std::string wholeText(const AccuracyEntry& e, double error) {
+Words wholeText(const AccuracyEntry& e, double error) {
   if (!e.whole) return "";
   if (!e.mesh && !e.model) return "at least " + numberText(*e.whole, 3) + ": the mesh's is not known";
-  return numberText(*e.whole, 3) + (*e.whole > error ? " <span class=\"mark warn\">! more</span>"
-                                                     : " <span class=\"mark good\">✓</span>");
+  return numberText(*e.whole, 3) + " " + (*e.whole > error ? Words("! more", Look::warning) : Words("✓", Look::good));
 }
 
 /// "velocity-verlet, time step 1/256".
 std::string nameOf(const AccuracyEntry& e) { return e.series + ", time step " + stepText(e.timeStep); }
 
-std::string besideTable(const AccuracyRead& read) {
-  if (read.besideBullet.empty()) return {};
-  std::vector<std::vector<std::string>> rows;
-  for (const auto& s : read.besideBullet)
-    rows.push_back({numberText(s.error, 3), shown(s.series), numberText(s.ours, 3), shown(s.bulletSeries),
-                    numberText(s.bullets, 3), numberText(s.bullets / s.ours, 3),
-                    numberText(s.slowest / s.ours, 3)});
-  return "<h3>At equal error, beside Bullet</h3>\n<p>Between neighbouring runs of a series, the least CPU "
-         "time "
-         "of all settings tried.</p>\n" +
-         htmlTable("At equal error, beside Bullet",
-                   {"Error", "Ours at best", "CPU time [s]", "Bullet at its best", "CPU time [s]",
-                    "times as long", "with its slowest setting"},
-                   rows);
+Table besideTable(const AccuracyRead& read) {
+  const std::vector<Field<AccuracyRead::BulletSpeed>> fields{
+      {"Error", [](const auto& s) { return number(s.error, 3); }},
+      {"Ours at best", [](const auto& s) { return s.series; }},
+      {"CPU time [s]", [](const auto& s) { return number(s.ours, 3); }},
+      {"Bullet at its best", [](const auto& s) { return s.bulletSeries; }},
+      {"CPU time [s]", [](const auto& s) { return number(s.bullets, 3); }},
+      {"times as long", [](const auto& s) { return number(s.bullets / s.ours, 3); }},
+      {"with its slowest setting", [](const auto& s) { return number(s.slowest / s.ours, 3); }},
+  };
+  return tableOf("At equal error, beside Bullet", fields, read.besideBullet);
 }
 
-std::string failureTable(const AccuracyRead& read) {
-  std::vector<std::vector<std::string>> rows;
+Table failureTable(const AccuracyRead& read) {
+  Table table{"What failed", {"Settings", "Time steps", "Why"}};
   std::vector<std::pair<std::string, std::string>> told;  // series, reason
   for (const AccuracyEntry& e : read.rows) {
     if (e.failure.empty()) continue;
     if (!told.empty() && told.back() == std::pair(e.series, e.failure)) {
-      rows.back()[1] += ", " + stepText(e.timeStep);
+      table.rows.back()[1].words += ", " + stepText(e.timeStep);
       continue;
     }
     told.push_back({e.series, e.failure});
-    rows.push_back({shown(e.series), stepText(e.timeStep), shown(e.failure)});
+    table.rows.push_back({e.series, stepText(e.timeStep), e.failure});
   }
-  if (rows.empty()) return {};
-  return "<h3>What failed</h3>\n" + htmlTable("What failed", {"Settings", "Time steps", "Why"}, rows);
+  return table;
 }
 
 std::string noteOf(const AccuracyEntry& e, double referenceError) {
@@ -153,134 +147,134 @@ std::string stepText(double timeStep) {
                                                                 : numberText(timeStep, 6);
 }
 
-PageBlock accuracyChartBlock(const AccuracyRead& read) {
+Section accuracyChartSection(const AccuracyRead& read) {
   const auto out = leftOut(read);
   const std::string caption =
-      "CPU time is of the machine that ran it. Errors on the scenario's own mesh; grey: what that mesh "
-      "itself "
-      "adds." +
+      "CPU time is of the machine that ran it. Errors on the scenario's own mesh; grey: what that mesh itself adds." +
       (out.empty()
            ? ""
            : " " + counted(out.size(), "setting") +
                  " of Bullet's that others of its own beat in error and time are in the table alone.");
   return {"accuracy",
           "Error against cost",
-          htmlLarge("image/svg+xml", drawChart(chartOf(read, out)).file(PictureFormat::svg),
-                    "error against CPU time, a line for each series of settings", caption),
-          {}};
+          Document().add(svgPicture(drawChart(chartOf(read, out)), "error against CPU time, a line for each series of settings",
+                                    caption, Picture::Size::large))};
 }
 
-PageBlock cheapestBlock(const AccuracyRead& read) {
-  PageBlock block{"cheapest", "Cheapest settings for an error", "", {}};
-  std::vector<std::vector<std::string>> rows;
+Section cheapestSection(const AccuracyRead& read) {
+  Section section{"cheapest", "Cheapest settings for an error", {}};
+  Table table{section.title,
+              {"Error at most", "Settings of ours", "CPU time [s]", "Error on the scenario's mesh", "Whole error, with the mesh's"}};
   const bool bullet =
       std::any_of(read.rows.begin(), read.rows.end(), [](const auto& e) { return !e.isOurs(); });
   for (int decade = 1; decade <= 12; ++decade) {
     const double error = std::pow(10.0, -decade);
     const AccuracyEntry *ours = cheapestFor(read, error, true), *theirs = cheapestFor(read, error, false);
     if (!ours && !theirs) continue;
-    std::vector<std::string> row{numberText(error, 3)};
+    std::vector<Cell> row{number(error, 3)};
     if (ours) {
-      row.insert(row.end(), {shown(nameOf(*ours)), numberText(ours->cpuSeconds, 3), number(ours->onMesh),
-                             wholeText(*ours, error)});
+      row.insert(row.end(), {nameOf(*ours), number(ours->cpuSeconds, 3), number(ours->onMesh, 3), wholeText(*ours, error)});
       const std::string command = setCommand(read, *ours);
-      if (block.commands.size() < mostCommands &&
-          std::find(block.commands.begin(), block.commands.end(), command) == block.commands.end())
-        block.commands.push_back(command);
+      if (section.commands.size() < mostCommands &&
+          std::find(section.commands.begin(), section.commands.end(), command) == section.commands.end())
+        section.commands.push_back(command);
     } else row.insert(row.end(), {"none of those tried", "", "", ""});
     if (bullet && theirs)
-      row.insert(row.end(), {shown(nameOf(*theirs)), numberText(theirs->cpuSeconds, 3),
-                             ours ? numberText(theirs->cpuSeconds / ours->cpuSeconds, 3) : ""});
+      row.insert(row.end(), {nameOf(*theirs), number(theirs->cpuSeconds, 3),
+                             ours ? number(theirs->cpuSeconds / ours->cpuSeconds, 3) : Cell()});
     else if (bullet) row.insert(row.end(), {"none of those tried", "", ""});
-    rows.push_back(std::move(row));
+    table.rows.push_back(std::move(row));
   }
-  std::vector<std::string> head{"Error at most", "Settings of ours", "CPU time [s]",
-                                "Error on the scenario's mesh", "Whole error, with the mesh's"};
-  if (bullet) head.insert(head.end(), {"Bullet's best", "CPU time [s]", "times as long"});
-  block.html = rows.empty() ? "<p><span class=\"mark warn\">! Warning</span>None of the settings tried holds "
-                              "an error of 0.1.</p>\n"
-                            : "<p>Of the runs made: each row's error, with the reference's own added, is at "
-                              "most that. The mesh's "
-                              "error is the same for all time steps and stands apart.</p>\n" +
-                                  htmlTable("Cheapest settings for an error", head, rows);
-  block.html += besideTable(read);
-  return block;
-}
-
-PageBlock settingsBlock(const AccuracyRead& read) {
-  std::vector<std::vector<std::string>> rows;
-  bool anyNote = false;
-  for (const AccuracyEntry& e : read.rows) {
-    if (!e.failure.empty()) continue;
-    const std::string note = noteOf(e, read.referenceError());
-    anyNote = anyNote || !note.empty();
-    rows.push_back({shown(e.series), stepText(e.timeStep),
-                    e.whole ? (e.mesh || e.model ? "" : "≥\u00a0") + numberText(*e.whole, 3) : "",
-                    (e.resolved || !e.onMesh ? "" : "~\u00a0") + number(e.time), number(e.mesh),
-                    number(e.precision), number(e.model), number(e.onMesh), numberText(e.cpuSeconds, 3),
-                    std::to_string(e.evaluations), shown(note)});
-  }
-  std::vector<std::string> head{"Settings",  "Time step", "Error",   "time",         "mesh",
-                                "precision", "model",     "on mesh", "CPU time [s]", "Forces"};
-  if (anyNote) head.push_back("");
+  if (bullet) table.columns.insert(table.columns.end(), {"Bullet's best", "CPU time [s]", "times as long"});
+  if (table.rows.empty())
+    section.body.say(warning() + "None of the settings tried holds an error of 0.1.");
   else
-    for (auto& row : rows) row.pop_back();
-  return {"rows",
-          "Settings",
-          "<p>An error is at most the sum of its parts: of the time step, the mesh, the precision and the "
-          "model; ≥ "
-          "where the mesh's is not known. Another contact law, cell model or engine is stated with its time "
-          "step, "
-          "under model. On mesh: against the reference, on the scenario's mesh. Forces: how often they were "
-          "evaluated.</p>\n" +
-              htmlTable("Settings", head, rows) + failureTable(read),
-          {}};
+    section.body
+        .say("Of the runs made: each row's error, with the reference's own added, is at most that. The mesh's error is the same "
+             "for all time steps and stands apart.")
+        .add(std::move(table));
+  if (!read.besideBullet.empty())
+    section.body.heading("At equal error, beside Bullet")
+        .say("Between neighbouring runs of a series, the least CPU time of all settings tried.")
+        .add(besideTable(read));
+  return section;
 }
 
-PageBlock referenceBlock(const AccuracyRead& read) {
+Section settingsSection(const AccuracyRead& read) {
+  using Row = AccuracyEntry;
+  std::vector<Row> rows;
+  std::ranges::copy_if(read.rows, std::back_inserter(rows), [](const Row& e) { return e.failure.empty(); });
+  const auto note = [&](const Row& e) { return noteOf(e, read.referenceError()); };
+  std::vector<Field<Row>> fields{
+      {"Settings", [](const Row& e) { return e.series; }},
+      {"Time step", [](const Row& e) { return stepText(e.timeStep); }},
+      {"Error", [](const Row& e) { return (e.whole && !e.mesh && !e.model ? "≥\u00a0" : "") + number(e.whole, 3).words; }},
+      {"time", [](const Row& e) { return (e.resolved || !e.onMesh ? "" : "~\u00a0") + number(e.time, 3).words; }},
+      {"mesh", [](const Row& e) { return number(e.mesh, 3); }},
+      {"precision", [](const Row& e) { return number(e.precision, 3); }},
+      {"model", [](const Row& e) { return number(e.model, 3); }},
+      {"on mesh", [](const Row& e) { return number(e.onMesh, 3); }},
+      {"CPU time [s]", [](const Row& e) { return number(e.cpuSeconds, 3); }},
+      {"Forces", [](const Row& e) { return e.evaluations; }},
+  };
+  if (std::ranges::any_of(rows, [&](const Row& e) { return !note(e).empty(); })) fields.push_back({"", note});
+  Section section{"rows", "Settings", {}};
+  section.body
+      .say("An error is at most the sum of its parts: of the time step, the mesh, the precision and the model; ≥ where the mesh's "
+           "is not known. Another contact law, cell model or engine is stated with its time step, under model. On mesh: against "
+           "the reference, on the scenario's mesh. Forces: how often they were evaluated.")
+      .add(tableOf("Settings", fields, rows));
+  if (Table failed = failureTable(read); !failed.rows.empty()) section.body.heading("What failed").add(std::move(failed));
+  return section;
+}
+
+Section referenceSection(const AccuracyRead& read) {
   const auto& r = read.reference;
-  std::vector<std::vector<std::string>> facts{
-      {"Reference", shown(r.integrator + ", time step " + stepText(r.timeStep))},
-      {"Its own error, by Richardson", r.error ? numberText(*r.error, 3) : "not known"},
-      {"Order observed", r.order > 0 ? numberText(r.order, 3) : "none: it does not converge"},
-      {"Witness", shown(r.witness + ", time step " + stepText(r.witnessTimeStep))},
-      {"Distance of the two", r.witnessDistance ? numberText(*r.witnessDistance, 3) : "not known"},
-      {"The witness' own error", r.witnessError ? numberText(*r.witnessError, 3) : "not known"},
-      {"They agree",
-       r.agrees ? "<span class=\"mark good\">✓ yes</span>" : "<span class=\"mark bad\">✗ no</span>"}};
-  std::string html = htmlTable("Reference", {}, facts);
+  const auto orUnknown = [](const std::optional<double>& a) { return a ? numberText(*a, 3) : "not known"; };
+  Section section{"reference", "What errors are held against", {}};
+  section.body.add(Table{"Reference",
+                         {},
+                         {{"Reference", r.integrator + ", time step " + stepText(r.timeStep)},
+                          {"Its own error, by Richardson", orUnknown(r.error)},
+                          {"Order observed", r.order > 0 ? numberText(r.order, 3) : "none: it does not converge"},
+                          {"Witness", r.witness + ", time step " + stepText(r.witnessTimeStep)},
+                          {"Distance of the two", orUnknown(r.witnessDistance)},
+                          {"The witness' own error", orUnknown(r.witnessError)},
+                          {"They agree", mark(r.agrees, "yes", "no")}}});
   const auto& m = read.mesh;
-  if (!m.levels.empty()) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& level : m.levels)
-      rows.push_back({std::to_string(level.icosphere) +
-                          (m.icosphere && *m.icosphere == level.icosphere ? " (the scenario's)" : ""),
-                      numberText(level.error, 3), numberText(level.position, 3), numberText(level.volume, 3),
-                      numberText(level.surface, 3), numberText(level.pressure, 3),
-                      numberText(level.contactArea, 3)});
-    html +=
-        "<h3>Meshes</h3>\n" +
-        htmlTable("Meshes",
-                  {"Icosphere", "Error", "Position", "Volume", "Surface", "Pressure", "Contact area"}, rows) +
-        "<p class=\"note\">" +
-        (m.order > 0 ? "Order " + numberText(m.order, 3) +
-                           (m.orderIsObserved ? ", observed" : ", assumed: there are only two meshes")
-                     : std::string("Errors do not fall from mesh to mesh, so nothing is extrapolated")) +
-        ".</p>\n";
-  }
-  std::vector<std::vector<std::string>> orders;
-  for (const auto& o : read.orders)
-    orders.push_back({shown(o.series),
-                      !o.observed    ? "too few errors to fit"
-                      : o.points > 2 ? numberText(*o.observed, 3) + " ± " + numberText(o.standardError, 2)
-                                     : numberText(*o.observed, 3),
-                      std::to_string(o.points), numberText(o.theory, 3)});
-  if (!orders.empty())
-    html +=
-        "<h3>Orders</h3>\n<p>How fast errors fall with the time step: contact, shell and friction lower "
-        "it.</p>\n" +
-        htmlTable("Orders", {"Settings", "Observed", "Points", "Where all is smooth"}, orders);
-  return {"reference", "What errors are held against", html, {}};
+  const std::vector<Field<AccuracyMeshLevel>> ofMeshes{
+      {"Icosphere",
+       [&](const auto& l) { return std::to_string(l.icosphere) + (m.icosphere == l.icosphere ? " (the scenario's)" : ""); }},
+      {"Error", [](const auto& l) { return number(l.error, 3); }},
+      {"Position", [](const auto& l) { return number(l.position, 3); }},
+      {"Volume", [](const auto& l) { return number(l.volume, 3); }},
+      {"Surface", [](const auto& l) { return number(l.surface, 3); }},
+      {"Pressure", [](const auto& l) { return number(l.pressure, 3); }},
+      {"Contact area", [](const auto& l) { return number(l.contactArea, 3); }},
+  };
+  if (!m.levels.empty())
+    section.body.heading("Meshes")
+        .add(tableOf("Meshes", ofMeshes, m.levels))
+        .note((m.order > 0 ? "Order " + numberText(m.order, 3) +
+                                 (m.orderIsObserved ? ", observed" : ", assumed: there are only two meshes")
+                           : "Errors do not fall from mesh to mesh, so nothing is extrapolated") +
+              std::string("."));
+  const std::vector<Field<AccuracyRead::Order>> ofOrders{
+      {"Settings", [](const auto& o) { return o.series; }},
+      {"Observed",
+       [](const auto& o) {
+         return !o.observed    ? "too few errors to fit"
+                : o.points > 2 ? numberText(*o.observed, 3) + " ± " + numberText(o.standardError, 2)
+                               : numberText(*o.observed, 3);
+       }},
+      {"Points", [](const auto& o) { return o.points; }},
+      {"Where all is smooth", [](const auto& o) { return number(o.theory, 3); }},
+  };
+  if (!read.orders.empty())
+    section.body.heading("Orders")
+        .say("How fast errors fall with the time step: contact, shell and friction lower it.")
+        .add(tableOf("Orders", ofOrders, read.orders));
+  return section;
 }
 
 }  // namespace morula

@@ -2,7 +2,6 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "files/read_file.h"
-#include "page/html.h"
 #include "report/accuracy_blocks.h"
 #include "report/parts.h"
 
@@ -17,7 +16,7 @@ constexpr double wellConverged = 1;  // least order by which errors must fall fr
 /// "error 0.0927 up to time 4 of 31.25: 0.00535 of the time step, 0.0874 of the mesh".
 std::string sentenceOf(const AccuracyRead& read) {
   const AccuracyEntry& own = read.own;
-  const std::string start = shown(read.scenario) + " as it is";
+  const std::string start = read.scenario + " as it is";
   if (!own.failure.empty()) return start + " does not come to its end.";
   if (!own.whole) return start + ": not compared, for other cells live.";
   std::string text = start + ": error " + (own.mesh ? "" : "at least ") + numberText(*own.whole, 3);
@@ -39,11 +38,11 @@ void judgeReference(const AccuracyRead& read, std::vector<Finding>& findings) {
          "No converged reference: its own error does not fall with its time step, so no error on this "
          "page is sure"});
   if (!r.agrees)
-    findings.push_back({Kind::bad, "The reference is not confirmed: the witness, " + shown(r.witness) +
+    findings.push_back({Kind::bad, "The reference is not confirmed: the witness, " + r.witness +
                                        ", is farther away than both their errors allow"});
   if (r.agrees && r.error && r.order > 0)
     findings.push_back({Kind::good, "The reference, good to " + numberText(*r.error, 2) +
-                                        ", is confirmed by another integrator, " + shown(r.witness)});
+                                        ", is confirmed by another integrator, " + r.witness});
 }
 
 void judgeMesh(const AccuracyRead& read, std::vector<Finding>& findings) {
@@ -51,11 +50,11 @@ void judgeMesh(const AccuracyRead& read, std::vector<Finding>& findings) {
   if (!m.unknown.empty())
     findings.push_back(
         {Kind::warning, "What the mesh adds is not known, so whole errors are at least what is stated: " +
-                            shown(m.unknown)});
+                            m.unknown});
   else if (!m.levels.empty() && m.order < wellConverged)
     findings.push_back(
         {Kind::warning, "Errors hardly fall from mesh to mesh: the mesh's error may be larger than stated"});
-  if (!m.limit.empty()) findings.push_back({Kind::warning, "No finer mesh took part: " + shown(m.limit)});
+  if (!m.limit.empty()) findings.push_back({Kind::warning, "No finer mesh took part: " + m.limit});
   if (m.partedAt)
     findings.push_back(
         {Kind::warning, "On another mesh other cells live from " + numberText(*m.partedAt) + " on"});
@@ -69,7 +68,7 @@ void judgeMesh(const AccuracyRead& read, std::vector<Finding>& findings) {
 
 void judgeRows(const AccuracyRead& read, std::vector<Finding>& findings) {
   if (!read.own.failure.empty())
-    findings.push_back({Kind::bad, "The scenario as it is failed: " + shown(read.own.failure)});
+    findings.push_back({Kind::bad, "The scenario as it is failed: " + read.own.failure});
   else if (read.own.partedAt)
     findings.push_back({Kind::bad, "The scenario as it is has other cells than the reference from time " +
                                        numberText(*read.own.partedAt) + " on"});
@@ -90,9 +89,9 @@ void judgeRows(const AccuracyRead& read, std::vector<Finding>& findings) {
     findings.push_back({Kind::warning, std::to_string(parted) + " of " +
                                            counted(read.rows.size(), "setting") +
                                            " come to other cells than the reference"});
-  for (const std::string& remark : read.remarks) findings.push_back({Kind::warning, shown(remark)});
+  for (const std::string& remark : read.remarks) findings.push_back({Kind::warning, remark});
   if (!read.rival.empty())
-    findings.push_back({Kind::good, "As exact on this mesh, and the cheapest tried: " + shown(read.rival) +
+    findings.push_back({Kind::good, "As exact on this mesh, and the cheapest tried: " + read.rival +
                                         ", " + numberText(read.rivalSpeed, 3) +
                                         " times as fast as the scenario as it is"});
 }
@@ -113,8 +112,7 @@ void judgeTarget(const AccuracyRead& read, std::vector<Finding>& findings) {
   const bool holds = t.at("mesh_holds").is_boolean() && t.at("mesh_holds").get<bool>();
   findings.push_back({holds ? Kind::good : Kind::warning,
                       "An error of " + error + " on the scenario's mesh is held for the least CPU time, " +
-                          numberText(best.at("cpu_seconds").get<double>(), 3) + " s to its end, by <code>" +
-                          shown(command) + "</code>" +
+                          numberText(best.at("cpu_seconds").get<double>(), 3) + " s to its end, by " + code(command) +
                           (holds ? "; with the mesh's, too"
                            : t.at("mesh_error").is_number()
                                ? "; the mesh itself adds " + numberText(t.at("mesh_error").get<double>(), 3) +
@@ -125,22 +123,17 @@ void judgeTarget(const AccuracyRead& read, std::vector<Finding>& findings) {
                                            std::to_string(t.at("icosphere_that_holds").get<int>())});
 }
 
-std::string download(const std::string& name, const char* type, const std::string& bytes) {
-  return "<a download=\"" + htmlText(name) + "\" href=\"" + dataUri(type, bytes) + "\">" + htmlText(name) +
-         " <span class=\"note\">(" + numberText(static_cast<double>(bytes.size()) / 1000, 3) +
-         " kB)</span></a>\n";
-}
-
-PageBlock madeBy(const AccuracyRead& read, const std::string& file) {
-  std::vector<std::vector<std::string>> rows;
-  for (const auto& [name, value] : read.provenance) rows.push_back({shown(name), shown(value)});
-  PageBlock block{"made-by", "Where it comes from", "", {}};
-  block.html = rows.empty() ? "<p>The output does not say by which program and machine it was made.</p>\n"
-                            : htmlTable("Where it comes from", {}, rows);
-  block.commands = {"./morula accuracy " + (read.file.empty() ? "SCENARIO" : shellWord(read.file)) +
-                        " --json > " + shellWord(file),
-                    "./morula report " + shellWord(file)};
-  return block;
+Section madeBy(const AccuracyRead& read, const std::string& file) {
+  Section section{"made-by",
+                  "Where it comes from",
+                  {},
+                  {"./morula accuracy " + (read.file.empty() ? "SCENARIO" : shellWord(read.file)) + " --json > " + shellWord(file),
+                   "./morula report " + shellWord(file)}};
+  Table table{section.title, {}};
+  for (const auto& [name, value] : read.provenance) table.rows.push_back({name, value});
+  if (table.rows.empty()) section.body.say("The output does not say by which program and machine it was made.");
+  else section.body.add(std::move(table));
+  return section;
 }
 
 }  // namespace
@@ -155,41 +148,36 @@ PagePart accuracyPart(const std::string& file) {
     const AccuracyRead read = accuracyFrom(json);
     PagePart part{.title = "Accuracy of " + read.scenario,
                   .summary = "What accuracy costs: error against CPU time",
-                  .verdict = {},
-                  .change = {},
-                  .blocks = {}};
+                  .verdict = {}};
     std::vector<Finding> findings;
     judgeTarget(read, findings);
     judgeReference(read, findings);
     judgeMesh(read, findings);
     judgeRows(read, findings);
-    part.verdict = "<p class=\"said\">" + sentenceOf(read) + "</p>\n" + findingsHtml(findings);
-    part.blocks = {cheapestBlock(read), accuracyChartBlock(read), settingsBlock(read), referenceBlock(read),
-                   madeBy(read, file)};
-    part.blocks.push_back({"rows-download",
-                           "Downloads",
-                           "<div class=\"downloads\">\n" +
-                               download("settings.csv", "text/csv", accuracyCsv(json.at("rows"))) +
-                               download("accuracy.json", "application/json", text) + "</div>\n",
-                           {}});
+    part.verdict = verdict(sentenceOf(read), std::move(findings));
+    part.sections = {cheapestSection(read), accuracyChartSection(read), settingsSection(read), referenceSection(read),
+                     madeBy(read, file)};
+    part.sections.push_back({"rows-download", "Downloads",
+                             Document().add(Downloads{{{"settings.csv", "text/csv", accuracyCsv(json.at("rows"))},
+                                                       {"accuracy.json", "application/json", text}}})});
     return part;
   } catch (const Json::exception&) {
     throw InputError(file + ": rows that are none of an accuracy run" + right);
   }
 }
 
-PageBlock programBlock() {
+Section programSection() {
   const BuildInfo& build = buildInfo();
   return {"provenance",
           "Provenance",
-          htmlTable("Provenance", {},
-                    {{"Version", shown(build.version)},
-                     {"Commit", shown(build.gitCommit + " (" + build.gitState + ")")},
-                     {"Build", "<code>" + buildId(build) + "</code>"},
-                     {"Compiler", shown(build.compiler)},
-                     {"Target", shown(build.target)},
-                     {"Libraries", shown(librariesText(build))}}),
-          {}};
+          Document().add(Table{"Provenance",
+                               {},
+                               {{"Version", build.version},
+                                {"Commit", build.gitCommit + " (" + build.gitState + ")"},
+                                {"Build", code(buildId(build))},
+                                {"Compiler", build.compiler},
+                                {"Target", build.target},
+                                {"Libraries", librariesText(build)}}})};
 }
 
 }  // namespace morula

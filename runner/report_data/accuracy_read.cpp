@@ -1,6 +1,6 @@
 #include "report_data/accuracy_read.h"
 
-#include "base/number_text.h"
+#include "document/table.h"
 
 namespace morula {
 
@@ -63,16 +63,6 @@ void readMesh(const Json& j, AccuracyRead& read) {
   }
 }
 
-std::string csvField(const Json& j) {
-  if (j.is_null()) return "";
-  if (j.is_number_float()) return exactText(j.get<double>());
-  const std::string text = j.is_string() ? j.get<std::string>() : jsonText(j);
-  if (text.find_first_of(",\"\r\n") == text.npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 }  // namespace
 
 bool AccuracyEntry::holds(double error, double referenceError) const {
@@ -109,33 +99,28 @@ AccuracyRead accuracyFrom(const Json& j) {
 }
 
 std::string accuracyCsv(const Json& rows) {
-  constexpr const char* ofSettings[] = {"integrator", "time_step",   "icosphere", "substeps",
-                                        "precision",  "contact_law", "cell_model"};
-  constexpr const char* ofParts[] = {"time", "mesh", "precision", "model"};
-  constexpr const char* ofErrors[] = {"centroid", "volume", "surface", "birth_times"};
-  constexpr const char* own[] = {"error",        "error_on_scenario_mesh",
-                                 "resolved",     "lineages_part_at",
-                                 "cpu_seconds",  "force_evaluations",
-                                 "vertex_steps", "steps",
-                                 "failed",       "failure"};
-  std::string text = "series,engine";
-  for (const char* name : ofSettings) text += std::string(",") + name;
-  for (const char* name : ofParts) text += std::string(",error_of_") + name;
-  for (const char* name : ofErrors) text += std::string(",error_in_") + name;
-  for (const char* name : own) text += std::string(",") + name;
-  text += "\r\n";
+  struct Members {
+    std::string of, prefix;  // of: "" for those of the row itself
+    std::vector<const char*> names;
+  };
+  static const Members all[] = {
+      {"", "", {"series", "engine"}},
+      {"settings", "", {"integrator", "time_step", "icosphere", "substeps", "precision", "contact_law", "cell_model"}},
+      {"parts", "error_of_", {"time", "mesh", "precision", "model"}},
+      {"errors", "error_in_", {"centroid", "volume", "surface", "birth_times"}},
+      {"", "", {"error", "error_on_scenario_mesh", "resolved", "lineages_part_at", "cpu_seconds"}},
+      {"", "", {"force_evaluations", "vertex_steps", "steps", "failed", "failure"}}};
+  Table table{"Settings", {}};
+  for (const Members& members : all)
+    for (const char* name : members.names) table.columns.push_back({"", members.prefix + name, ""});
   for (const Json& row : rows) {
-    const auto add = [&](const Json& of, const char* name) {
-      text += ',' + (of.is_object() ? csvField(of.at(name)) : std::string());
-    };
-    text += csvField(row.at("series")) + ',' + csvField(row.at("engine"));
-    for (const char* name : ofSettings) add(row.at("settings"), name);
-    for (const char* name : ofParts) add(row.at("parts"), name);
-    for (const char* name : ofErrors) add(row.at("errors"), name);
-    for (const char* name : own) add(row, name);
-    text += "\r\n";
+    table.rows.emplace_back();
+    for (const Members& members : all) {
+      const Json& of = members.of.empty() ? row : row.at(members.of);
+      for (const char* name : members.names) table.rows.back().push_back(exact(of.is_object() ? of.at(name) : Json()));
+    }
   }
-  return text;
+  return csvOf(table);
 }
 
 const AccuracyEntry* cheapestFor(const AccuracyRead& read, double error, bool ours) {
