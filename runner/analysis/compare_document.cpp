@@ -80,6 +80,11 @@ Document describe(const StudyComparison& c) {
   Items verdicts;
   for (const std::string& line : verdictsOf(c)) verdicts.list.push_back(line);
   if (!verdicts.list.empty()) text.heading("What the study finds").add(std::move(verdicts));
+  return text.add(comparedTables(c));
+}
+
+Document comparedTables(const StudyComparison& c) {
+  Document text;
   const auto add = [&](const std::string& heading, Table table) {
     if (!table.rows.empty()) text.heading(heading).add(std::move(table));
   };

@@ -3,10 +3,8 @@
 #include <set>
 
 #include "analysis/comparison.h"
-#include "analysis/measure_words.h"
 #include "analysis/organisms.h"
 #include "analysis/picture.h"
-#include "base/number_text.h"
 #include "database/store_error.h"
 #include "loop/stored_scenario.h"
 #include "store/store.h"
@@ -22,52 +20,6 @@ constexpr std::size_t mostSentences = 16;  // that are seen without being asked 
 
 Database openStudy(const std::string& file) {
   return Database(file, Database::Mode::existing, std::chrono::milliseconds(30'000));
-}
-
-Words withInterval(double mean, const std::optional<Interval>& interval) {
-  return interval ? numberText(mean) + " " + quiet("[" + numberText(interval->low) + ", " + numberText(interval->high) + "]")
-                  : numberText(mean);
-}
-
-Table conditionTable(const StudyComparison& c) {
-  Table table{"Means and their 95 % intervals", {"Condition"}};
-  for (const std::size_t m : c.measures) table.columns.push_back(titleOfMeasure(c.measureName(m)));
-  table.columns.insert(table.columns.end(), {"Values", "Distinct"});
-  for (std::size_t k = 0; k < c.results.conditions.size(); ++k) {
-    std::vector<Cell> row{c.results.nameOf(c.results.conditions[k])};
-    std::string values, distinct;
-    for (const std::size_t m : c.measures) {
-      Words cell = "none";
-      for (const ConditionSummary& s : c.conditions)
-        if (s.measure == m && s.condition == k && !s.values.empty())
-          cell = withInterval(s.mean, s.interval), values = std::to_string(s.values.size()),
-          distinct = std::to_string(s.distinct);
-      row.push_back(cell);
-    }
-    row.insert(row.end(), {values, distinct});
-    table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
-Table pairTable(const StudyComparison& c) {
-  Table table{"Paired differences",
-              {"Measure", "Levels", "Pairs", "Difference", "p (Holm)", "Effect d" + Words("z", Look::subscript), ""}};
-  for (const PairComparison& p : c.pairs) {
-    const auto& labels = c.results.axes[p.axis].labels;
-    std::string fixed;
-    for (std::size_t axis = 0; axis < p.at.size(); ++axis)
-      if (p.at[axis]) fixed += (fixed.empty() ? " at " : ", ") + c.results.axes[axis].labels[*p.at[axis]];
-    const bool estimated = p.known == Known::estimated;
-    table.rows.push_back(
-        {titleOfMeasure(c.measureName(p.measure)), labels[p.a] + " − " + labels[p.b] + fixed, p.of.size(),
-         estimated ? withInterval(p.paired.difference, p.paired.interval) : numberText(p.meanA - p.meanB),
-         estimated                 ? numberText(p.corrected, 3)
-         : p.known == Known::exact ? "exact"
-                                   : "one seed",
-         estimated && p.effect.dz ? numberText(*p.effect.dz, 3) : "", p.isShown() ? bold("differs") : ""});
-  }
-  return table;
 }
 
 }  // namespace
@@ -109,10 +61,7 @@ PagePart studyPart(const std::string& database) {
                                drawComparedStudy(c), "strips of all values of each condition, with their means and 95 % intervals",
                                "A dot a run; line and bar: the mean and its 95 % interval", Picture::Size::large)),
                            {"./morula study compare " + file + " -o strips.svg"}});
-  Document body;
-  body.add(conditionTable(c));
-  if (Table pairs = pairTable(c); !pairs.rows.empty()) body.heading("Differences, seed by seed").add(std::move(pairs));
-  body.add(folded("All of it", describe(c)));
+  Document body = comparedTables(c);
   Downloads downloads;
   for (Downloads::File file : {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
                                Downloads::File{"comparison.json", "application/json", jsonText(toJson(c), 1)}})
