@@ -34,11 +34,11 @@ tbb::task_arena& arena(int threads) {
 }
 
 // Of this thread in the innermost parallelFor, also one that is a plain loop within another one's body.
-thread_local int number = 0;
+thread_local int thisThread = 0;
 
 struct Numbered {
-  explicit Numbered(int n) : before(std::exchange(number, n)) {}
-  ~Numbered() { number = before; }
+  explicit Numbered(int n) : before(std::exchange(thisThread, n)) {}
+  ~Numbered() { thisThread = before; }
   Numbered(const Numbered&) = delete;
   Numbered& operator=(const Numbered&) = delete;
   int before;
@@ -64,6 +64,6 @@ void parallelFor(int count, int threads, void (*body)(void*, int), void* context
   });
 }
 
-int threadNumber() { return number; }
+int threadNumber() { return thisThread; }
 
 }  // namespace morula

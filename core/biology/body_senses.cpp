@@ -35,7 +35,7 @@ double position(const CellContext& cell, const SenseParameters& sense, const Cou
 }
 
 // clang-format off
-constexpr SenseKindRow rows[] = {
+constexpr SenseKindRow bodyRows[] = {
     {.kind = SenseKind::volume, .name = "volume",
      .meaning = "Its volume over what it would be if nothing pressed on it",
      .needs = SenseNeeds::bodies, .least = 0, .measure = volume},
@@ -56,6 +56,6 @@ constexpr SenseKindRow rows[] = {
 
 }  // namespace
 
-std::span<const SenseKindRow> bodySenses() { return rows; }
+std::span<const SenseKindRow> bodySenses() { return bodyRows; }
 
 }  // namespace morula

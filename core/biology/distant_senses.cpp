@@ -30,7 +30,7 @@ double concentration(const CellContext& cell, const SenseParameters& sense, cons
 Threshold distanceAtMost(const SenseParameters& sense) { return {.atMost = sense.number}; }
 
 // clang-format off
-constexpr SenseKindRow rows[] = {
+constexpr SenseKindRow distantRows[] = {
     {.kind = SenseKind::near, .name = "near",
      .meaning = "The centre of a cell that holds `of` lies within this `distance` of its own",
      .needs = SenseNeeds::bodies, .of = {"of", true}, .number = {"distance", "length", true},
@@ -45,6 +45,6 @@ constexpr SenseKindRow rows[] = {
 
 }  // namespace
 
-std::span<const SenseKindRow> distantSenses() { return rows; }
+std::span<const SenseKindRow> distantSenses() { return distantRows; }
 
 }  // namespace morula

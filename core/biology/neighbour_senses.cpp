@@ -50,7 +50,7 @@ Threshold moreThanHalf(const SenseParameters&) { return {.above = 0.5}; }
 Threshold oneAtLeast(const SenseParameters&) { return {.atLeast = 1}; }
 
 // clang-format off
-constexpr SenseKindRow rows[] = {
+constexpr SenseKindRow neighbourRows[] = {
     {.kind = SenseKind::neighbours, .name = "neighbours",
      .meaning = "How many cells touch it; with `of` only those that hold it",
      .needs = SenseNeeds::contact, .of = {"of"}, .least = 0, .measure = countNeighbours},
@@ -73,6 +73,6 @@ constexpr SenseKindRow rows[] = {
 
 }  // namespace
 
-std::span<const SenseKindRow> neighbourSenses() { return rows; }
+std::span<const SenseKindRow> neighbourSenses() { return neighbourRows; }
 
 }  // namespace morula

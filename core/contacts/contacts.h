@@ -7,6 +7,7 @@
 #include "base/aligned.h"
 #include "base/cell_path.h"
 #include "contacts/adhesion.h"
+#include "contacts/contact_areas.h"
 #include "contacts/contacts_kernels.h"
 #include "contacts/neighbour_list.h"
 #include "contacts/parameters.h"
@@ -56,17 +57,5 @@ void refreshList(Contacts& contacts, const Bodies& bodies, int threads);
 
 /// Adds contact forces to one block's force. Needs all snapshots and a valid list.
 void addContactForces(Contacts& contacts, Bodies& bodies, int block, double timeStep);
-
-/// Two cells that touch and over which area. [length²]
-struct ContactArea {
-  int a, b;  // cell numbers, a < b
-  double area;
-};
-
-/// A vertex touches the cell of its nearest facing neighbour within reach when its gap to it is below a
-/// quarter of the influence radius; it stands for a third of the area of its faces. Area of a pair: the mean
-/// of the two sides. Two spheres that overlap touch over the disc in which their surfaces meet. From the last
-/// snapshot; by (a, b).
-std::vector<ContactArea> measureContactAreas(const Contacts& contacts, const Bodies& bodies);
 
 }  // namespace morula

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "contacts/any_search.h"
 #include "contacts/slices.h"
 
 namespace morula {
@@ -35,16 +36,16 @@ NeighbourList makeNeighbourList(ContactSearch search, Isa isa) {
   list.kernels = &searchKernels(isa);
   switch (search) {
     case ContactSearch::grid:
-      list.search.emplace<GridSearch>();
+      list.search = AnySearch{GridSearch{}};
       break;
     case ContactSearch::aabbTree:
-      list.search.emplace<TreeSearch>();
+      list.search = AnySearch{TreeSearch{}};
       break;
     case ContactSearch::spatialHash:
-      list.search.emplace<SpatialHash>();
+      list.search = AnySearch{SpatialHash{}};
       break;
     case ContactSearch::bruteForce:
-      list.search.emplace<BruteForce>();
+      list.search = AnySearch{BruteForce{}};
       break;
   }
   return list;
@@ -75,7 +76,7 @@ void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const Aligned
         });
         if constexpr (requires { search.preparation; }) list.counters += search.preparation;
       },
-      list.search);
+      list.search->way);
   cutIntoSlices(list, bodies, threads);
   list.pairs = 0;
   ++list.counters.searches;

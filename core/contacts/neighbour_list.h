@@ -7,18 +7,17 @@
 // therefore never depend on when it was built, nor on how the pairs were found (search.h).
 #include <cmath>
 #include <cstdint>
-#include <variant>
 #include <vector>
 
 #include "base/aligned.h"
-#include "contacts/aabb_tree.h"
-#include "contacts/brute_force.h"
+#include "base/indirect.h"
 #include "contacts/contact_search.h"
 #include "contacts/contacts_kernels.h"
-#include "contacts/grid.h"
-#include "contacts/spatial_hash.h"
+#include "contacts/search.h"
 
 namespace morula {
+
+struct AnySearch;
 
 struct NeighbourList {
   // Constant
@@ -36,7 +35,7 @@ struct NeighbourList {
   SearchCounters counters;               // of all builds
 
   // Kept between builds so that a steady run allocates nothing.
-  std::variant<GridSearch, TreeSearch, SpatialHash, BruteForce> search;
+  Indirect<AnySearch> search;       // any_search.h
   AlignedVector<double> halfReach;  // [slot]
   std::vector<BlockLists> perBlock;
 };

@@ -1,6 +1,6 @@
 #include "division/principal_axis.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 
 #include "mesh/measures.h"
 

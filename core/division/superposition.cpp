@@ -1,6 +1,6 @@
 #include "division/superposition.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "mesh/measures.h"

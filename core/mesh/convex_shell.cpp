@@ -13,15 +13,15 @@ namespace {
 constexpr double planeWithin = 1e-9;  // of the size: corners of one polygon as decimal numbers put them
 constexpr double leastOffset =
     1e-3;  // of the size: nearer, rounding of a vertex far off would reach the origin
-constexpr double least = 1e-6, most = 1e6;  // [length] sizes
+constexpr double smallestSize = 1e-6, largestSize = 1e6;  // [length] sizes
 
 class Planes {
  public:
   Planes(const Mesh& mesh, const MeshSource& source) : mesh_(mesh), source_(source) {
     for (const Point& x : mesh.vertices) size_ = std::max(size_, norm(x));
-    if (!(size_ >= least && size_ <= most))
+    if (!(size_ >= smallestSize && size_ <= largestSize))
       throw InputError(source.name + ": its farthest vertex lies " +
-                       (size_ > most ? "more than 1e6" : "less than 1e-6") +
+                       (size_ > largestSize ? "more than 1e6" : "less than 1e-6") +
                        " from the origin; write a shell of a size in between");
   }
 

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 19> passedOver = {
     "vt",     "vn",     "vp",     "g",   "o",     "s",        "mg",       "p",          "l",        "usemtl",
     "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
-struct Corner {
+struct ObjCorner {
   std::int64_t vertex;  // 0-based
   ObjWord word;
 };
@@ -106,7 +106,7 @@ class ObjReader {
 
   void readFace(const std::vector<ObjWord>& words) {
     ++faceCount_;
-    std::vector<Corner> corners;
+    std::vector<ObjCorner> corners;
     bool good = true;
     for (std::size_t i = 1; i < words.size(); ++i) {
       std::int64_t vertex = 0;
@@ -168,20 +168,21 @@ class ObjReader {
     }
   }
 
-  bool checkCorners(const std::vector<Corner>& corners) {
+  bool checkCorners(const std::vector<ObjCorner>& corners) {
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     bool good = true;
-    for (const Corner& c : corners)
+    for (const ObjCorner& c : corners)
       if (c.vertex >= count) {
         fail(c.word,
              quoted(c.word.text) + ": there is no such vertex; the file has " + std::to_string(count));
         good = false;
       }
-    std::vector<Corner> sorted = corners;
+    std::vector<ObjCorner> sorted = corners;
     std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });
-    const auto twice = std::adjacent_find(
-        sorted.begin(), sorted.end(), [](const Corner& a, const Corner& b) { return a.vertex == b.vertex; });
+                     [](const ObjCorner& a, const ObjCorner& b) { return a.vertex < b.vertex; });
+    const auto twice =
+        std::adjacent_find(sorted.begin(), sorted.end(),
+                           [](const ObjCorner& a, const ObjCorner& b) { return a.vertex == b.vertex; });
     if (twice != sorted.end()) {
       fail(twice[1].word, "vertex " + std::to_string(twice->vertex + 1) +
                               " occurs twice in this face; the corners of a face are different vertices");
@@ -209,7 +210,7 @@ class ObjReader {
   }
 
   struct Polygon {
-    std::vector<Corner> corners;
+    std::vector<ObjCorner> corners;
     int number, line;
   };
   struct Error {

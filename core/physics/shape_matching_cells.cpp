@@ -11,7 +11,7 @@ namespace morula {
 
 namespace {
 
-void chooseForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool surfaces) {
+void chooseShapeForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool surfaces) {
   const bool resisted = p.shapeMatching.damping > 0 || p.drag > 0;
   if (surfaces) s.accumulateRings = k.accumulateAreaVectors;
   s.finishForces = k.findShapeForces[resisted][!surfaces];
@@ -19,7 +19,7 @@ void chooseForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParame
 
 /// The stiffest mode oscillates fastest; where much is damped the softest, in the direction of β, relaxes
 /// fastest.
-StabilityLimits limits(const Bodies& b, int) {
+StabilityLimits shapeLimits(const Bodies& b, int) {
   const IntegratorKind& integrator = kindOf(b.parameters.integrator);
   const ShapeMatchingParameters& shape = b.parameters.shapeMatching;
   const double k = shape.stiffness, soft = (1 - shape.linear) * k, c = shape.damping + b.parameters.drag;
@@ -30,7 +30,9 @@ StabilityLimits limits(const Bodies& b, int) {
 }  // namespace
 
 extern const CellModelKind shapeMatchingCells;
-const CellModelKind shapeMatchingCells{
-    .hasRestShape = true, .limitedBy = "shape-matching", .chooseForces = chooseForces, .limits = limits};
+const CellModelKind shapeMatchingCells{.hasRestShape = true,
+                                       .limitedBy = "shape-matching",
+                                       .chooseForces = chooseShapeForces,
+                                       .limits = shapeLimits};
 
 }  // namespace morula

@@ -14,7 +14,7 @@ namespace morula {
 
 namespace {
 
-void chooseForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool) {
+void chooseShellForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool) {
   if (kindOf(p.integrator).solvesForces) {
     s.accumulateRings = k.accumulateAreaVectors;
     s.finishForces = k.findPressure;
@@ -43,7 +43,7 @@ StabilityLimits limitsByDrag(const Bodies& b, int slot, double radius, double om
           oscillator(omega * omega, drag, 1)};
 }
 
-StabilityLimits limits(const Bodies& b, int slot) {
+StabilityLimits shellLimits(const Bodies& b, int slot) {
   const IntegratorKind& integrator = kindOf(b.parameters.integrator);
   if (integrator.solvesForces) return {INFINITY, INFINITY};
   const auto& membrane = b.parameters.membrane;
@@ -59,6 +59,6 @@ StabilityLimits limits(const Bodies& b, int slot) {
 
 extern const CellModelKind shellCells;
 const CellModelKind shellCells{
-    .hasMembrane = true, .limitedBy = "springs", .chooseForces = chooseForces, .limits = limits};
+    .hasMembrane = true, .limitedBy = "springs", .chooseForces = chooseShellForces, .limits = shellLimits};
 
 }  // namespace morula

@@ -9,16 +9,16 @@ namespace morula {
 
 namespace {
 
-void chooseForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool) {
+void chooseSphereForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsParameters& p, bool) {
   s.finishForces = p.drag > 0 ? k.measureDraggedSpheres : k.measureSpheres;
 }
 
-StabilityLimits limits(const Bodies&, int) { return {INFINITY, INFINITY}; }
+StabilityLimits sphereLimits(const Bodies&, int) { return {INFINITY, INFINITY}; }
 
 }  // namespace
 
 extern const CellModelKind sphereCells;
 const CellModelKind sphereCells{
-    .hasMesh = false, .limitedBy = "", .chooseForces = chooseForces, .limits = limits};
+    .hasMesh = false, .limitedBy = "", .chooseForces = chooseSphereForces, .limits = sphereLimits};
 
 }  // namespace morula

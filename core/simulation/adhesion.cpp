@@ -3,6 +3,7 @@
 
 #include "base/random.h"
 #include "biology/substance_pattern.h"
+#include "contacts/contacts.h"
 #include "simulation/stages.h"
 
 namespace morula {

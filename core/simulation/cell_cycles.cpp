@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "contacts/contacts.h"
 #include "simulation/observation.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"

@@ -4,6 +4,7 @@
 
 #include "base/maths.h"
 #include "base/number_text.h"
+#include "contacts/contacts.h"
 #include "simulation/body_failure.h"
 #include "simulation/stages.h"
 #include "simulation/state_fields.h"

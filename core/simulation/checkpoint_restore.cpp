@@ -241,7 +241,7 @@ void restoreActive(Connections& connections) {
 SavedState readState(FieldReader& in, const World& world) {
   SavedState read;
   if (world.bodies) read.world.bodies = *world.bodies;
-  if (world.contacts) read.world.contacts.emplace();
+  if (world.contacts) read.world.contacts = Contacts{};
   if (world.connections) read.world.connections.emplace();
   if (world.polarities) read.world.polarities.emplace();
   if (world.birthSizes) read.world.birthSizes.emplace();

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/fields.h"
+#include "contacts/contacts.h"
 #include "simulation/state_fields.h"
 
 namespace morula {

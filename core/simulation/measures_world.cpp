@@ -1,6 +1,7 @@
 // What is measured of the whole organism. To add one: a row here; those on demand stand last.
 #include <algorithm>
 
+#include "contacts/contacts.h"
 #include "simulation/body_measures.h"
 #include "simulation/measures.h"
 #include "simulation/organism_measures.h"

@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "contacts/any_search.h"
+#include "contacts/contacts.h"
 #include "physics/integrator.h"
 
 namespace morula {
@@ -125,7 +127,7 @@ MemoryUse measureMemory(const World& world) {
       m.listPairs += bytes(lists.neighbours);
     }
     m.search = bytes(k.list.halfReach) +
-               std::visit([](const auto& search) { return searchBytes(search); }, k.list.search);
+               std::visit([](const auto& search) { return searchBytes(search); }, k.list.search->way);
   }
   if (world.connections) m.connections = bytes(world.connections->history, world.connections->active);
   return m;

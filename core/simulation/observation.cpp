@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "contacts/contacts.h"
 #include "division/principal_axis.h"
 #include "mesh/measures.h"
 #include "physics/growth.h"

@@ -8,6 +8,7 @@
 
 #include "biology/cell_context.h"
 #include "biology/physical_unit.h"
+#include "contacts/contact_areas.h"
 #include "simulation/reference.h"
 #include "simulation/world.h"
 

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "contacts/contacts.h"
 #include "physics/growth.h"
 #include "simulation/memory.h"
 #include "simulation/stages.h"

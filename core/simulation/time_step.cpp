@@ -8,6 +8,7 @@
 #include "base/maths.h"
 #include "base/number_text.h"
 #include "base/random.h"
+#include "contacts/contacts.h"
 #include "physics/integrator.h"
 #include "physics/stability.h"
 #include "simulation/stages.h"

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "biology/logical_dna.h"
 #include "biology/substances.h"
+#include "contacts/contacts.h"
 #include "physics/growth.h"
 #include "simulation/memory.h"
 #include "simulation/population.h"

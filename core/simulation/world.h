@@ -7,10 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "base/indirect.h"
 #include "biology/biological_unit.h"
 #include "biology/lineage.h"
 #include "connections/connections.h"
-#include "contacts/contacts.h"
+#include "contacts/contact_search.h"
 #include "division/policy.h"
 #include "division/record.h"
 #include "physics/bodies.h"
@@ -20,6 +21,8 @@
 #include "simulation/swirls.h"
 
 namespace morula {
+
+struct Contacts;  // contacts/contacts.h
 
 /// How to compute. Nothing here changes a bit of the result.
 struct Execution {
@@ -81,7 +84,7 @@ struct World {
   Clock clock;
   Cells cells;
   std::optional<Bodies> bodies;            // absent: a lineage-only scene
-  std::optional<Contacts> contacts;        // absent: cells cannot touch
+  Indirect<Contacts> contacts;             // absent: cells cannot touch
   std::optional<Connections> connections;  // absent: nothing connects
   Lineage lineage;
   std::vector<TimeStepChange> timeSteps;

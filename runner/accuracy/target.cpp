@@ -15,7 +15,7 @@ namespace morula {
 
 namespace {
 
-constexpr std::uint64_t finestLevel = 4;
+constexpr std::uint64_t finestTried = 4;
 
 /// What is set is what was asked for, but for what the setting decides.
 std::vector<std::string> commandFor(const Setting& setting, const TargetQuestion& question) {
@@ -100,7 +100,7 @@ std::string commandText(const std::vector<std::string>& command) {
 
 /// The coarsest that leaves room for what time steps add, also of levels that did not take part.
 std::optional<std::uint64_t> levelThatHolds(const MeshError& mesh, double room) {
-  for (std::uint64_t level = mesh.own; level <= finestLevel; ++level)
+  for (std::uint64_t level = mesh.own; level <= finestTried; ++level)
     if (const auto error = mesh.errorOf(level); error && *error <= room) return level;
   return {};
 }

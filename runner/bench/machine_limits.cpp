@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t sizes[] = {24u << 10, 192u << 10, 768u << 10, 3u << 20,
                                  12u << 20, 24u << 20,  96u << 20};
 constexpr std::size_t largest = sizes[std::size(sizes) - 1];
-constexpr double longEnough = 1e-3;  // [s] of one sample, against the clock's own cost
+constexpr double sampleSeconds = 1e-3;  // [s] of one sample, against the clock's own cost
 
 volatile double sink;  // results go somewhere
 
@@ -29,7 +29,7 @@ double rate(const Kernel& kernel) {
   long turns = 1000;
   while (true) {
     const double time = timeOf(ClockKind::cpu, [&] { sink = kernel(turns); });
-    if (time >= longEnough) return static_cast<double>(turns) / time;
+    if (time >= sampleSeconds) return static_cast<double>(turns) / time;
     turns *= 4;
   }
 }
@@ -44,7 +44,7 @@ double measureBandwidth(AlignedVector<double>& memory, std::size_t bytes) {
     const double time = timeOf(ClockKind::cpu, [&] {
       for (long t = 0; t < turns; ++t) kernels.triad(a, b, c, count);
     });
-    if (time >= longEnough) return static_cast<double>(turns) * static_cast<double>(24 * count) / time;
+    if (time >= sampleSeconds) return static_cast<double>(turns) * static_cast<double>(24 * count) / time;
     turns *= 4;
   }
 }

@@ -17,7 +17,7 @@ double fraction(double a) { return a - std::floor(a); }
 
 /// Points of the recurrence with the steps 1/g, 1/g², 1/g³, g⁴ = g + 1: as even as an endless sequence can
 /// be.
-std::vector<Point> spread(int count, double radius) {
+std::vector<Point> spreadPoints(int count, double radius) {
   constexpr double g = 1.2207440846057596;
   std::vector<Point> points;
   for (int i = 1; static_cast<int>(points.size()) < count; ++i) {
@@ -76,7 +76,7 @@ double shareRadius(int count) { return 1 / cubeRoot(count); }
 
 std::vector<PlacedCell> packBall(int count) {
   const double share = shareRadius(count), radius = count == 1 ? 0 : 1 - 0.75 * share;
-  std::vector<Point> points = spread(count, radius);
+  std::vector<Point> points = spreadPoints(count, radius);
   for (int i = 0; i < rounds; ++i) pushApart(points, spacing * share, radius);
   std::vector<PlacedCell> cells;
   nameByHalving(points, CellPath{}, cells);

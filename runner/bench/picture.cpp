@@ -7,7 +7,7 @@ namespace morula {
 
 namespace {
 
-constexpr int vertices = 162;
+constexpr int verticesShown = 162;
 
 Colour colourOf(const std::string& line) {
   static const std::map<std::string, Colour> colours{
@@ -35,7 +35,7 @@ Drawing drawBench(const BenchReport& report) {
   };
   std::string widest;
   for (const BenchRow& row : report.rows) {
-    if (row.scene != "packed" || row.stage != Stage::step || row.vertices != vertices || row.wallClock)
+    if (row.scene != "packed" || row.stage != Stage::step || row.vertices != verticesShown || row.wallClock)
       continue;
     const std::string label = row.isa.empty() ? row.engine : row.engine + " " + row.isa;
     add(label, {double(row.cells), row.nsPerVertexStep});
@@ -43,10 +43,10 @@ Drawing drawBench(const BenchReport& report) {
   }
   ChartLine ordinary{"ordinary code, inner forces only", {0x77, 0x77, 0x77}, {}, true};
   for (const BenchRow& row : report.rows)
-    if (row.engine == "scalar" && row.vertices == vertices)
+    if (row.engine == "scalar" && row.vertices == verticesShown)
       ordinary.points.push_back({double(row.cells), row.nsPerVertexStep});
   if (!ordinary.points.empty()) chart.lines.push_back(ordinary);
-  if (const BenchRow* eight = find(report.rows, "packed", "morula", Stage::step, 8, vertices, widest)) {
+  if (const BenchRow* eight = find(report.rows, "packed", "morula", Stage::step, 8, verticesShown, widest)) {
     ChartLine thesis{"thesis' table 5.1, scaled", seriesColour(2), {}, true};
     for (const ThesisRow& row : thesisTable)
       thesis.points.push_back(

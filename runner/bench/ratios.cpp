@@ -8,7 +8,7 @@ namespace morula {
 
 namespace {
 
-constexpr int vertices = 162;
+constexpr int cellVertices = 162;
 
 class Table {
  public:
@@ -20,13 +20,13 @@ class Table {
   }
   const BenchRow* packed(Stage stage, int cells, const std::string& isa, int threads = 1,
                          bool wall = false) const {
-    return find(rows_, "packed", "morula", stage, cells, vertices, isa, threads, wall);
+    return find(rows_, "packed", "morula", stage, cells, cellVertices, isa, threads, wall);
   }
   const BenchRow* free(Stage stage, int cells, const std::string& isa) const {
-    return find(rows_, "free", "morula", stage, cells, vertices, isa);
+    return find(rows_, "free", "morula", stage, cells, cellVertices, isa);
   }
   const BenchRow* other(const std::string& engine, Stage stage, int cells) const {
-    return find(rows_, "packed", engine, stage, cells, vertices, "");
+    return find(rows_, "packed", engine, stage, cells, cellVertices, "");
   }
   const std::set<std::string>& isas() const { return isas_; }
   const std::set<int>& cells() const { return cells_; }

@@ -6,6 +6,7 @@
 
 #include "bench/packing.h"
 #include "bench/subject.h"
+#include "contacts/contacts.h"
 #include "engines/engine_worker.h"
 #include "system/statistics.h"
 

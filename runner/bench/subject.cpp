@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "contacts/contacts.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
 
@@ -12,7 +13,7 @@ namespace morula {
 
 namespace {
 
-constexpr double longEnough = 2e-3;      // [s] of one timing of a stage
+constexpr double stageSeconds = 2e-3;    // [s] of one timing of a stage
 constexpr double groupSeconds = 1.5e-4;  // [s] of one timing of whole steps, against the clock's own cost
 constexpr int warmUp = 2 * stirEvery;
 
@@ -20,7 +21,7 @@ constexpr int warmUp = 2 * stirEvery;
 template <class Call>
 double secondsPerCall(ClockKind clock, const Call& call) {
   const double first = timeOf(clock, call);
-  const int turns = std::clamp(static_cast<int>(longEnough / std::max(first, 1e-9)), 1, 100000);
+  const int turns = std::clamp(static_cast<int>(stageSeconds / std::max(first, 1e-9)), 1, 100000);
   return timeOf(clock,
                 [&] {
                   for (int i = 0; i < turns; ++i) call();
@@ -187,7 +188,7 @@ StepTimes Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
   const State before = keep();
   const Clock clockBefore = world_.clock;
   // The state's own list of neighbours waits for its return.
-  std::optional<Contacts> other;
+  Indirect<Contacts> other;
   if (world_.contacts) {
     other = contactsWith(isa, world_.execution.search);
     resetContacts(*other, *world_.bodies);

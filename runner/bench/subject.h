@@ -8,6 +8,7 @@
 
 #include "bench/ordinary_cell.h"
 #include "bench/packed_world.h"
+#include "contacts/contacts.h"
 #include "system/clock.h"
 
 namespace morula {

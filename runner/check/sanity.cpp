@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contacts/contacts.h"
 #include "mesh/measures.h"
 #include "simulation/body_measures.h"
 #include "simulation/sanity.h"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/number_text.h"
+#include "contacts/contacts.h"
 #include "diagnose/force_work.h"
 #include "diagnose/remedies.h"
 #include "physics/stability.h"

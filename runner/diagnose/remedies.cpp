@@ -2,6 +2,7 @@
 
 #include "base/maths.h"
 #include "base/number_text.h"
+#include "contacts/contacts.h"
 #include "mesh/measures.h"
 #include "simulation/stages.h"
 

@@ -31,9 +31,9 @@ std::vector<Vector> smoothNormals(const std::vector<Point>& vertices, const std:
   return normals;
 }
 
-class Writer {
+class GltfWriter {
  public:
-  Writer(const ExportedRun& run, const Sample& sample) : run_(run), sample_(sample) {
+  GltfWriter(const ExportedRun& run, const Sample& sample) : run_(run), sample_(sample) {
     document_["asset"] = {{"version", "2.0"}, {"generator", "Morula " + run.run.record.build.version}};
     document_["scene"] = 0;
     for (const CellSurface& s : sample.surfaces) addCell(s);
@@ -154,6 +154,6 @@ class Writer {
 
 }  // namespace
 
-std::string glbFile(const ExportedRun& run, const Sample& sample) { return Writer(run, sample).file(); }
+std::string glbFile(const ExportedRun& run, const Sample& sample) { return GltfWriter(run, sample).file(); }
 
 }  // namespace morula

@@ -30,9 +30,9 @@ std::string commentValue(std::string_view text) {
   return value;
 }
 
-class Writer {
+class NewickWriter {
  public:
-  explicit Writer(const ExportedRun& run) : run_(run) {}
+  explicit NewickWriter(const ExportedRun& run) : run_(run) {}
 
   /// The cell with all that descend from it. No deeper than CellPath::maxDepth.
   std::string subtree(const LineageEntry& cell) const {
@@ -56,7 +56,7 @@ class Writer {
 }  // namespace
 
 std::string newickTree(const ExportedRun& run) {
-  const Writer writer(run);
+  const NewickWriter writer(run);
   std::vector<std::string> roots;
   for (const LineageEntry& cell : run.results.lineage)
     if (cell.path.isEgg() || run.cellNumber(cell.path.mother()) < 0) roots.push_back(writer.subtree(cell));

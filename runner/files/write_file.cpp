@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+[[noreturn]] void refuseToWrite(const fs::path& file, const std::string& why) {
   throw FileError("'" + file.string() + "' cannot be written: " + why);
 }
 
@@ -26,13 +26,14 @@ std::optional<mode_t> typeOf(const fs::path& file) {
   struct stat status {};
   if (::lstat(file.c_str(), &status) == 0) return status.st_mode;
   if (errno == ENOENT) return std::nullopt;
-  refuse(file, std::strerror(errno));
+  refuseToWrite(file, std::strerror(errno));
 }
 
 /// Throws unless what stands there is a regular file that may be written.
 void requireWritable(const fs::path& file, mode_t mode) {
-  if (!S_ISREG(mode)) refuse(file, std::string("it is ") + typeName(mode) + "; give the name of a file");
-  if (::access(file.c_str(), W_OK) != 0) refuse(file, std::strerror(errno));
+  if (!S_ISREG(mode))
+    refuseToWrite(file, std::string("it is ") + typeName(mode) + "; give the name of a file");
+  if (::access(file.c_str(), W_OK) != 0) refuseToWrite(file, std::strerror(errno));
 }
 
 /// Moves the bytes to their place in one step.
@@ -49,14 +50,15 @@ void writeFile(const fs::path& file, std::string_view bytes, Content kind) {
     requireWritable(file, *mode);
     const Content there = contentOfFile(file);
     if (there != kind && there != Content::empty)
-      refuse(file, std::string("it is there already and is ") + name(there) + ", which " + name(kind) +
-                       " would replace; give another name, or remove it first");
+      refuseToWrite(file, std::string("it is there already and is ") + name(there) + ", which " + name(kind) +
+                              " would replace; give another name, or remove it first");
   }
   replace(file, bytes);
 }
 
 void writeNewFile(const fs::path& file, std::string_view bytes) {
-  if (typeOf(file)) refuse(file, std::string("it is there already and is ") + name(contentOfFile(file)));
+  if (typeOf(file))
+    refuseToWrite(file, std::string("it is there already and is ") + name(contentOfFile(file)));
   replace(file, bytes);
 }
 
@@ -69,7 +71,8 @@ void appendToFile(const fs::path& file, std::string_view bytes) {
   if (const auto mode = typeOf(file)) requireWritable(file, *mode);
   Descriptor out(
       ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
-  if (!out.isOpen() || !writeAll(out.number(), bytes) || !out.close()) refuse(file, std::strerror(errno));
+  if (!out.isOpen() || !writeAll(out.number(), bytes) || !out.close())
+    refuseToWrite(file, std::strerror(errno));
 }
 
 }  // namespace morula

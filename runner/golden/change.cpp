@@ -11,7 +11,7 @@ namespace morula {
 namespace {
 
 constexpr const char* absent = "not given";
-constexpr std::size_t most = 9;  // lines of one kind
+constexpr std::size_t mostLines = 9;  // lines of one kind
 
 std::string line(const std::string& heading, const std::string& text) {
   return "  " + heading + std::string(heading.size() < 10 ? 10 - heading.size() : 1, ' ') + text + '\n';
@@ -20,8 +20,9 @@ std::string line(const std::string& heading, const std::string& text) {
 std::string lines(const std::string& heading, const std::vector<std::string>& texts,
                   const std::string& what) {
   std::string all;
-  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) all += line(i ? "" : heading, texts[i]);
-  if (texts.size() > most) all += line("", "and " + std::to_string(texts.size() - most) + " more " + what);
+  for (std::size_t i = 0; i < std::min(mostLines, texts.size()); ++i) all += line(i ? "" : heading, texts[i]);
+  if (texts.size() > mostLines)
+    all += line("", "and " + std::to_string(texts.size() - mostLines) + " more " + what);
   return all;
 }
 

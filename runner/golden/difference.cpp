@@ -12,7 +12,7 @@ namespace morula {
 
 namespace {
 
-constexpr std::size_t most = 9;  // told one by one
+constexpr std::size_t mostTold = 9;  // told one by one
 
 std::string hex(double value) {
   char digits[16];
@@ -109,9 +109,10 @@ void sortByStep(std::vector<Difference>& differences) {
 
 std::string listed(const std::vector<Difference>& differences) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, differences.size()); ++i)
+  for (std::size_t i = 0; i < std::min(mostTold, differences.size()); ++i)
     text += (i ? "\n" : "") + differences[i].text;
-  if (differences.size() > most) text += "\nand " + std::to_string(differences.size() - most) + " more";
+  if (differences.size() > mostTold)
+    text += "\nand " + std::to_string(differences.size() - mostTold) + " more";
   return text;
 }
 
@@ -128,9 +129,9 @@ std::vector<std::string> cellsThatDiffer(const GoldenData& golden, const GoldenI
 
 std::string inWords(const std::vector<std::string>& cells) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, cells.size()); ++i)
+  for (std::size_t i = 0; i < std::min(mostTold, cells.size()); ++i)
     text += (i ? ", " : "") + (cells[i].empty() ? "the egg" : cells[i]);
-  if (cells.size() > most) text += " and " + std::to_string(cells.size() - most) + " more";
+  if (cells.size() > mostTold) text += " and " + std::to_string(cells.size() - mostTold) + " more";
   return text;
 }
 

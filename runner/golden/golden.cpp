@@ -14,7 +14,7 @@ namespace morula {
 
 namespace {
 
-constexpr std::string_view firstLine = "morula golden 1";
+constexpr std::string_view goldenHeader = "morula golden 1";
 
 /// Over everything that a run must reproduce. Reasons and tolerances are people's to edit, the rest is not.
 std::string digestOf(const Golden& golden) {
@@ -191,7 +191,7 @@ double grownBy(const Golden& golden, std::uint64_t step) {
 
 std::string writeGolden(const Golden& golden) {
   const GoldenData& data = golden.data;
-  std::string text(firstLine);
+  std::string text(goldenHeader);
   text += "\nscenario " + data.scenario + "\nseed " + std::to_string(data.seed) + "\nscenario_hash " +
           data.scenarioHash + "\naccepted_by " + golden.acceptedBy + "\nwhy " + golden.why + '\n';
   if (!golden.rules.empty()) text += '\n';
@@ -230,8 +230,8 @@ Golden readGolden(const std::string& text, const std::string& file) {
   Lines lines(text, golden.file);
   std::string_view line;
   if (!lines.next(line)) throw InputError(file + ":1: the file is empty; restore it from git");
-  if (line != firstLine)
-    lines.fail("the first line is not `" + std::string(firstLine) +
+  if (line != goldenHeader)
+    lines.fail("the first line is not `" + std::string(goldenHeader) +
                "`; this is no golden file of this version");
   data.scenario = header(lines, "scenario");
   const std::string seed = header(lines, "seed");

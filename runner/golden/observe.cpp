@@ -1,5 +1,6 @@
 #include "golden/observe.h"
 
+#include "contacts/contacts.h"
 #include "simulation/hash.h"
 #include "simulation/world.h"
 

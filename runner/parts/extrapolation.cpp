@@ -5,6 +5,7 @@
 
 #include "base/maths.h"
 #include "bench/packed_world.h"
+#include "contacts/contacts.h"
 #include "simulation/population.h"
 #include "simulation/stages.h"
 

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "bench/packed_world.h"
 #include "bench/work.h"
+#include "contacts/contacts.h"
 #include "simulation/hash.h"
 #include "simulation/measures.h"
 #include "simulation/stages.h"
@@ -15,7 +16,7 @@ namespace morula {
 
 namespace {
 
-constexpr double longEnough = 1e-3;  // [s] of one timing
+constexpr double timingSeconds = 1e-3;  // [s] of one timing
 constexpr int timings = 7;           // the quickest counts: others were disturbed
 constexpr int mostTurns = 64;        // [calls] of one timing
 
@@ -24,7 +25,7 @@ template <class Prepare, class Call>
 double quickest(const Prepare& prepare, const Call& call) {
   prepare();
   double best = timeOf(ClockKind::cpu, call);
-  const int turns = std::clamp(static_cast<int>(longEnough / std::max(best, 1e-9)), 1, mostTurns);
+  const int turns = std::clamp(static_cast<int>(timingSeconds / std::max(best, 1e-9)), 1, mostTurns);
   for (int i = 0; i < timings; ++i) {
     prepare();
     const double time = timeOf(ClockKind::cpu, [&] {
@@ -78,7 +79,7 @@ class Timing {
 
   World& world_;
   std::optional<Bodies> bodies_;
-  std::optional<Contacts> contacts_;
+  Indirect<Contacts> contacts_;
   std::optional<Connections> connections_;
   int threads_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contacts/contacts.h"
 #include "simulation/stages.h"
 #include "system/clock.h"
 

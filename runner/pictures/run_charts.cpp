@@ -15,7 +15,7 @@ namespace morula {
 
 namespace {
 
-constexpr std::size_t mostLabels = 24;  // at the ends of lines
+constexpr std::size_t mostLineLabels = 24;  // at the ends of lines
 
 template <class Of>
 void findMeasure(std::string_view name, Scope scope, std::optional<MeasureName>& found) {
@@ -131,7 +131,8 @@ Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scen
   chart.dots = few && results.samples.size() <= 40;
   number = 0;
   for (auto& [key, points] : series) {
-    const bool labelled = series.size() == 1 ? false : few || (points.back().x == end && atEnd <= mostLabels);
+    const bool labelled =
+        series.size() == 1 ? false : few || (points.back().x == end && atEnd <= mostLineLabels);
     // What ends early has its label there, the others theirs beside the chart.
     std::vector<std::string> atPoints;
     if (labelled && points.back().x < end) {

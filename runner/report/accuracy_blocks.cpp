@@ -15,7 +15,7 @@ namespace {
 
 constexpr Colour meshInk{0xa8, 0xad, 0xb3}, ownInk{0x20, 0x24, 0x28};
 constexpr std::size_t mostCommands = 4;
-constexpr std::size_t mostLabels = 60;  // of points in the chart
+constexpr std::size_t mostPointLabels = 60;  // of points in the chart
 constexpr std::size_t fewBullets =
     4;  // of Bullet's series in the chart; of more those that others beat are left out
 
@@ -71,7 +71,7 @@ Chart chartOf(const AccuracyRead& read, const std::vector<std::string>& out) {
   // Of very many points only the ends of lines have room for words.
   std::size_t points = 0;
   for (const ChartLine& line : chart.lines) points += line.points.size();
-  if (points > mostLabels)
+  if (points > mostPointLabels)
     for (ChartLine& line : chart.lines)
       for (std::size_t k = 1; k + 1 < line.pointLabels.size(); ++k) line.pointLabels[k].clear();
   if (read.mesh.error && *read.mesh.error > 0 && cost.low < cost.high)

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "contacts/contacts.h"
 #include "physics/integrator.h"
 #include "report_data/bytes.h"
 #include "simulation/checkpoint.h"

@@ -68,7 +68,7 @@ std::map<std::string, std::uint64_t> pagesOf(Database& db) {
   return bytes;
 }
 
-std::vector<std::string> columnsOf(Database& db, const std::string& table) {
+std::vector<std::string> namesOfColumns(Database& db, const std::string& table) {
   std::vector<std::string> columns;
   Statement s(db, "SELECT name FROM pragma_table_info(?)");
   for (s.start(table); s.next();) columns.push_back(s.text(0));
@@ -100,8 +100,8 @@ std::vector<TableContents> contentsOf(Database& db, const std::string& id) {
     t.rows = all;
     const auto measured = pages.find(table);
     t.estimated = measured == pages.end();
-    t.bytes = t.estimated ? lengthOf(db, table, columnsOf(db, table)) : measured->second;
-    const std::vector<std::string> columns = columnsOf(db, table);
+    t.bytes = t.estimated ? lengthOf(db, table, namesOfColumns(db, table)) : measured->second;
+    const std::vector<std::string> columns = namesOfColumns(db, table);
     const bool ofRuns = table == "document" || std::ranges::find(columns, "run_id") != columns.end();
     if (id.empty() || !ofRuns) continue;
     Statement count(db, table == "document" ? "SELECT count(DISTINCT hash) FROM run_document WHERE run_id = ?"

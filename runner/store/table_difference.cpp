@@ -11,14 +11,14 @@ namespace morula {
 
 namespace {
 
-struct Column {
+struct ColumnType {
   std::string name, type;  // TEXT, INTEGER, REAL or BLOB: the tables are STRICT
 };
 
 /// How rows of a table are found and ordered, and what of them is compared.
 struct Form {
   std::string table;
-  std::vector<Column> key, values;
+  std::vector<ColumnType> key, values;
   std::string where = "run_id = ?";
 };
 
@@ -33,7 +33,7 @@ bool isLeftOut(const std::string& table) {
   return table == "run_document" || table == "bullet_sample" || table.starts_with("checkpoint");
 }
 
-std::string quoted(const std::string& name) { return '"' + name + '"'; }
+std::string inQuotes(const std::string& name) { return '"' + name + '"'; }
 
 std::vector<std::string> tablesOfRuns(Database& db) {
   Statement s(
@@ -54,7 +54,7 @@ Form formOf(Database& db, const std::string& table) {
   };
   Statement s(db, "SELECT name, type, pk FROM pragma_table_info(?) ORDER BY cid");
   for (s.start(table); s.next();) {
-    const Column column{s.text(0), s.text(1)};
+    const ColumnType column{s.text(0), s.text(1)};
     if (column.name == "run_id") continue;
     const bool isKey = natural ? isIn(natural, column.name) : s.integer(2) > 0;
     if (isKey) form.key.push_back(column);
@@ -113,7 +113,7 @@ class Rows {
     ++count_;
     int place = 0;
     for (const auto* columns : {&form_.key, &form_.values})
-      for (const Column& c : *columns) row_.push_back(read(place++, c.type));
+      for (const ColumnType& c : *columns) row_.push_back(read(place++, c.type));
   }
   std::uint64_t count() const { return count_; }
   const std::vector<Value>& values() const { return row_; }
@@ -122,9 +122,9 @@ class Rows {
   static std::string query(const Form& form) {
     std::string columns, keys;
     for (const auto* list : {&form.key, &form.values})
-      for (const Column& c : *list) columns += (columns.empty() ? "" : ", ") + quoted(c.name);
-    for (const Column& c : form.key) keys += (keys.empty() ? " ORDER BY " : ", ") + quoted(c.name);
-    return "SELECT " + columns + " FROM " + quoted(form.table) + " WHERE " + form.where + keys;
+      for (const ColumnType& c : *list) columns += (columns.empty() ? "" : ", ") + inQuotes(c.name);
+    for (const ColumnType& c : form.key) keys += (keys.empty() ? " ORDER BY " : ", ") + inQuotes(c.name);
+    return "SELECT " + columns + " FROM " + inQuotes(form.table) + " WHERE " + form.where + keys;
   }
 
   Value read(int place, const std::string& type) const {

@@ -13,7 +13,7 @@ struct Column {
   std::int64_t key = 0;  // its place in the table's key, from 1; 0: no part of it
 };
 
-std::vector<Column> columnsOf(Database& db, const std::string& table) {
+std::vector<Column> columnsInOrder(Database& db, const std::string& table) {
   std::vector<Column> columns;
   Statement s(db, "SELECT name, type, pk FROM pragma_table_info(?) ORDER BY cid");
   for (s.start(table); s.next();)
@@ -38,13 +38,13 @@ TableValue read(const Statement& s, int place, const std::string& type) {
 
 std::vector<std::string> columnNames(Database& db, const std::string& table) {
   std::vector<std::string> names;
-  for (Column& c : columnsOf(db, table)) names.push_back(std::move(c.name));
+  for (Column& c : columnsInOrder(db, table)) names.push_back(std::move(c.name));
   return names;
 }
 
 void eachRow(Database& db, const std::string& table, const std::string& run,
              const std::function<void(const TableRow&)>& take) {
-  const auto columns = columnsOf(db, table);
+  const auto columns = columnsInOrder(db, table);
   if (columns.empty()) return;
   std::string names;
   for (const Column& c : columns) names += (names.empty() ? "" : ", ") + quoted(c.name);

@@ -11,7 +11,7 @@ using scenario::Node;
 namespace {
 
 /// JSON's strings are YAML's, too.
-std::string quoted(const std::string& text) { return jsonText(Json(text)); }
+std::string jsonQuoted(const std::string& text) { return jsonText(Json(text)); }
 
 /// Within brackets a text without quotes ends at these, and a text that begins so is something else.
 bool staysPlain(const std::string& text) {
@@ -26,13 +26,13 @@ std::string flow(const Node& node) {
   std::string text;
   switch (node.kind) {
     case Node::Kind::scalar:
-      return node.isPlain() && staysPlain(node.text) ? node.text : quoted(node.text);
+      return node.isPlain() && staysPlain(node.text) ? node.text : jsonQuoted(node.text);
     case Node::Kind::sequence:
       for (const Node& item : node.items) text += (text.empty() ? "" : ", ") + flow(item);
       return "[" + text + "]";
     case Node::Kind::map:
       for (const auto& member : node.members)
-        text += (text.empty() ? "" : ", ") + (staysPlain(member.key) ? member.key : quoted(member.key)) +
+        text += (text.empty() ? "" : ", ") + (staysPlain(member.key) ? member.key : jsonQuoted(member.key)) +
                 ": " + flow(member.value);
       return "{" + text + "}";
     default:

@@ -88,7 +88,7 @@ std::string columnsOfTexts(const std::vector<std::string>& names) {
   return text;
 }
 
-std::vector<std::string> columnNames(Database& db, const std::string& table) {
+std::vector<std::string> columnsOfTable(Database& db, const std::string& table) {
   std::vector<std::string> names;
   Statement s(db, "SELECT name FROM pragma_table_info(?)");
   for (s.start(table); s.next();) names.push_back(s.text(0));
@@ -188,7 +188,7 @@ Hash resultHash(Database& db, const std::string& run) {
           {"run_id", "scenario_hash", "status", "state_hash", "steps", "cells", "time", "failure"});
   for (const std::string& table : tablesOfResults()) {
     // Each row in the order of its key: the tables have no other.
-    std::vector<std::string> columns = columnNames(db, table);
+    std::vector<std::string> columns = columnsOfTable(db, table);
     std::string list;
     for (const std::string& column : columns) list += (list.empty() ? "" : ", ") + quotedName(column);
     Statement rows(db, "SELECT " + list + " FROM " + quotedName(table) + " WHERE run_id = ?");

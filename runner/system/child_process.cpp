@@ -15,14 +15,11 @@
 
 #include "base/error.h"
 #include "files/folders.h"
+#include "system/process_pipe.h"
 
 namespace morula {
 
 namespace {
-
-FileError failed(const std::string& what) {
-  return FileError("a process of its own: " + what + ": " + std::strerror(errno));
-}
 
 /// Writes all or as much as the other side takes.
 void send(int to, const std::string& text) {
@@ -34,22 +31,11 @@ void send(int to, const std::string& text) {
   }
 }
 
-std::string receive(int from) {
-  std::string text;
-  std::array<char, 65536> buffer;
-  while (true) {
-    const ssize_t n = ::read(from, buffer.data(), buffer.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return text;
-    text.append(buffer.data(), static_cast<std::size_t>(n));
-  }
-}
-
 struct Pipe {
   int read = -1, write = -1;
   Pipe() {
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) throw failed("no pipe");
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw processError("no pipe");
     read = ends[0], write = ends[1];
   }
   ~Pipe() { closeRead(), closeWrite(); }
@@ -62,7 +48,7 @@ struct Pipe {
 void waitFor(pid_t process, ChildEnd& end) {
   rusage used{};
   while (::wait4(process, &end.status, 0, &used) < 0)
-    if (errno != EINTR) throw failed("cannot be waited for");
+    if (errno != EINTR) throw processError("cannot be waited for");
   const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
   end.cpuSeconds = seconds(used.ru_utime) + seconds(used.ru_stime);
 }
@@ -97,7 +83,7 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& o
   words.push_back(nullptr);
   Pipe question, answer;
   const pid_t process = ::fork();
-  if (process < 0) throw failed("cannot be started");
+  if (process < 0) throw processError("cannot be started");
   if (process == 0) {
     limitCpuTime(options.cpuSeconds);
     if (options.silent) ::dup2(::open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
@@ -119,7 +105,7 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildOptions& o
     question.closeWrite();
   });
   ChildEnd end;
-  end.said = receive(answer.read);
+  end.said = readToEnd(answer.read);
   sender.join();
   waitFor(process, end);
   return end;

@@ -25,10 +25,6 @@ namespace {
 
 constexpr std::size_t mostText = 16384;  // a quarter of what a pipe takes without a reader
 
-FileError failed(const std::string& what) {
-  return FileError("a process of its own: " + what + ": " + std::strerror(errno));
-}
-
 void lower(decltype(RLIMIT_CPU) what, rlim_t most) {
   rlimit limit{};
   ::getrlimit(what, &limit);
@@ -66,22 +62,11 @@ void limit(const ForkedLimits& limits) {
   ::_exit(answer.code);
 }
 
-std::string receive(int from) {
-  std::string text;
-  std::array<char, 4096> buffer;
-  while (true) {
-    const ssize_t n = ::read(from, buffer.data(), buffer.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return text;
-    text.append(buffer.data(), static_cast<std::size_t>(n));
-  }
-}
-
 }  // namespace
 
 Forked::Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& what) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw failed("no pipe");
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw processError("no pipe");
   const pid_t parent = ::getpid();
   process_ = ::fork();
   if (process_ == 0) work(limits, what, parent, ends[1]);
@@ -91,7 +76,7 @@ Forked::Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& 
   const int reason = std::exchange(errno, 0);
   ::close(answer_);
   errno = reason;
-  throw failed("cannot be made");
+  throw processError("cannot be made");
 }
 
 Forked::~Forked() {
@@ -105,13 +90,13 @@ Forked::Forked(Forked&& other) noexcept
 
 ForkedEnd Forked::wait() {
   ForkedEnd end;
-  end.answer.text = receive(answer_);
+  end.answer.text = readToEnd(answer_);
   ::close(std::exchange(answer_, -1));
   int status = 0;
   rusage used{};
   const pid_t process = std::exchange(process_, -1);
   while (::wait4(process, &status, 0, &used) < 0)
-    if (errno != EINTR) throw failed("cannot be waited for");
+    if (errno != EINTR) throw processError("cannot be waited for");
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
   else end.answer.code = WEXITSTATUS(status);
   const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };

@@ -10,7 +10,7 @@ namespace morula::scenario {
 
 namespace {
 
-constexpr const char* form = "one condition, as {neighbours: {at-least: 6}} or {contact: {of: a5}}";
+constexpr const char* senseForm = "one condition, as {neighbours: {at-least: 6}} or {contact: {of: a5}}";
 
 struct Bound {
   const char* key;
@@ -46,10 +46,10 @@ class SenseReader {
 
   std::optional<SenseParameters> read(const Member& member) {
     if (member.value.kind != Node::Kind::map) {
-      refuse(member.value, path_, form, problems());
+      refuse(member.value, path_, senseForm, problems());
       return {};
     }
-    const Member* given = readOnly(member.value, path_, namesOfKinds(), form, problems());
+    const Member* given = readOnly(member.value, path_, namesOfKinds(), senseForm, problems());
     if (!given) return {};
     const auto row =
         std::ranges::find(senseKinds(), given->key, [](const SenseKindRow* r) { return r->name; });
@@ -250,7 +250,7 @@ const char* nameOf(SenseNeeds needs) {
 Parameter senses() {
   Parameter p;
   p.path = "senses";
-  p.allowed = std::string("a map of substances to ") + form;
+  p.allowed = std::string("a map of substances to ") + senseForm;
   p.meaning = "What cells perceive";
   Json forms = Json::array();
   for (const SenseKindRow* row : senseKinds()) forms.push_back(schemaOf(*row));

@@ -7,7 +7,7 @@ namespace morula::scenario {
 
 namespace {
 
-constexpr const char* form = "maps, as [{at: [0, 0, 0]}, {at: [2.5, 0, 0], velocity: [-1, 0, 0]}]";
+constexpr const char* startForm = "maps, as [{at: [0, 0, 0]}, {at: [2.5, 0, 0], velocity: [-1, 0, 0]}]";
 const std::vector<std::string> keys{"at", "velocity", "scale", "stretch", "mass", "substances"};
 
 // One cell among others may be out of all proportion.
@@ -102,7 +102,7 @@ Json cellSchema() {
 Parameter startCells() {
   Parameter p;
   p.path = "cells";
-  p.allowed = std::string("a list of ") + form;
+  p.allowed = std::string("a list of ") + startForm;
   p.meaning =
       "The cells that live at time 0. Of each: at, its centre; velocity; scale of its size at rest, with its "
       "contents and mass; stretch of its shape along x, y and z, not of its rest lengths; mass; substances "

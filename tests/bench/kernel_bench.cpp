@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/packed_world.h"
+#include "contacts/contacts.h"
 #include "contacts/search.h"
 
 using namespace morula;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "biology/dna.h"
+#include "contacts/contacts.h"
 #include "simulation/stages.h"
 #include "simulation/world.h"
 

@@ -11,6 +11,7 @@
 #include <map>
 
 #include "bench/packed_world.h"
+#include "contacts/contacts.h"
 #include "scenario/scenario.h"
 #include "scenes.h"
 

@@ -3,14 +3,15 @@
 #
 #   build_as.sh BUILD DIRECTORY TARGET
 #
-# BUILD: gcc-O0, gcc-O2, gcc-O3, clang-O2, clang-O3; gcc-O2-avx2 and gcc-O2-avx512: every source compiled so, not the
-# kernels alone; gcc-O3-portable: baseline kernels and no others; aarch64-O2: for that machine.
+# BUILD: gcc-O0, gcc-O2, gcc-O3, clang-O2, clang-O3; clang-O0: each source compiled by itself; gcc-O2-avx2 and
+# gcc-O2-avx512: every source compiled so, not the kernels alone; gcc-O3-portable: baseline kernels and no others;
+# aarch64-O2: for that machine.
 # TARGET: hash_program or run_scene, for which the simulator alone is built, or morula.
 # What the compiler says goes into DIRECTORY.log. Exit codes: 0 built, 1 failed, 2 usage, 77 the compiler is not here.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 if [ $# -ne 3 ]; then
-  sed -n '2,9s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,10s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 name=$1 build=$2 target=$3
@@ -25,6 +26,7 @@ esac
 # Never -mfma, nor an architecture that implies it: a fused multiply-add changes results.
 case $name in
   aarch64-O?) options=(--toolchain "$here/aarch64.cmake" -DMORULA_THREADS=OFF) ;;
+  clang-O0) options=(-DMORULA_UNITY=OFF) ;;
   *-O?) ;;
   *-portable) flags=${flags%-portable} options=(-DMORULA_PORTABLE=ON) ;;
   *-avx2) flags="${flags%-avx2} -mavx2" ;;

@@ -1,16 +1,23 @@
 #!/usr/bin/env bash
 # Every source of the core is compiled by the rules of arithmetic: no contraction, none of the options that change results.
 #
-#   flags.sh COMPILE_COMMANDS_JSON FOLDER     the sources under FOLDER
+#   flags.sh COMPILE_COMMANDS_JSON FOLDER...     the sources under these folders: the core's, and those that its build makes
 #
 # Exit codes: 0 so it is, 1 not so.
 set -euo pipefail
-awk -v folder="$2/" '
+commands=$1
+shift
+folders=$(printf '%s\n' "$@") awk '
+function isCore(file,   folder, n, i) {
+  n = split(ENVIRON["folders"], folder, "\n")
+  for (i = 1; i <= n; ++i) if (index(file, folder[i] "/") == 1) return 1
+  return 0
+}
 function wrong(what) { print file ": " what; ++errors }
 /^ *"command": / { command = $0; sub(/^ *"command": "/, "", command); sub(/",$/, "", command) }
 /^ *"file": / {
   file = $0; sub(/^ *"file": "/, "", file); sub(/",?$/, "", file)
-  if (index(file, folder) != 1) next
+  if (!isCore(file)) next
   ++sources
   contraction = "not said"
   n = split(command, word, " ")
@@ -25,7 +32,7 @@ function wrong(what) { print file ": " what; ++errors }
   if (contraction != "-ffp-contract=off") wrong("compiled without -ffp-contract=off: " contraction)
 }
 END {
-  if (!sources) { print "no source under " folder " is compiled"; exit 1 }
+  if (!sources) { print "no source under " ENVIRON["folders"] " is compiled"; exit 1 }
   if (errors) exit 1
   print sources " compilations by the rules"
-}' "$1"
+}' "$commands"

@@ -13,11 +13,11 @@ using namespace morula;
 
 namespace {
 
-struct Run {
+struct CountedRun {
   World world;
   double vertexSteps = 0;
 
-  explicit Run(const Scene& scene) : world(makeWorld(scene)) {
+  explicit CountedRun(const Scene& scene) : world(makeWorld(scene)) {
     while (!finished(world)) {
       step(world);
       vertexSteps += world.bodies->livingVertices;
@@ -36,7 +36,7 @@ TEST_CASE(
   Scene fineScene = scene;
   fineScene.mechanics->physics.coarsen.reset();
   fineScene.mechanics->coarser.clear();
-  const Run coarse(scene), fine(fineScene);
+  const CountedRun coarse(scene), fine(fineScene);
 
   const auto a = measureCells(coarse.world), b = measureCells(fine.world);
   // Later on it is a close call which axis of a nearly round cell is its longest: a coarser mesh decides

@@ -7,7 +7,7 @@ using namespace morula;
 
 namespace {
 
-const std::vector<CellPath> paths{CellPath::parse("AA"), CellPath::parse("AB"), CellPath::parse("B")};
+const std::vector<CellPath> pathsOfCells{CellPath::parse("AA"), CellPath::parse("AB"), CellPath::parse("B")};
 
 /// Sum of a spring's forces on two round cells, the second one of `size`, at this distance, along the way between them.
 std::array<Vector, 2> forcesOf(const ConnectionSpring& spring, const Vector& between, double size) {
@@ -20,8 +20,8 @@ std::array<Vector, 2> forcesOf(const ConnectionSpring& spring, const Vector& bet
   lab.bodies.acceleration.assign(lab.bodies.acceleration.size(), 0);
   Connections c;
   c.parameters.spring = spring;
-  connect(c, paths[0], paths[1], 0);
-  addConnectionForces(c, {paths[0], paths[1]}, lab.bodies);
+  connect(c, pathsOfCells[0], pathsOfCells[1], 0);
+  addConnectionForces(c, {pathsOfCells[0], pathsOfCells[1]}, lab.bodies);
   std::array<Vector, 2> sums{};
   for (int slot : {0, 1})
     for (int v = 0; v < lab.bodies.vertexCount(); ++v) sums[slot] += lab.force(slot, v);

@@ -9,11 +9,11 @@ using namespace morula;
 
 namespace {
 
-using Lists = std::map<VertexNumber, std::vector<VertexNumber>>;
+using ListsByVertex = std::map<VertexNumber, std::vector<VertexNumber>>;
 
 /// All pairs, by brute force.
-Lists bruteForce(const Bodies& b, const AlignedVector<double>& radius, double skin) {
-  Lists lists;
+ListsByVertex bruteForce(const Bodies& b, const AlignedVector<double>& radius, double skin) {
+  ListsByVertex lists;
   for (int s = 0; s < b.count; ++s)
     for (int v = 0; v < b.vertexCount(); ++v) {
       auto& own = lists[numberOf(b, s, v)];
@@ -27,15 +27,15 @@ Lists bruteForce(const Bodies& b, const AlignedVector<double>& radius, double sk
   return lists;
 }
 
-Lists listsOf(const NeighbourList& list, const Bodies& b) {
-  Lists lists;
+ListsByVertex listsByVertex(const NeighbourList& list, const Bodies& b) {
+  ListsByVertex lists;
   for (int s = 0; s < b.count; ++s)
     for (int v = 0; v < b.vertexCount(); ++v)
       lists[numberOf(b, s, v)] = neighboursOf(list, numberOf(b, s, v));
   return lists;
 }
 
-std::size_t pairsIn(const Lists& lists) {
+std::size_t pairsIn(const ListsByVertex& lists) {
   std::size_t pairs = 0;
   for (const auto& [g, neighbours] : lists) pairs += neighbours.size();
   return pairs;
@@ -51,9 +51,9 @@ TEST_CASE(
       for (double spacing : {0.1, 1.0, 1.8, 300.0}) {
         Crowd crowd(limp(), {}, ball, heap(ball, count, spacing, 0), isa);
         const Bodies& b = crowd.lab.bodies;
-        const Lists expected = bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin);
+        const ListsByVertex expected = bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin);
         CAPTURE(name(isa), count, spacing);
-        CHECK((listsOf(crowd.contacts.list, b) == expected));
+        CHECK((listsByVertex(crowd.contacts.list, b) == expected));
         CHECK(crowd.contacts.list.pairs == pairsIn(expected));
         if (count > 2 && spacing < 2) CHECK(pairsIn(expected) > 100);
       }
@@ -65,7 +65,7 @@ TEST_CASE("After moves of less than half the skin the list still holds every pai
   Bodies& b = crowd.lab.bodies;
   const double skin = crowd.contacts.list.skin;
   const auto rebuilds = crowd.contacts.rebuilds;
-  const Lists before = listsOf(crowd.contacts.list, b);
+  const ListsByVertex before = listsByVertex(crowd.contacts.list, b);
   for (int s = 0; s < b.count; ++s)
     for (int v = 0; v < b.vertexCount(); ++v) {
       const Vector way = noiseVector(static_cast<std::uint32_t>(100 * s + v), 77);
@@ -90,8 +90,8 @@ TEST_CASE("One vertex that moves by half the skin renews the list") {
     crowd.lab.setPosition(slot, 41, b.vertex(slot, 41) + Vector{0, 0.501 * crowd.contacts.list.skin, 0});
     crowd.evaluateForces();
     CHECK(crowd.contacts.rebuilds == rebuilds + 1);
-    CHECK(
-        (listsOf(crowd.contacts.list, b) == bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
+    CHECK((listsByVertex(crowd.contacts.list, b) ==
+           bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
   }
 }
 
@@ -106,8 +106,8 @@ TEST_CASE("Random moves, step after step: the list is right each time it is new"
     if (crowd.contacts.rebuilds == rebuilds) continue;
     rebuilds = crowd.contacts.rebuilds;
     ++renewed;
-    CHECK(
-        (listsOf(crowd.contacts.list, b) == bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
+    CHECK((listsByVertex(crowd.contacts.list, b) ==
+           bruteForce(b, crowd.contacts.radius, crowd.contacts.list.skin)));
   }
   CHECK(renewed > 5);
   CHECK(renewed < 100);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "catch.h"
+#include "contacts/any_search.h"
 #include "crowd.h"
 
 using namespace morula;
@@ -142,7 +143,7 @@ TEST_CASE("Cells far from each other: memory and result do not depend on the dis
     CAPTURE(distance);
     check(cells, ball, 20);
     Crowd crowd(limp(), {}, ball, cells);
-    CHECK(std::get<GridSearch>(crowd.contacts.list.search).start.size() < 5 * 8 * 42 + 100);
+    CHECK(std::get<GridSearch>(crowd.contacts.list.search->way).start.size() < 5 * 8 * 42 + 100);
   }
 }
 

@@ -10,7 +10,7 @@ using namespace morula;
 namespace {
 
 /// Semi-axes 3, 2 and 1 along x, y and z, and somewhere.
-std::vector<Point> brick() {
+std::vector<Point> brickVertices() {
   std::vector<Point> x = makeIcosphere(2).vertices;
   for (Point& p : x) p = Point{3 * p.x, 2 * p.y, p.z} + Vector{5, -1, 2};
   return x;
@@ -27,15 +27,15 @@ const auto policy = makeDivisionPolicy({DivisionPlane::alternating, {0, 3, 4}}, 
 }  // namespace
 
 TEST_CASE("alternating: a cell that no division made is cut across the given axis, through its centre") {
-  const Cut cut = policy->findCut(KnownCell("", brick()));
+  const Cut cut = policy->findCut(KnownCell("", brickVertices()));
   CHECK(norm(cut.normal - Vector{0, 0.6, 0.8}) < 1e-15);
-  CHECK(cut.point == measureCentroid(brick()));
+  CHECK(cut.point == measureCentroid(brickVertices()));
 }
 
 TEST_CASE("alternating: of the directions in the mother's plane it is the one of the largest extent") {
-  CHECK(norm(policy->findCut(daughter(brick(), {1, 0, 0})).normal - Vector{0, 1, 0}) < 1e-6);
-  CHECK(norm(policy->findCut(daughter(brick(), {0, 1, 0})).normal - Vector{1, 0, 0}) < 1e-6);
-  CHECK(norm(policy->findCut(daughter(brick(), {0, 0, -1})).normal - Vector{1, 0, 0}) < 1e-6);
+  CHECK(norm(policy->findCut(daughter(brickVertices(), {1, 0, 0})).normal - Vector{0, 1, 0}) < 1e-6);
+  CHECK(norm(policy->findCut(daughter(brickVertices(), {0, 1, 0})).normal - Vector{1, 0, 0}) < 1e-6);
+  CHECK(norm(policy->findCut(daughter(brickVertices(), {0, 0, -1})).normal - Vector{1, 0, 0}) < 1e-6);
 }
 
 TEST_CASE("alternating: whatever the mother's axis and the shape, the new one stands at right angles to it") {
@@ -51,9 +51,9 @@ TEST_CASE("alternating: whatever the mother's axis and the shape, the new one st
 TEST_CASE("alternating: who turns the cell and its mother's axis turns the plane") {
   const Vector axis = randomDirection({7, {}, 0, Purpose::test});
   const auto turn = [](const Vector& x) { return Vector{-x.y, x.z, -x.x}; };
-  std::vector<Point> turned = brick();
+  std::vector<Point> turned = brickVertices();
   for (Point& x : turned) x = turn(x);
-  const Vector before = policy->findCut(daughter(brick(), axis)).normal;
+  const Vector before = policy->findCut(daughter(brickVertices(), axis)).normal;
   const Vector after = policy->findCut(daughter(turned, turn(axis))).normal;
   CHECK(norm(cross(turn(before), after)) <
         1e-12);  // the same line; which of its directions is a rule of its own

@@ -29,19 +29,19 @@ Mesh ellipsoid(double a, double b, double c, int level = 3) {
 }
 
 /// A turn: its rows.
-struct Frame {
+struct Axes {
   Vector x, y, z;
   Vector operator()(const Vector& u) const { return {dot(x, u), dot(y, u), dot(z, u)}; }
 };
 
-Frame frame(std::uint32_t seed) {
+Axes frame(std::uint32_t seed) {
   const Vector x = randomDirection({seed, {}, 0, Purpose::test});
   Vector y = cross(x, randomDirection({seed, {}, 1, Purpose::test}));
   y = y / norm(y);
   return {x, y, cross(x, y)};
 }
 
-Mesh moved(Mesh mesh, const Frame& turn, const Vector& shift) {
+Mesh moved(Mesh mesh, const Axes& turn, const Vector& shift) {
   for (Point& x : mesh.vertices) x = turn(x) + shift;
   return mesh;
 }
@@ -82,7 +82,7 @@ TEST_CASE("section: the smallest stands across the longest side, wherever that p
   const Mesh brick = box(1, 2, 3);
   CHECK(between(smallestSection(brick, {0.5, 1, 1.5}), {0, 0, 1}) < 1e-4);
   for (std::uint32_t seed = 0; seed < 6; ++seed) {
-    const Frame turn = frame(seed);
+    const Axes turn = frame(seed);
     const Vector shift{1, -2, 3};
     const Vector found = smallestSection(moved(ellipsoid(1.5, 1, 0.9, 4), turn, shift), shift);
     CHECK(between(found, turn({1, 0, 0})) < 0.02);  // of the ellipsoid; it is one of triangles
@@ -110,7 +110,7 @@ TEST_CASE("section: a lump that is turned or mirrored has its smallest section t
   const Mesh mesh{lump.position, makeIcosphere(2).faces};
   const Vector before = smallestSection(mesh, measureCentroid(mesh.vertices));
   for (std::uint32_t seed = 0; seed < 6; ++seed) {
-    const Frame turn = frame(seed);
+    const Axes turn = frame(seed);
     const Mesh turned = moved(mesh, turn, {3, 0, -1});
     CHECK(between(smallestSection(turned, measureCentroid(turned.vertices)), turn(before)) < 1e-3);
   }

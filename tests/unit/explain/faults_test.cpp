@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "catch.h"
+#include "contacts/contacts.h"
 #include "explain/explain.h"
 #include "unit/simulation/worlds.h"
 

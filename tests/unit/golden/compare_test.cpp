@@ -33,7 +33,7 @@ CheckReport compareWith(const Golden& golden, const std::function<void(GoldenFac
   return compareGolden(golden, makeGoldenData(facts));
 }
 
-double up(double x) { return std::nextafter(x, 1e300); }
+double nextUp(double x) { return std::nextafter(x, 1e300); }
 
 }  // namespace
 
@@ -88,14 +88,14 @@ TEST_CASE("each injected fault is found and named") {
        {},
        "hash"},
       {"one ulp in a cell's pressure",
-       [](auto& f) { f.cells[0]["pressure"] = up(f.cells[0].at("pressure")); },
+       [](auto& f) { f.cells[0]["pressure"] = nextUp(f.cells[0].at("pressure")); },
        {"values"},
        "COMPUTATION",
        1024,
        "A",
        "pressure"},
       {"one ulp on the way",
-       [](auto& f) { f.samples[0]["volume"] = up(2); },
+       [](auto& f) { f.samples[0]["volume"] = nextUp(2); },
        {"values"},
        "COMPUTATION",
        128,
@@ -130,7 +130,9 @@ TEST_CASE("each injected fault is found and named") {
        "A",
        "neighbours"},
       {"two ulps, the earlier one first",
-       [](auto& f) { f.cells[0]["area"] = up(f.cells[0].at("area")), f.samples[0]["outermost"] = up(0.9); },
+       [](auto& f) {
+         f.cells[0]["area"] = nextUp(f.cells[0].at("area")), f.samples[0]["outermost"] = nextUp(0.9);
+       },
        {"values"},
        "COMPUTATION",
        128,
@@ -151,7 +153,7 @@ TEST_CASE("each injected fault is found and named") {
        "",
        "ended_step"},
       {"a division one ulp late",
-       [](auto& f) { f.lineage[0].ended = up(1); },
+       [](auto& f) { f.lineage[0].ended = nextUp(1); },
        {"lineage"},
        "LINEAGE",
        256,
@@ -188,7 +190,7 @@ TEST_CASE("each injected fault is found and named") {
        ""},
       {"more steps", [](auto& f) { f.steps = 1025; }, {"counts"}, "COMPUTATION", {}, {}, "count"},
       {"a change of the time step too late",
-       [](auto& f) { f.timeSteps[1].time = up(1); },
+       [](auto& f) { f.timeSteps[1].time = nextUp(1); },
        {"time_steps"},
        "COMPUTATION",
        256,
@@ -286,7 +288,7 @@ TEST_CASE("a changed lineage explains changed bits; a changed scenario explains 
 
 TEST_CASE("the text names the line, the cell, both numbers, their bits and their distance") {
   const CheckReport report = compareWith(reread(exampleGolden()), [](GoldenFacts& f) {
-    f.cells[0]["pressure"] = up(f.cells[0].at("pressure"));
+    f.cells[0]["pressure"] = nextUp(f.cells[0].at("pressure"));
     f.lineage[0].endedStep = 300;
   });
   CHECK(find(report, "values").message ==
@@ -357,10 +359,10 @@ TEST_CASE("tolerances: the share that is used is told, the last matching rule ho
   }
   SECTION("at the edge, and one representable number beyond") {
     CHECK(compareWith(golden, [](GoldenFacts& f) { f.cells[0]["volume"] = 2.5; }).passed());
-    CHECK_FALSE(compareWith(golden, [](GoldenFacts& f) { f.cells[0]["volume"] = up(2.5); }).passed());
+    CHECK_FALSE(compareWith(golden, [](GoldenFacts& f) { f.cells[0]["volume"] = nextUp(2.5); }).passed());
   }
   SECTION("what no rule matches must be exact") {
-    CHECK(failedChecks(compareWith(golden, [](GoldenFacts& f) { f.samples[0]["volume"] = up(2); })) ==
+    CHECK(failedChecks(compareWith(golden, [](GoldenFacts& f) { f.samples[0]["volume"] = nextUp(2); })) ==
           Checks{"values"});
   }
   SECTION("tolerances are for values only") {
@@ -371,7 +373,7 @@ TEST_CASE("tolerances: the share that is used is told, the last matching rule ho
 TEST_CASE("the order of the rules decides") {
   const Golden golden =
       reread(exampleGolden({rule("final/*/volume abs 0.5 why \"narrow\""), rule("final/* exact")}));
-  CHECK_FALSE(compareWith(golden, [](GoldenFacts& f) { f.cells[0]["volume"] = up(2); }).passed());
+  CHECK_FALSE(compareWith(golden, [](GoldenFacts& f) { f.cells[0]["volume"] = nextUp(2); }).passed());
 }
 
 TEST_CASE("beyond its last step a rule does not hold") {
@@ -432,7 +434,7 @@ TEST_CASE("a difference no larger than one unit in the last place grows to is ch
   CHECK(classOf(2 + 1e-8) == "CHAOS");        // at step 1024, where 1e-8 is reached
   CHECK(classOf(2 + 1e-5) == "COMPUTATION");  // more than that
   const auto early = [&](GoldenFacts& f) {
-    f.samples[0]["volume"] = up(2);
+    f.samples[0]["volume"] = nextUp(2);
   };  // at step 128, before all growth
   CHECK(find(compareWith(golden, early), "values").failureClass == "COMPUTATION");
 }

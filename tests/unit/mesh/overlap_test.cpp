@@ -9,15 +9,13 @@ using namespace morula;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Overlap overlapOf(const std::vector<Mesh>& meshes, int columns) {
   std::vector<MeshView> views;
   for (const Mesh& m : meshes) views.push_back({m.vertices, m.faces});
   return measureOverlap(views, columns);
 }
-
-double volumeOf(const Mesh& m) { return measureVolume(m.vertices, m.faces); }
 
 // The part of unit spheres with centres at distance d that lies in both.
 double lens(double d) { return pi * (4 + d) * (2 - d) * (2 - d) / 12; }
@@ -77,7 +75,7 @@ TEST_CASE("Denser lines find the volume of the mesh itself") {
     if (mesh.vertices.size() > 700) continue;
     CAPTURE(name);
     if (name == "smallest torus") continue;  // more silhouette than volume
-    const double exact = volumeOf(mesh);
+    const double exact = zoo::volumeOf(mesh);
     double error = 0;
     for (int columns : {32, 128, 512}) {
       error = std::abs(overlapOf({mesh}, columns).volumes[0] / exact - 1);
@@ -110,7 +108,7 @@ TEST_CASE("Lines through vertices and edges see each body whole") {
 
 TEST_CASE("Disjoint, nested, identical and inverted bodies") {
   const Mesh ball = makeIcosphere(2);
-  const double volume = volumeOf(ball);
+  const double volume = zoo::volumeOf(ball);
 
   const Overlap apart = overlapOf({ball, zoo::moved(ball, {0, 0, 2.5})}, 128);
   CHECK(apart.shares == std::vector<double>{0, 0});

@@ -148,5 +148,5 @@ TEST_CASE("Unused vertices, wrong numbers and numbers that are none are named") 
     m.vertices[2].y = bad;
     CHECK_THAT(complaintAbout(m), ContainsSubstring("m: vertex 3: a coordinate that is not a number"));
   }
-  CHECK_THAT(complaintAbout({}), ContainsSubstring("encloses nothing"));
+  CHECK_THAT(complaintAbout(Mesh{}), ContainsSubstring("encloses nothing"));
 }

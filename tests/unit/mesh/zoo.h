@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "mesh/measures.h"
 #include "mesh/mesh.h"
 
 namespace morula::zoo {
@@ -95,5 +96,7 @@ inline std::vector<Animal> all() {
   zoo.push_back({"far away", moved(makeIcosphere(2), {1000, -2000, 3000})});
   return zoo;
 }
+
+inline double volumeOf(const Mesh& m) { return measureVolume(m.vertices, m.faces); }
 
 }  // namespace morula::zoo

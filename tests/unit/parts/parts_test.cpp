@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "contacts/contacts.h"
 #include "loop/simulate.h"
 #include "simulation/world.h"
 #include "unit/scenario/helpers.h"

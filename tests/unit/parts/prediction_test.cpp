@@ -6,6 +6,7 @@
 #include "bench/packed_world.h"
 #include "bench/work.h"
 #include "catch.h"
+#include "contacts/contacts.h"
 #include "parts/extrapolation.h"
 #include "parts/rates.h"
 #include "scenes.h"

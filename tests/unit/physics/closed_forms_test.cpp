@@ -13,12 +13,6 @@ constexpr Integrator all[] = {Integrator::velocityVerlet, Integrator::thesisVerl
                               Integrator::explicitEuler,  Integrator::symplecticEuler,
                               Integrator::rungeKutta4,    Integrator::xpbd};
 
-double meanRadius(const Lab& lab) {
-  double sum = 0;
-  for (int v = 0; v < lab.bodies.vertexCount(); ++v) sum += norm(lab.bodies.vertex(0, v));
-  return sum / lab.bodies.vertexCount();
-}
-
 }  // namespace
 
 TEST_CASE("A body at rest in itself flies straight on, at its speed, with every integrator") {

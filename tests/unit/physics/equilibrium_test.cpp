@@ -30,12 +30,6 @@ void settle(Lab& lab, double timeStep) {
   FAIL("it does not come to rest");
 }
 
-double meanRadius(const Lab& lab) {
-  double sum = 0;
-  for (int v = 0; v < lab.bodies.vertexCount(); ++v) sum += norm(lab.bodies.vertex(0, v));
-  return sum / lab.bodies.vertexCount();
-}
-
 }  // namespace
 
 TEST_CASE("An icosahedron rests where its springs balance its gas: 30 edges, one unknown") {

@@ -77,4 +77,11 @@ inline Body shakenBody(const Mesh& mesh, double shift, double speed, std::uint32
   return b;
 }
 
+/// [length] Of the first cell, around the origin.
+inline double meanRadius(const Lab& lab) {
+  double sum = 0;
+  for (int v = 0; v < lab.bodies.vertexCount(); ++v) sum += norm(lab.bodies.vertex(0, v));
+  return sum / lab.bodies.vertexCount();
+}
+
 }  // namespace morula

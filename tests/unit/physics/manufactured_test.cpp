@@ -189,7 +189,7 @@ std::vector<Vector> shapeForces(const PhysicsParameters& p, const Mesh& mesh, do
   return f;
 }
 
-Manufactured matched() {
+Manufactured matchedShape() {
   PhysicsParameters p;
   p.cell.model = CellModel::shapeMatching;
   p.shapeMatching = {60, 0.6, 1.5};
@@ -202,7 +202,7 @@ Manufactured matched() {
 }  // namespace
 
 TEST_CASE("Paths' velocities and accelerations are their derivatives") {
-  for (const Manufactured& m : {shell(), matched()})
+  for (const Manufactured& m : {shell(), matchedShape()})
     for (const double t : {0.0, 0.3, 0.9}) {
       constexpr double h = 0x1p-12;
       Worst off;
@@ -216,7 +216,7 @@ TEST_CASE("Paths' velocities and accelerations are their derivatives") {
 }
 
 TEST_CASE("Cells follow manufactured paths with each integrator's order") {
-  for (const Manufactured& m : {shell(), matched()}) {
+  for (const Manufactured& m : {shell(), matchedShape()}) {
     INFO("model " << static_cast<int>(m.physics.cell.model));
     checkOrder(m, Integrator::velocityVerlet, 2, 64);
     checkOrder(m, Integrator::rungeKutta4, 4, 32);

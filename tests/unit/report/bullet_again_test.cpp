@@ -10,7 +10,7 @@
 namespace morula {
 namespace {
 
-const char* const scene = R"(morula: 1
+const char* const bulletScene = R"(morula: 1
 name: one
 dna: |
   START: a0
@@ -37,7 +37,7 @@ BulletAgain answered(const Scenario& scenario, const World& ours, std::vector<st
 }
 
 TEST_CASE("Shapes of another engine make the frames that a world of these shapes makes") {
-  const Scenario scenario = readScenario(scene, "one.yaml", "");
+  const Scenario scenario = readScenario(bulletScene, "one.yaml", "");
   const World world = makeScenarioWorld(scenario, {});
   FrameTaker taker(0, 1);
   taker.take(world);
@@ -68,7 +68,7 @@ TEST_CASE("What Bullet gives now is held to what is stored, digit for digit") {
 }
 
 TEST_CASE("A block beside Bullet says which geometry decides, how far the surfaces are apart, and where") {
-  const Scenario scenario = readScenario(scene, "one.yaml", "");
+  const Scenario scenario = readScenario(bulletScene, "one.yaml", "");
   const World world = makeScenarioWorld(scenario, {});
   auto shapes = shapesOf(world);
   const std::string same = htmlOf(besideBullet(scenario, world, answered(scenario, world, shapes), nullptr, {}));
@@ -95,7 +95,7 @@ TEST_CASE("A block beside Bullet says which geometry decides, how far the surfac
 }
 
 TEST_CASE("A Bullet that gave no answer, or is not there, is said to") {
-  const Scenario scenario = readScenario(scene, "one.yaml", "");
+  const Scenario scenario = readScenario(bulletScene, "one.yaml", "");
   const World world = makeScenarioWorld(scenario, {});
   BulletAgain broken;
   broken.found.results = {judged({.check = "bullet",

@@ -25,12 +25,12 @@ Scenario sceneWith(const std::string& physics) {
       "two.yaml", "");
 }
 
-struct Watched {
+struct WatchedForces {
   Simulation run;
   Frames frames;
 };
 
-Watched watch(const std::string& physics, bool forces = true) {
+WatchedForces watch(const std::string& physics, bool forces = true) {
   const Scenario scenario = sceneWith(physics);
   std::optional<ForceMeter> meter;
   if (forces) meter.emplace(makeScenarioWorld(scenario, {}));
@@ -41,17 +41,17 @@ Watched watch(const std::string& physics, bool forces = true) {
   return {std::move(run), std::move(taker.frames())};
 }
 
-std::uint32_t numberAt(const std::string& bytes, std::size_t at, int size = 4) {
+std::uint32_t wordAt(const std::string& bytes, std::size_t at, int size = 4) {
   std::uint32_t number = 0;
   for (int i = size - 1; i >= 0; --i)
     number = number << 8 | static_cast<unsigned char>(bytes.at(at + static_cast<std::size_t>(i)));
   return number;
 }
 
-float realAt(const std::string& bytes, std::size_t at) { return std::bit_cast<float>(numberAt(bytes, at)); }
+float floatAt(const std::string& bytes, std::size_t at) { return std::bit_cast<float>(wordAt(bytes, at)); }
 
 Vector vectorAt(const std::string& bytes, std::size_t at) {
-  return {realAt(bytes, at), realAt(bytes, at + 4), realAt(bytes, at + 8)};
+  return {floatAt(bytes, at), floatAt(bytes, at + 4), floatAt(bytes, at + 8)};
 }
 
 std::size_t netForcesAt(const Frames& frames, const Frame& frame) {
@@ -97,11 +97,11 @@ TEST_CASE("Forces on vertices are kept of the last frame, to half a step") {
   for (const ForcesByKind& cell : forces)
     for (std::size_t k = 0; k < kinds; ++k, steps += 4) {
       const auto& onVertex = cell[std::size_t(frames.forces[k])];
-      const double step = realAt(last.bytes, steps);
+      const double step = floatAt(last.bytes, steps);
       for (const Vector& force : onVertex) {
         for (const double exact : {force.x, force.y, force.z}) {
           double kept = 0;
-          if (step > 0) kept = step * static_cast<std::int8_t>(numberAt(last.bytes, numbers, 1)), ++numbers;
+          if (step > 0) kept = step * static_cast<std::int8_t>(wordAt(last.bytes, numbers, 1)), ++numbers;
           CHECK(std::abs(kept - exact) <= 0.5 * step * (1 + 1e-6) + 1e-7);
         }
       }

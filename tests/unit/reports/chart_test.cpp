@@ -4,17 +4,9 @@
 #include <algorithm>
 
 #include "catch.h"
+#include "pictures.h"
 
 using namespace morula;
-
-namespace {
-
-int countPixels(const Drawing& drawing, Colour colour) {
-  const Image image = drawing.pixels();
-  return static_cast<int>(std::count(image.pixels.begin(), image.pixels.end(), colour));
-}
-
-}  // namespace
 
 TEST_CASE("No number beside the vertical axis lies on the axis' title") {
   Chart chart;

@@ -16,7 +16,7 @@ namespace morula {
 namespace {
 
 /// How much ink a picture holds, in pixels of full black on paper.
-double ink(const Image& image) {
+double inkOf(const Image& image) {
   double sum = 0;
   for (const Colour& c : image.pixels) sum += double(paper.r - c.r) / paper.r;
   return sum;
@@ -88,7 +88,7 @@ TEST_CASE("a line holds as much ink as its area, wherever it lies between the pi
       drawing.line({{20, 20 + shift}, {80, 20 + shift}}, {.width = width, .colour = black});
       CAPTURE(width, shift);
       // Ends are round. cairo looks at fifteen rows of a pixel.
-      CHECK(ink(drawing.pixels()) == Approx(60 * width + 0.785 * width * width).margin(62.0 / 15));
+      CHECK(inkOf(drawing.pixels()) == Approx(60 * width + 0.785 * width * width).margin(62.0 / 15));
     }
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a rounded corner cuts off what a quarter circle leaves of its square"
   const auto corner = [](double rounding) {
     Drawing drawing(100, 100);
     drawing.line({{20, 20}, {80, 20}, {80, 80}}, {.width = 2, .colour = black, .rounding = rounding});
-    return ink(drawing.pixels());
+    return inkOf(drawing.pixels());
   };
   CHECK(corner(0) - corner(20) == Approx(2 * (40 - 3.14159 / 2 * 20)).epsilon(0.06));
   CHECK(corner(1000) == Approx(corner(30)));  // no more than half of each side
@@ -106,7 +106,7 @@ TEST_CASE("a disc holds as much ink as its area", "[drawing]") {
   for (const double radius : {2.0, 5.0, 9.3}) {
     Drawing drawing(40, 40);
     drawing.disc({20.3, 19.8}, radius, black);
-    CHECK(ink(drawing.pixels()) == Approx(3.14159265 * radius * radius).epsilon(0.02));
+    CHECK(inkOf(drawing.pixels()) == Approx(3.14159265 * radius * radius).epsilon(0.02));
   }
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("joints are not darker than the line", "[drawing]") {
 TEST_CASE("two thirds of a dashed line are ink, and round ends", "[drawing]") {
   Drawing drawing(400, 20);
   drawing.line({{20, 10}, {380, 10}}, {.width = 2, .colour = black, .dashed = true});
-  CHECK(ink(drawing.pixels()) == Approx(24 * (9 * 2 + 3.14159)).epsilon(0.03));  // 360 / (9 + 6) dashes
+  CHECK(inkOf(drawing.pixels()) == Approx(24 * (9 * 2 + 3.14159)).epsilon(0.03));  // 360 / (9 + 6) dashes
 }
 
 TEST_CASE("drawing beyond the edges is cut off", "[drawing]") {
@@ -129,7 +129,7 @@ TEST_CASE("drawing beyond the edges is cut off", "[drawing]") {
   drawing.disc({-100, -100}, 5, black);
   drawing.line({}, {.width = 2, .colour = black});
   drawing.image(18, 18, Image(10, 10, paper));
-  CHECK(ink(drawing.pixels()) == Approx(40).epsilon(0.01));
+  CHECK(inkOf(drawing.pixels()) == Approx(40).epsilon(0.01));
 }
 
 TEST_CASE("an image keeps its pixels wherever it lies", "[drawing]") {

@@ -1,5 +1,8 @@
 #pragma once
 // Small pictures that several tests draw, and how they look at the result.
+#include <algorithm>
+
+#include "drawing/drawing.h"
 #include "mesh/mesh.h"
 #include "organism/organism.h"
 
@@ -28,5 +31,10 @@ inline bool isBluish(Colour c) { return c.b > 100 && c.b > 2 * c.r; }
 inline int brightness(Colour c) { return c.r + c.g + c.b; }
 
 inline Colour centre(const Image& image) { return image.at(image.width / 2, image.height / 2); }
+
+inline int countPixels(const Drawing& drawing, Colour colour) {
+  const Image image = drawing.pixels();
+  return static_cast<int>(std::count(image.pixels.begin(), image.pixels.end(), colour));
+}
 
 }  // namespace morula

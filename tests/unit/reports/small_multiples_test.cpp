@@ -5,17 +5,11 @@
 
 #include "catch.h"
 #include "drawing/palette.h"
+#include "pictures.h"
 
 using namespace morula;
 
 namespace {
-
-const Colour red{200, 0, 0}, blue{0, 0, 200};
-
-int countPixels(const Drawing& drawing, Colour colour) {
-  const Image image = drawing.pixels();
-  return static_cast<int>(std::count(image.pixels.begin(), image.pixels.end(), colour));
-}
 
 /// Connected runs of columns that have a pixel of the colour.
 int groupsAcross(const Drawing& drawing, Colour colour) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t headSize = 24, tailSize = 16;
 
-World lived() {
+World savedWorld() {
   World world = makeWorld(scenes::life(), {bestIsa(), 1});
   while (world.clock.time < 4.1) step(world);
   return world;
@@ -148,7 +148,7 @@ TEST_CASE("Any flipped bit of a checkpoint is noticed") {
 }
 
 TEST_CASE("Damage behind a hash that fits is refused too, or is a state that can be gone on with") {
-  const std::string whole = saveState(lived());
+  const std::string whole = saveState(savedWorld());
   REQUIRE(complaint(sealedAgain(whole)).empty());
   World world = makeWorld(scenes::life(), {bestIsa(), 1});
   int refused = 0, taken = 0;
@@ -172,7 +172,7 @@ TEST_CASE("Damage behind a hash that fits is refused too, or is a state that can
 }
 
 TEST_CASE("A checkpoint of another scene is refused, and the message says what differs") {
-  const std::string saved = saveState(lived());
+  const std::string saved = saveState(savedWorld());
   const auto differs = [&](const char* part, const std::function<void(Scene&)>& change) {
     Scene other = scenes::life();
     change(other);
@@ -206,7 +206,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A state whose parts contradict each other is refused") {
-  const std::string good = saveState(lived());
+  const std::string good = saveState(savedWorld());
   REQUIRE(Fields(good).checkpoint() == good);
   const auto refused = [&](const char* why, const std::function<void(Fields&)>& change) {
     Fields bad(good);

@@ -13,7 +13,7 @@ using namespace morula;
 
 namespace {
 
-std::vector<Scene> allScenes() {
+std::vector<Scene> savedScenes() {
   std::vector<Scene> scenes{scenes::life(),   scenes::packed(),     scenes::ellipsoid(),
                             scenes::thesis(), scenes::coarsening(), scenes::lineageOnly(scenes::eventful, 6)};
   scenes.push_back(scenes::spheres());
@@ -72,7 +72,7 @@ World lived(const Scene& scene, double time) {
 }  // namespace
 
 TEST_CASE("From a checkpoint at any step, the run goes on as if it had never stopped") {
-  for (const Scene& scene : allScenes()) {
+  for (const Scene& scene : savedScenes()) {
     const std::uint64_t last = ranToEnd(scene, {bestIsa(), 1}).clock.step;
     std::map<std::uint64_t, std::string> checkpoints;
     World world = makeWorld(scene, {bestIsa(), 1});

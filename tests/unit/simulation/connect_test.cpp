@@ -31,19 +31,6 @@ ConnectionParameters withPolicy(MakeConnections make, ConnectionsOnDivision onDi
   return p;
 }
 
-void runTo(World& world, double time) {
-  while (world.clock.time < time) step(world);
-}
-
-std::set<std::string> pairsOf(const World& world) {
-  std::set<std::string> pairs;
-  for (std::size_t i : world.connections->active) {
-    const ConnectionRecord& r = world.connections->history[i];
-    pairs.insert(r.a.text() + "-" + r.b.text());
-  }
-  return pairs;
-}
-
 const std::set<std::string> none;
 
 /// Cells that all want the same.

@@ -9,7 +9,7 @@ using namespace morula;
 
 namespace {
 
-World lived() {
+World livedWorld() {
   World world = makeWorld(scenes::life(), {Isa::scalar, 1});
   while (world.clock.time < 3.1) step(world);
   return world;
@@ -77,12 +77,12 @@ TEST_CASE("A change of any field changes the hash, and no two changes give the s
       {"a past path", [](World& w) { w.lineage.entries[2].path = CellPath::parse("BBBB"); }},
       {"an entry is gone", [](World& w) { w.lineage.entries.pop_back(); }},
   };
-  World reference = lived();
+  World reference = livedWorld();
   REQUIRE(reference.connections->history.size() > 1);
   REQUIRE(reference.cells.state[0] != reference.cells.state[1]);
   std::set<std::string> hashes;
   for (const auto& [what, make] : changes) {
-    World world = lived();
+    World world = livedWorld();
     make(world);
     CAPTURE(what);
     CHECK(hashes.insert(stateHash(world).text()).second);
@@ -90,11 +90,11 @@ TEST_CASE("A change of any field changes the hash, and no two changes give the s
 }
 
 TEST_CASE("A change shows in the part where it was made, and in no other") {
-  const World reference = lived();
+  const World reference = livedWorld();
   const StateHashes before = hashState(reference);
   const auto cellsThatChange = [&](const std::function<void(World&)>& make, bool clock, bool connections,
                                    bool lineage) {
-    World world = lived();
+    World world = livedWorld();
     make(world);
     const StateHashes after = hashState(world);
     CHECK((after.clock != before.clock) == clock);
@@ -119,7 +119,7 @@ TEST_CASE("A change shows in the part where it was made, and in no other") {
 }
 
 TEST_CASE("A link vouches for its state, its step and all links before") {
-  const World world = lived();
+  const World world = livedWorld();
   const ChainLink first = nextLink({}, world), second = nextLink(first.hash, world);
   CHECK(first.step == world.clock.step);
   CHECK(first.state == hashState(world));
@@ -139,7 +139,7 @@ TEST_CASE("The hash changes with every step") {
 }
 
 TEST_CASE("What is only speed or scratch is not in the hash") {
-  World world = lived();
+  World world = livedWorld();
   const Hash before = stateHash(world);
   world.contacts->listIsValid = false;
   world.contacts->rebuilds += 5;
@@ -150,7 +150,7 @@ TEST_CASE("What is only speed or scratch is not in the hash") {
 }
 
 TEST_CASE("A state that holds no number is a failed run, not a hash") {
-  World world = lived();
+  World world = livedWorld();
   world.bodies->velocity[world.bodies->at(0, 0)] = std::nan("");
   CHECK_THROWS_AS(stateHash(world), NumericalError);
 }

@@ -25,15 +25,6 @@ ConnectionParameters with(MakeConnections make, ConnectionsOnDivision onDivision
   return p;
 }
 
-std::set<std::string> pairsOf(const World& world) {
-  std::set<std::string> pairs;
-  for (std::size_t i : world.connections->active) {
-    const ConnectionRecord& r = world.connections->history[i];
-    pairs.insert(r.a.text() + "-" + r.b.text());
-  }
-  return pairs;
-}
-
 /// Of every cell, by number.
 std::multiset<int> countsOf(const World& world) {
   std::multiset<int> counts;
@@ -52,8 +43,6 @@ World ballsAt(Scene scene, const std::vector<Vector>& places) {
   return worldOf(scene, cells);
 }
 
-using enum CellChange;
-
 }  // namespace
 
 TEST_CASE("Daughter A takes all: four rounds make a cyst of sixteen cells with 4, 3, 2 and 1 bridges") {
@@ -68,6 +57,7 @@ TEST_CASE("Daughter A takes all: four rounds make a cyst of sixteen cells with 4
 }
 
 TEST_CASE("Nearest: each connection goes to the daughter whose centre is nearer, whoever else divides") {
+  using enum CellChange;
   const ConnectionParameters p = with(MakeConnections::byGene, ConnectionsOnDivision::nearest);
   // Three in a row, cut across x, A on its larger side: AA at 0, AB at 1.9, B at 4 … and one aside of AA.
   const auto after = [&](const std::vector<CellChange>& changes) {
@@ -84,6 +74,7 @@ TEST_CASE("Nearest: each connection goes to the daughter whose centre is nearer,
 }
 
 TEST_CASE("The nearest daughter may lie on the plane's other side") {
+  using enum CellChange;
   struct CapOff final : DivisionPolicy {
     Cut findCut(const CellContext&) const override { return {{0.6, 0, 0}, {1, 0, 0}}; }
   };
@@ -101,6 +92,7 @@ TEST_CASE("The nearest daughter may lie on the plane's other side") {
 }
 
 TEST_CASE("By contact: cells that touch connect at a cycle, without a gene that asks for it") {
+  using enum CellChange;
   World world = ballsAt(
       connected(scenes::everybodyDivides, with(MakeConnections::byContact, ConnectionsOnDivision::plane)),
       {{}, {1.8, 0, 0}, {3.6, 0, 0}, {9, 0, 0}});
@@ -127,6 +119,7 @@ TEST_CASE("By contact: a gene that produces release keeps cells apart, and ends 
 }
 
 TEST_CASE("Pairs: only cells that touch and hold the two substances connect, whichever holds which") {
+  using enum CellChange;
   const auto after = [](std::vector<ConnectedPair> pairs) {
     ConnectionParameters p = with(MakeConnections::pairs, ConnectionsOnDivision::plane);
     p.pairs = std::move(pairs);

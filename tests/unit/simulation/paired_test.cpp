@@ -46,12 +46,6 @@ Point centreOf(const World& world) {
   return {egg.at("x"), egg.at("y"), egg.at("z")};
 }
 
-std::map<std::string, double> birthsOf(const World& world) {
-  std::map<std::string, double> births;
-  for (const LineageEntry& e : world.lineage.entries) births[e.path.text()] = e.born;
-  return births;
-}
-
 std::map<std::string, double> sharesOf(const World& world) {
   std::map<std::string, double> shares;
   for (const DivisionRecord& d : world.divisions) shares[d.path.text()] = d.share;

@@ -14,10 +14,6 @@ const LineageEntry& entry(const World& world, const char* path) {
   return *found;
 }
 
-void runTo(World& world, double time) {
-  while (world.clock.time < time) step(world);
-}
-
 }  // namespace
 
 TEST_CASE("A division makes two cells of one and records it, once the cycle's time has come") {

@@ -24,12 +24,6 @@ Scene varied(double cycle, std::uint64_t seed = 3) {
 }
 
 /// Births by path: when the mother's cycle was due.
-std::map<std::string, double> birthsOf(const World& world) {
-  std::map<std::string, double> births;
-  for (const LineageEntry& e : world.lineage.entries) births[e.path.text()] = e.born;
-  return births;
-}
-
 }  // namespace
 
 TEST_CASE("Each cell has a pace of its own, and divides when the cycles of its line add up to it") {

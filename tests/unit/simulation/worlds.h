@@ -1,7 +1,11 @@
 #pragma once
 // Worlds for tests: of a scene, or of cells put together by hand.
 #include <cmath>
+#include <map>
+#include <set>
+#include <string>
 
+#include "contacts/contacts.h"
 #include "scenes.h"
 #include "simulation/hash.h"
 #include "simulation/measures.h"
@@ -85,6 +89,27 @@ inline int slotOf(const World& world, const char* path) {
 
 inline Point centreOf(const World& world, const char* path) {
   return measureCentroid(cellVertices(world, CellPath::parse(path)));
+}
+
+/// [time] When each cell was born, by path.
+inline std::map<std::string, double> birthsOf(const World& world) {
+  std::map<std::string, double> births;
+  for (const LineageEntry& e : world.lineage.entries) births[e.path.text()] = e.born;
+  return births;
+}
+
+/// The connected pairs as "AA-B".
+inline std::set<std::string> pairsOf(const World& world) {
+  std::set<std::string> pairs;
+  for (std::size_t i : world.connections->active) {
+    const ConnectionRecord& r = world.connections->history[i];
+    pairs.insert(r.a.text() + "-" + r.b.text());
+  }
+  return pairs;
+}
+
+inline void runTo(World& world, double time) {
+  while (world.clock.time < time) step(world);
 }
 
 }  // namespace morula

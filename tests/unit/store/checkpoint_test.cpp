@@ -9,7 +9,7 @@ using namespace morula;
 
 namespace {
 
-std::int64_t count(const std::filesystem::path& file, const std::string& from) {
+std::int64_t countRows(const std::filesystem::path& file, const std::string& from) {
   Database db(file, Database::Mode::existing, std::chrono::seconds(1));
   return db.integer("SELECT count(*) FROM " + from);
 }
@@ -44,15 +44,15 @@ TEST_CASE("a run goes on from its last checkpoint, with what was recorded up to 
     Store store = Store::openForWriting(file);
     id = store.begin(exampleRecord());
     store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1));
-    CHECK(count(file, "sample") == 1);
-    CHECK(count(file, "step_hash") == 1);
+    CHECK(countRows(file, "sample") == 1);
+    CHECK(countRows(file, "step_hash") == 1);
     int asked = 0;
     store.keepCheckpoint(id, checkpointAt(700), recordsUpTo(700), frames(3, &asked));
     CHECK(asked == 2);  // the first one is there
   }                     // as if killed
-  CHECK(count(file, "checkpoint") == 1);
-  CHECK(count(file, "sample") == 2);
-  CHECK(count(file, "step_hash") == 2);
+  CHECK(countRows(file, "checkpoint") == 1);
+  CHECK(countRows(file, "sample") == 2);
+  CHECK(countRows(file, "step_hash") == 2);
 
   Store store = Store::openForWriting(file);
   const auto resumed = store.resume(exampleRecord());
@@ -65,9 +65,9 @@ TEST_CASE("a run goes on from its last checkpoint, with what was recorded up to 
   CHECK(resumed->frames == std::vector<std::string>{"frame 0", "frame 1", "frame 2"});
   CHECK(store.results(id).samples.size() == 2);
   store.finish(id, exampleEnd(), exampleResults());
-  CHECK(count(file, "checkpoint") == 0);
-  CHECK(count(file, "checkpoint_frame") == 0);
-  CHECK(count(file, "sample") == 2);
+  CHECK(countRows(file, "checkpoint") == 0);
+  CHECK(countRows(file, "checkpoint_frame") == 0);
+  CHECK(countRows(file, "sample") == 2);
   CHECK_FALSE(store.resume(exampleRecord()));
 }
 
@@ -85,8 +85,8 @@ TEST_CASE("a killed run keeps its checkpoint, and its results are what there is"
   store.finish(id, end, results);
   CHECK(store.find(id).status == RunStatus::killed);
   CHECK(store.find(id).steps == 700);
-  CHECK(count(file, "cell") == 3);
-  CHECK(count(file, "document") == 2);
+  CHECK(countRows(file, "cell") == 3);
+  CHECK(countRows(file, "document") == 2);
   REQUIRE(store.resume(exampleRecord()));
   CHECK(store.find(id).status == RunStatus::running);
   CHECK(store.find(id).ended.empty());
@@ -97,7 +97,7 @@ TEST_CASE("without a checkpoint there is nothing to resume") {
   const auto file = folder / "runs.db";
   Store store = Store::openForWriting(file);
   CHECK_FALSE(store.resume(exampleRecord()));
-  CHECK(count(file, "run") == 0);
+  CHECK(countRows(file, "run") == 0);
   const std::string id = store.begin(exampleRecord());
   CHECK_FALSE(store.resume(exampleRecord()));
   store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(2));
@@ -122,8 +122,8 @@ TEST_CASE("whoever begins anew loses no checkpoint until there is a later one") 
   end.steps = 100;
   store.finish(id, end, recordsUpTo(100));
   CHECK(store.find(id).status == RunStatus::killed);
-  CHECK(count(file, "sample") == 2);
-  CHECK(count(file, "checkpoint_frame") == 2);
+  CHECK(countRows(file, "sample") == 2);
+  CHECK(countRows(file, "checkpoint_frame") == 2);
   store.begin(exampleRecord());
   CHECK(store.keepCheckpoint(id, checkpointAt(800), recordsUpTo(800), frames(3)));
   const auto resumed = store.resume(exampleRecord());
@@ -142,8 +142,8 @@ TEST_CASE("a finished run takes no checkpoint of an attempt to repeat it") {
   store.finish(id, exampleEnd(), exampleResults());
   store.begin(exampleRecord());
   CHECK_FALSE(store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100)));
-  CHECK(count(file, "checkpoint") == 0);
-  CHECK(count(file, "sample") == 2);
+  CHECK(countRows(file, "checkpoint") == 0);
+  CHECK(countRows(file, "sample") == 2);
   CHECK(store.find(id).status == RunStatus::done);
 }
 
@@ -158,10 +158,10 @@ TEST_CASE("records that were made in another way are replaced as a whole") {
   few.chain.clear();
   store.keepCheckpoint(id, without, few, frames(3));
   store.keepCheckpoint(id, checkpointAt(100), recordsUpTo(100), frames(1));
-  CHECK(count(file, "checkpoint_frame") == 1);
+  CHECK(countRows(file, "checkpoint_frame") == 1);
   store.keepCheckpoint(id, checkpointAt(800), recordsUpTo(800));
-  CHECK(count(file, "step_hash") == 2);
-  CHECK(count(file, "sample") == 2);
+  CHECK(countRows(file, "step_hash") == 2);
+  CHECK(countRows(file, "sample") == 2);
 }
 
 TEST_CASE("a value that SQLite cannot take is refused, not stored as nothing") {

@@ -1,0 +1,49 @@
+#pragma once
+// An optional value that lies elsewhere, as std::indirect of C++26 does: who holds or passes it on need not know its type,
+// which may be declared only. Copied and destroyed with its value, and const with its owner.
+#include <utility>
+
+namespace morula {
+
+template <class T>
+class Indirect {
+ public:
+  Indirect() = default;
+  Indirect(T value) : value_(new T(std::move(value))), operations_(&known()) {}
+  Indirect(const Indirect& other)
+      : value_(other ? other.operations_->copy(*other.value_) : nullptr), operations_(other.operations_) {}
+  Indirect(Indirect&& other) noexcept
+      : value_(std::exchange(other.value_, nullptr)), operations_(other.operations_) {}
+  Indirect& operator=(Indirect other) noexcept {
+    std::swap(value_, other.value_), std::swap(operations_, other.operations_);
+    return *this;
+  }
+  ~Indirect() { reset(); }
+
+  void reset() {
+    if (value_) operations_->destroy(std::exchange(value_, nullptr));
+  }
+  bool has_value() const { return value_; }
+  explicit operator bool() const { return value_; }
+  T& operator*() { return *value_; }
+  const T& operator*() const { return *value_; }
+  T* operator->() { return value_; }
+  const T* operator->() const { return value_; }
+
+ private:
+  struct Operations {
+    T* (*copy)(const T&);
+    void (*destroy)(T*);
+  };
+  /// To be called where T is known: where a value is made.
+  static const Operations& known() {
+    static constexpr Operations operations{[](const T& value) { return new T(value); },
+                                           [](T* value) { delete value; }};
+    return operations;
+  }
+
+  T* value_ = nullptr;
+  const Operations* operations_ = nullptr;
+};
+
+}  // namespace morula
