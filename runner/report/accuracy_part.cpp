@@ -1,4 +1,7 @@
-// What accuracy costs, as a page: the verdict of an accuracy run, and its blocks.
+// What accuracy costs, as a page: the verdict of an accuracy run, and its sections.
+#include <cmath>
+
+#include "accuracy/tables.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "files/read_file.h"
@@ -11,95 +14,94 @@ namespace {
 
 using Kind = Finding::Kind;
 
-constexpr double wellConverged = 1;  // least order by which errors must fall from mesh to mesh
-
 /// "error 0.0927 up to time 4 of 31.25: 0.00535 of the time step, 0.0874 of the mesh".
-std::string sentenceOf(const AccuracyRead& read) {
-  const AccuracyEntry& own = read.own;
-  const std::string start = read.scenario + " as it is";
+std::string sentenceOf(const AccuracyReport& report) {
+  const AccuracyRow& own = report.own;
+  const std::string start = report.scenario + " as it is";
   if (!own.failure.empty()) return start + " does not come to its end.";
-  if (!own.whole) return start + ": not compared, for other cells live.";
-  std::string text = start + ": error " + (own.mesh ? "" : "at least ") + numberText(*own.whole, 3);
+  if (!own.error) return start + ": not compared, for other cells live.";
+  std::string text = start + ": error " + (own.parts.mesh ? "" : "at least ") + numberText(own.parts.sum(), 3);
   const auto add = [&](const std::optional<double>& part, const std::string& of) {
     text += (part ? numberText(*part, 3) : std::string("an unknown part")) + " of " + of;
   };
   text += ": ";
-  add(own.time, "the time step");
+  add(own.parts.time, "the time step");
   text += ", ";
-  add(own.mesh, "the mesh");
+  add(own.parts.mesh, "the mesh");
   return text + " [radii of the egg, relative volume].";
 }
 
-void judgeReference(const AccuracyRead& read, std::vector<Finding>& findings) {
-  const auto& r = read.reference;
-  if (!r.error || !(r.order > 0))
+void judgeReference(const AccuracyReport& report, std::vector<Finding>& findings) {
+  const AccuracyReference& r = report.reference;
+  const std::string witness = nameOf(r.witness.integrator);
+  const bool converged = std::isfinite(r.left.error) && r.left.order > 0;
+  if (!converged)
     findings.push_back(
         {Kind::bad,
          "No converged reference: its own error does not fall with its time step, so no error on this "
          "page is sure"});
   if (!r.agrees)
-    findings.push_back({Kind::bad, "The reference is not confirmed: the witness, " + r.witness +
+    findings.push_back({Kind::bad, "The reference is not confirmed: the witness, " + witness +
                                        ", is farther away than both their errors allow"});
-  if (r.agrees && r.error && r.order > 0)
-    findings.push_back({Kind::good, "The reference, good to " + numberText(*r.error, 2) +
-                                        ", is confirmed by another integrator, " + r.witness});
+  if (r.agrees && converged)
+    findings.push_back({Kind::good, "The reference, good to " + numberText(r.left.error, 2) +
+                                        ", is confirmed by another integrator, " + witness});
 }
 
-void judgeMesh(const AccuracyRead& read, std::vector<Finding>& findings) {
-  const auto& m = read.mesh;
+void judgeMesh(const AccuracyReport& report, std::vector<Finding>& findings) {
+  const MeshError& m = report.mesh;
   if (!m.unknown.empty())
     findings.push_back(
         {Kind::warning, "What the mesh adds is not known, so whole errors are at least what is stated: " +
                             m.unknown});
-  else if (!m.levels.empty() && m.order < wellConverged)
+  else if (!m.levels.empty() && m.order < leastMeshOrder)
     findings.push_back(
         {Kind::warning, "Errors hardly fall from mesh to mesh: the mesh's error may be larger than stated"});
   if (!m.limit.empty()) findings.push_back({Kind::warning, "No finer mesh took part: " + m.limit});
   if (m.partedAt)
     findings.push_back(
         {Kind::warning, "On another mesh other cells live from " + numberText(*m.partedAt) + " on"});
-  if (m.error && read.own.time && *m.error > 3 * *read.own.time && *m.error > 0)
+  const auto error = m.error(), time = report.own.parts.time;
+  if (error && time && *error > 3 * *time && *error > 0)
     findings.push_back({Kind::warning, "The mesh costs " +
-                                           (*read.own.time > 0 ? numberText(*m.error / *read.own.time, 2) +
-                                                                     " times what the time step does"
-                                                               : std::string("all, the time step nothing")) +
+                                           (*time > 0 ? numberText(*error / *time, 2) + " times what the time step does"
+                                                      : "all, the time step nothing") +
                                            ": shorter time steps gain little"});
 }
 
-void judgeRows(const AccuracyRead& read, std::vector<Finding>& findings) {
-  if (!read.own.failure.empty())
-    findings.push_back({Kind::bad, "The scenario as it is failed: " + read.own.failure});
-  else if (read.own.partedAt)
+void judgeRows(const AccuracyReport& report, std::vector<Finding>& findings) {
+  if (!report.own.failure.empty())
+    findings.push_back({Kind::bad, "The scenario as it is failed: " + report.own.failure});
+  else if (report.own.partedAt)
     findings.push_back({Kind::bad, "The scenario as it is has other cells than the reference from time " +
-                                       numberText(*read.own.partedAt) + " on"});
-  else if (!read.own.resolved)
+                                       numberText(*report.own.partedAt) + " on"});
+  else if (!report.own.resolved)
     findings.push_back(
         {Kind::warning, "The error of the scenario as it is is below ten times the reference's own"});
-  if (read.end && read.until < *read.end * (1 - 1e-6))
-    findings.push_back({Kind::warning, "Compared up to time " + numberText(read.until, 6) + " of " +
-                                           numberText(*read.end, 6) +
+  const double until = report.times.back();
+  if (report.end && until < *report.end * (1 - 1e-6))
+    findings.push_back({Kind::warning, "Compared up to time " + numberText(until, 6) + " of " +
+                                           numberText(*report.end, 6) +
                                            ": nothing is said of what comes later"});
   std::size_t failed = 0, parted = 0;
-  for (const AccuracyEntry& e : read.rows) failed += !e.failure.empty(), parted += e.partedAt.has_value();
+  for (const AccuracyRow& row : report.rows) failed += !row.failure.empty(), parted += row.partedAt.has_value();
   if (failed)
     findings.push_back({Kind::warning, std::to_string(failed) + " of " +
-                                           counted(read.rows.size(), "setting") +
+                                           counted(report.rows.size(), "setting") +
                                            " failed; a table says why"});
   if (parted)
     findings.push_back({Kind::warning, std::to_string(parted) + " of " +
-                                           counted(read.rows.size(), "setting") +
+                                           counted(report.rows.size(), "setting") +
                                            " come to other cells than the reference"});
-  for (const std::string& remark : read.remarks) findings.push_back({Kind::warning, remark});
-  if (!read.rival.empty())
-    findings.push_back({Kind::good, "As exact on this mesh, and the cheapest tried: " + read.rival +
-                                        ", " + numberText(read.rivalSpeed, 3) +
+  for (const std::string& remark : report.remarks) findings.push_back({Kind::warning, remark});
+  if (report.rival)
+    findings.push_back({Kind::good, "As exact on this mesh, and the cheapest tried: " + report.rival->series + ", " +
+                                        numberText(report.rival->speed, 3) +
                                         " times as fast as the scenario as it is"});
 }
 
 /// What --target has found.
-void judgeTarget(const AccuracyRead& read, std::vector<Finding>& findings) {
-  const Json& t = read.target;
-  if (!t.is_object()) return;
+void judgeTarget(const Json& t, std::vector<Finding>& findings) {
   const std::string error = numberText(t.at("error").get<double>(), 3);
   const Json& best = t.at("run_to_the_end");
   if (!best.is_object()) {
@@ -123,14 +125,15 @@ void judgeTarget(const AccuracyRead& read, std::vector<Finding>& findings) {
                                            std::to_string(t.at("icosphere_that_holds").get<int>())});
 }
 
-Section madeBy(const AccuracyRead& read, const std::string& file) {
+Section madeBy(const Json& json, const std::string& scenario, const std::string& file) {
   Section section{"made-by",
                   "Where it comes from",
                   {},
-                  {"./morula accuracy " + (read.file.empty() ? "SCENARIO" : shellWord(read.file)) + " --json > " + shellWord(file),
+                  {"./morula accuracy " + scenario + " --json > " + shellWord(file),
                    "./morula report " + shellWord(file)}};
   Table table{section.title, {}};
-  for (const auto& [name, value] : read.provenance) table.rows.push_back({name, value});
+  if (json.contains("made_by"))
+    for (const auto& [name, value] : json.at("made_by").items()) table.rows.push_back({name, value.get<std::string>()});
   if (table.rows.empty()) section.body.say("The output does not say by which program and machine it was made.");
   else section.body.add(std::move(table));
   return section;
@@ -145,23 +148,24 @@ PagePart accuracyPart(const std::string& file) {
   if (!json.is_object() || !json.contains("rows"))
     throw InputError(file + ": no rows of an accuracy run" + right);
   try {
-    const AccuracyRead read = accuracyFrom(json);
-    PagePart part{.title = "Accuracy of " + read.scenario,
+    const AccuracyReport report = accuracyFrom(json);
+    const std::string scenario = json.contains("file") ? shellWord(json.at("file").get<std::string>()) : "SCENARIO";
+    PagePart part{.title = "Accuracy of " + report.scenario,
                   .summary = "What accuracy costs: error against CPU time",
                   .verdict = {}};
     std::vector<Finding> findings;
-    judgeTarget(read, findings);
-    judgeReference(read, findings);
-    judgeMesh(read, findings);
-    judgeRows(read, findings);
-    part.verdict = verdict(sentenceOf(read), std::move(findings));
-    part.sections = {cheapestSection(read), accuracyChartSection(read), settingsSection(read), referenceSection(read),
-                     madeBy(read, file)};
+    if (json.contains("target")) judgeTarget(json.at("target"), findings);
+    judgeReference(report, findings);
+    judgeMesh(report, findings);
+    judgeRows(report, findings);
+    part.verdict = verdict(sentenceOf(report), std::move(findings));
+    part.sections = {cheapestSection(report, scenario), accuracyChartSection(report),
+                     {"rows", "Settings", settingTables(report)}, referenceSection(report), madeBy(json, scenario, file)};
     part.sections.push_back({"rows-download", "Downloads",
                              Document().add(Downloads{{{"settings.csv", "text/csv", accuracyCsv(json.at("rows"))},
                                                        {"accuracy.json", "application/json", text}}})});
     return part;
-  } catch (const Json::exception&) {
+  } catch (const std::exception&) {  // JSON of other kinds, and choices that are none
     throw InputError(file + ": rows that are none of an accuracy run" + right);
   }
 }

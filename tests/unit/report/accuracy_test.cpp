@@ -1,8 +1,8 @@
 // Pages of accuracy runs: the verdict, the cheapest settings, and texts that stay texts.
 #include <fstream>
 
+#include "accuracy/accuracy.h"
 #include "catch.h"
-#include "report_data/accuracy_read.h"
 #include "report/parts.h"
 #include "temporary_folder.h"
 
@@ -92,13 +92,13 @@ std::string blockOf(const PagePart& part, const std::string& id) {
 }
 
 TEST_CASE("The cheapest settings for an error are those of the runs made, ours and Bullet's") {
-  const AccuracyRead read = accuracyFrom(output());
-  REQUIRE(cheapestFor(read, 0.1, true));
-  CHECK(cheapestFor(read, 0.1, true)->series == "velocity-verlet");
-  CHECK(cheapestFor(read, 0.01, true)->series == "rk4");
-  CHECK(cheapestFor(read, 0.1, false)->timeStep == 0.125);
-  CHECK(cheapestFor(read, 0.01, false) == nullptr);
-  CHECK(cheapestFor(read, 0.0005, true) == nullptr);  // the reference's own error is added
+  const AccuracyReport report = accuracyFrom(output());
+  REQUIRE(!thatHold(report, 0.1).empty());
+  CHECK(thatHold(report, 0.1)[0]->series == "velocity-verlet");
+  CHECK(thatHold(report, 0.01).at(0)->series == "rk4");
+  CHECK(thatHold(report, 0.1, false).at(0)->setting.timeStep == 0.125);
+  CHECK(thatHold(report, 0.01, false).empty());
+  CHECK(thatHold(report, 0.0005).empty());  // the reference's own error is added
 }
 
 TEST_CASE("An accuracy page says first what does not hold") {

@@ -1,62 +1,12 @@
-// What accuracy has found, for people.
+// What accuracy has found, for people at a terminal.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "accuracy/accuracy.h"
+#include "accuracy/tables.h"
 #include "base/number_text.h"
 
 namespace morula {
 
 namespace {
-
-std::string stepText(double timeStep) {
-  const double parts = 1 / timeStep;
-  return parts > 1 && parts == static_cast<double>(static_cast<std::int64_t>(parts)) ? fmt::format("1/{:.0f}", parts)
-                                                                                     : numberText(timeStep, 6);
-}
-
-/// A share of the steps that the scene chooses, or a time.
-std::string stepText(const Setting& setting) {
-  if (!setting.automatic || setting.autoShare == 1) return stepText(setting.timeStep);
-  const double parts = 1 / setting.autoShare;
-  return parts == std::floor(parts) ? fmt::format("auto/{:g}", parts) : "auto*" + numberText(setting.autoShare);
-}
-
-Cell error(const std::optional<double>& a, const char* mark = "") {
-  return a ? Cell(*a, fmt::format("{:.2e}{}", *a, mark)) : exact({});
-}
-
-std::string noteOf(const AccuracyRow& row) {
-  if (!row.failure.empty()) return "failed: " + row.failure;
-  if (!row.error) return fmt::format("other cells live from {} on", numberText(*row.partedAt));
-  std::string text;
-  if (row.partedAt) text = fmt::format("* up to {}: then other cells live", numberText(*row.partedAt));
-  if (row.cut)
-    text += fmt::format("{}* divides across another plane at {}", text.empty() ? "" : "  ", numberText(row.cut->time));
-  return text;
-}
-
-Table rowTable(const std::vector<AccuracyRow>& rows) {
-  using Row = AccuracyRow;
-  const auto ifKnown = [](const Row& row, double value) { return row.error ? error(value) : exact({}); };
-  const std::vector<Field<Row>> fields{
-      {"time step", [](const Row& row) { return stepText(row.setting); }},
-      {"error", [](const Row& row) { return row.error ? error(row.parts.sum(), row.parts.mesh ? " " : "+") : exact({}); }},
-      {"time", [](const Row& row) { return error(row.parts.time ? row.parts.time : row.parts.model, row.resolved ? " " : "~"); }},
-      {"mesh", [](const Row& row) { return error(row.parts.mesh); }},
-      {"precision", [](const Row& row) { return error(row.parts.precision); }},
-      {"centroid", [=](const Row& row) { return ifKnown(row, row.errors.centroid); }},
-      {"volume", [=](const Row& row) { return ifKnown(row, row.errors.volume); }},
-      {"surface", [=](const Row& row) { return ifKnown(row, row.errors.surface); }},
-      {"births", [=](const Row& row) { return ifKnown(row, row.birthTimes); }},
-      {"CPU [s]", [](const Row& row) { return row.error ? Cell(row.cpuSeconds, fmt::format("{:.4f}", row.cpuSeconds)) : exact({}); }},
-      {"evaluations", [](const Row& row) { return row.error ? Cell(row.forceEvaluations) : exact({}); }},
-      {"", noteOf},
-  };
-  return tableOf("Settings", fields, rows);
-}
 
 std::vector<Cell> line(const char* what, const std::string& text) { return {what, text}; }
 
@@ -100,7 +50,8 @@ void tellOwn(const AccuracyReport& report, Table& facts) {
   const AccuracyRow& own = report.own;
   const auto say = [&](const std::string& text) { facts.rows.push_back(line("", text)); };
   if (!own.failure.empty() || !own.error) {
-    facts.rows.push_back(line("as it is", noteOf(own)));
+    facts.rows.push_back(line("as it is", !own.failure.empty() ? "failed: " + own.failure
+                                                               : "other cells live from " + numberText(*own.partedAt) + " on"));
     return;
   }
   const ErrorParts& p = own.parts;
@@ -117,18 +68,6 @@ void tellOwn(const AccuracyReport& report, Table& facts) {
   else if (!report.rows.empty()) say("nothing else that was tried is as exact on this mesh");
 }
 
-Table orderTable(const std::vector<SeriesOrder>& orders) {
-  Table table{"Orders", {}};
-  for (const SeriesOrder& o : orders) {
-    // Through two points a line goes without a rest.
-    const std::string spread = o.observed && o.observed->points > 2 ? fmt::format(" ± {:.2f}", o.observed->slopeError) : "";
-    table.rows.push_back({o.series, !o.observed ? "too few errors to fit"
-                                                : fmt::format("{:.2f}{} from {} time steps; {:g} where all is smooth",
-                                                              o.observed->slope, spread, o.observed->points, o.theory)});
-  }
-  return table;
-}
-
 Table speedTable(const std::vector<SpeedAtError>& speeds) {
   using Row = SpeedAtError;
   const std::vector<Field<Row>> fields{
@@ -139,21 +78,6 @@ Table speedTable(const std::vector<SpeedAtError>& speeds) {
       {"speed", [](const Row& s) { return s.speed ? Cell(*s.speed, fmt::format("{:.2f}", *s.speed)) : exact({}); }},
   };
   return tableOf("Speed at equal error", fields, speeds);
-}
-
-Table bulletTable(const std::vector<BulletSpeed>& speeds) {
-  using Row = BulletSpeed;
-  const auto times = [](double a) { return Cell(a, fmt::format("{:.1f}", a)); };
-  const std::vector<Field<Row>> fields{
-      {"error", [](const Row& s) { return number(s.error, 6); }},
-      {"ours", [](const Row& s) { return s.ours; }},
-      {"CPU [s]", [](const Row& s) { return number(s.ourSeconds); }},
-      {"Bullet", [](const Row& s) { return s.bullets; }},
-      {"CPU [s]", [](const Row& s) { return number(s.bulletSeconds); }},
-      {"times", [=](const Row& s) { return times(s.bulletSeconds / s.ourSeconds); }},
-      {"with its slowest setting", [=](const Row& s) { return times(s.bulletMostSeconds / s.ourSeconds); }},
-  };
-  return tableOf("Beside Bullet", fields, speeds);
 }
 
 }  // namespace
@@ -172,25 +96,13 @@ Document describe(const AccuracyReport& report) {
                        report.horizon && report.horizon->parted ? "; later is chaos: see the remark" : ""))
       .add(std::move(facts));
   if (report.rows.empty()) return text;
-  text.heading(
-          "error: no more than the sum of its parts, + where the mesh's is not known. time, mesh: against the converged solution on "
-          "the row's mesh, and of that mesh; the largest of centroids and surfaces [radii of the egg] and volumes [relative], of all "
-          "cells and times. Another contact law or cell model is stated with its time step, under time")
-      .say("centroid, volume, surface: against the reference on the scenario's mesh; births: latest birth against the reference's "
-           "[cycle lengths]");
-  for (auto first = report.rows.begin(); first != report.rows.end();) {
-    const std::string& series = first->series;
-    const auto last = std::find_if(first, report.rows.end(), [&](const AccuracyRow& row) { return row.series != series; });
-    text.heading(series + (series == report.usual ? " (the scenario's own)" : "")).add(rowTable({first, last}));
-    first = last;
-  }
-  text.heading("order, from the slope of the error on the scenario's mesh over the time step").add(orderTable(report.orders));
+  text.heading("settings").add(settingTables(report));
+  text.heading("order, from the slope of the error on the scenario's mesh over the time step").add(orderTable(report));
   text.heading("speed at equal error on the scenario's mesh, between neighbouring runs; speed 1: its own settings");
   if (report.speeds.empty()) text.say("no error lies between two runs of a series");
   else text.add(speedTable(report.speeds));
   if (!report.bulletSpeeds.empty())
-    text.heading("beside Bullet: the least CPU time for an error, of all settings that were tried")
-        .add(bulletTable(report.bulletSpeeds));
+    text.heading("beside Bullet: the least CPU time for an error, of all settings that were tried").add(bulletTable(report));
   return text;
 }
 
