@@ -43,7 +43,8 @@ function(morula_kernels_for target isa namespace kernels)
   set(objects ${target}_${namespace})
   add_library(${objects} OBJECT ${kernels})
   set_target_properties(${objects} PROPERTIES UNITY_BUILD OFF)
-  target_include_directories(${objects} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${morula_SOURCE_DIR}/core)
+  target_include_directories(${objects} PUBLIC ${morula_SOURCE_DIR}/core
+                             $<TARGET_PROPERTY:${target},INTERFACE_INCLUDE_DIRECTORIES>)
   target_link_libraries(${objects} PUBLIC morula_flags)
   target_compile_definitions(${objects} PRIVATE MORULA_ISA=${namespace} ${ARGN})
   target_compile_options(${objects} PRIVATE ${MORULA_OPTIONS_${isa}} -fno-math-errno -fno-trapping-math

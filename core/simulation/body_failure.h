@@ -3,7 +3,7 @@
 
 namespace morula {
 
-/// A body that cannot be computed any further. The cause can be measured by a rerun (runner/diagnose): the remedy
+/// A body that cannot be computed any further. The cause can be measured by a rerun (runner/runs/diagnose): the remedy
 /// here is only what to look at first.
 struct BodyFailure : NumericalError {
   using NumericalError::NumericalError;

@@ -1,6 +1,6 @@
 #pragma once
 // Every field of a world's state, listed once: for its hash (hash.cpp), for checkpoints (checkpoint_save.cpp,
-// checkpoint_restore.cpp) and for the first difference of two states (runner/explain/state_difference.cpp).
+// checkpoint_restore.cpp) and for the first difference of two states (runner/runs/explain/state_difference.cpp).
 //
 // Each list takes its struct apart into all of its members: one that is added and not listed does not
 // compile.

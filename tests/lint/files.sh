@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Only runner/files opens files and asks the file system, and only runner/system/console.cpp writes to standard output and
-# error: there each file is checked for what it is, each failure gets its exit code, and each text loses what a terminal
+# Only runner/platform/files opens files and asks the file system, and only runner/platform/system/console.cpp writes to
+# standard output and error: there each file is checked for what it is, each failure gets its exit code, and each text loses what a terminal
 # would obey.
 #
 #   files.sh RUNNER
@@ -24,7 +24,7 @@ look() { # ALLOWED PATTERN WHY: without comments; a path as a value asks nothing
   wrong=1
 }
 # A child process's streams are set between fork and exec, where little may be called.
-look 'files/|system/child_process\.cpp:' "$files" 'use files/read_file.h, write_file.h or folders.h'
-look 'system/console\.cpp:' "$streams" 'use system/console.h'
-[ $wrong = 1 ] || echo "${#sources[@]} sources: files only through runner/files, standard streams only through the console"
+look 'platform/files/|platform/system/child_process\.cpp:' "$files" 'use files/read_file.h, write_file.h or folders.h'
+look 'platform/system/console\.cpp:' "$streams" 'use system/console.h'
+[ $wrong = 1 ] || echo "${#sources[@]} sources: files only through runner/platform/files, standard streams only through the console"
 exit $wrong

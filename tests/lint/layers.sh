@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# A room includes only itself, rooms below it as the map in its house's README says, and rooms of the houses below; and a
-# library from outside is included by one room only, unless the map has a line `everywhere: name, name`.
+# A folder includes only itself and folders below it, as the map in its house's README says; and a library from outside is
+# included by one folder only, unless the map has a line `everywhere: name, name`. Where the folders are modules, with their
+# sources in parts, a part includes parts of its own module that lie below it by the map in the module's README, and any part
+# of the modules below.
 #
 #   layers.sh HOUSE [HOUSE-BELOW...]      (core; runner core reports)
 #
@@ -8,21 +10,38 @@
 set -euo pipefail
 house=$1
 shift
-# The map: "base ← mesh ← physics ← contacts, connections, division ← simulation", as many lines as it has.
-block=$(sed -n '/^```$/,/^```$/p' "$house/README.md")
-map=$(grep -E '^[a-z_]+(, [a-z_]+)* ←' <<<"$block" | sed 's/─*//g') || {
+# A map: "base ← mesh ← physics ← contacts, connections, division ← simulation", as many lines as it has.
+block() { sed -n '/^```$/,/^```$/p' "$1"; }
+map() { block "$1" | grep -E '^[a-z_]+(, [a-z_]+)* ←' | sed 's/─*//g; s/^/map\t/'; }
+# Each folder of sources as MODULE PART; a folder with sources of its own is both.
+parts() { # HOUSE
+  local module file
+  for module in "$1"/*/; do
+    module=$(basename "$module")
+    file=$(find "$1/$module" -maxdepth 1 \( -name '*.h' -o -name '*.cpp' \) -print -quit)
+    if [ -n "$file" ]; then
+      printf '%s\t%s\n' "$module" "$module"
+    else
+      (cd "$1/$module" && find . -mindepth 2 \( -name '*.h' -o -name '*.cpp' \)) | sed -E "s|^\./([^/]*)/.*|$module\t\1|" | sort -u
+    fi
+  done
+}
+map "$house/README.md" >/dev/null || {
   echo "$house/README.md has no map: lines as base ← mesh ← physics"
   exit 1
 }
-rooms() { find "$1" -mindepth 2 \( -name '*.h' -o -name '*.cpp' \) | sed -E "s|^$1/([^/]*)/.*|$2\t\1|" | sort -u; }
 {
-  awk '{ print "map\t" $0 }' <<<"$map"
-  sed -n 's/^everywhere: /everywhere\t/p' <<<"$block"
-  for below in "$@"; do rooms "$below" below; done
-  rooms "$house" room
+  map "$house/README.md"
+  block "$house/README.md" | sed -n 's/^everywhere: /everywhere\t/p'
+  for below in "$@"; do parts "$below" | sed 's/^/below\t/'; done
+  parts "$house" | sed 's/^/part\t/'
+  for module in $(parts "$house" | awk '$1 != $2 { print $1 }' | sort -u); do
+    if [ -e "$house/$module/README.md" ]; then map "$house/$module/README.md" || :; fi
+  done
   (cd "$house" && grep -rnE '^ *# *include' --include='*.h' --include='*.cpp' .) |
     sed -E 's|^\./||; s|^([^:]*:[0-9]*):|include\t\1\t|'
 } | awk -F '\t' '
+function wrong(text) { print text; ++errors }
 $1 == "map" {
   floors = split($2, floor, / *← */)
   for (i = 1; i <= floors; ++i) {
@@ -33,23 +52,35 @@ $1 == "map" {
   delete seen
 }
 $1 == "everywhere" { n = split($2, name, /, */); for (j = 1; j <= n; ++j) everywhere[name[j]] = 1 }
-$1 == "below" { outside[$2] = 1 }
-$1 == "room" { if (!($2 in known)) { print $2 ": a room that the map does not have"; ++errors } ++rooms }
+$1 == "below" { outside[$3] = 1 }
+$1 == "part" { moduleOf[$3] = $2; ++partsOf[$2]; ++parts }
 $1 == "include" {
-  if (!closed) {  # what is below a room below is below
+  if (!closed) {  # what is below a folder below is below
     for (k in known) for (i in known) for (j in known)
       if (((i, k) in below) && ((k, j) in below)) below[i, j] = 1
     closed = 1
   }
-  file = $2; room = file; sub(/\/.*/, "", room)
+  file = $2; n = split(file, way, "/"); part = way[1] in moduleOf && moduleOf[way[1]] == way[1] ? way[1] : way[2]; module = way[1]
   what = $3; sub(/^ *# *include *["<]/, "", what); sub(/[">].*/, "", what)
   if ($3 ~ /"/) {
-    to = what; if (!sub(/\/.*/, "", to)) { print file ": \"" what "\" does not say of which room it is"; ++errors; next }
-    if (to != room && !((room, to) in below) && !(to in outside)) { print file ": " room " includes \"" what "\", but " to " is not below it"; ++errors }
+    to = what; if (!sub(/\/.*/, "", to)) { wrong(file ": \"" what "\" does not say of which folder it is"); next }
+    if (to == part || (to in outside)) next
+    across = to in moduleOf && moduleOf[to] != module
+    from = across ? module : part
+    onto = across ? moduleOf[to] : to
+    if (!((from, onto) in below)) wrong(file ": " part " includes \"" what "\", but " onto " is not below " from)
   } else if (what ~ /\// && what !~ /^sys\//) {  # a library; the standard one has no other folders that we need
     library = what; sub(/\/.*/, "", library)
-    if (library in user && user[library] != room && !(library in everywhere)) { print file ": <" what ">: " user[library] " includes " library " already, and one room may"; ++errors }
-    user[library] = room
+    if (library in user && user[library] != module && !(library in everywhere))
+      wrong(file ": <" what ">: " user[library] " includes " library " already, and one folder may")
+    user[library] = module
   }
 }
-END { if (errors || !rooms) exit 1; print rooms " rooms, each on top of those below it" }'
+END {
+  for (p in moduleOf) {
+    if (!(moduleOf[p] in known)) wrong(moduleOf[p] ": a folder that the map does not have")
+    if (partsOf[moduleOf[p]] > 1 && !(p in known)) wrong(moduleOf[p] "/" p ": a part that the map of " moduleOf[p] " does not have")
+  }
+  if (errors || !parts) exit 1
+  print parts " folders, each on top of those below it"
+}'

@@ -57,9 +57,9 @@ case $lint in
     ;;
 
   files)
-    mkdir -p "$work"/runner/{files,cli,store,system}
+    mkdir -p "$work"/runner/{platform/files,platform/system,commands/cli,store}
     while IFS= read -r line; do
-      printf 'int harmless;\n%s\n' "$line" >"$work/runner/cli/a.cpp"
+      printf 'int harmless;\n%s\n' "$line" >"$work/runner/commands/cli/a.cpp"
       plant=$line
       finds "cli/a.cpp:2:" "$here/files.sh" "$work/runner"
     done <<'PLANTS'
@@ -82,11 +82,11 @@ fputs(text, stdout);
 fmt::print("{}", text);
 PLANTS
     printf '%s\n' '// std::ifstream, fopen(x), std::cerr' 'namespace fs = std::filesystem;' '#include <filesystem>' \
-      'const std::filesystem::path file = fs::path("std::cout") / name; Stored::open(x);' 'fmt::format("x"); database.open();' >"$work/runner/cli/a.cpp"
-    echo 'std::ifstream in(::open(x));' >"$work/runner/files/b.cpp"
-    echo 'std::cout << text;' >"$work/runner/system/console.cpp"
+      'const std::filesystem::path file = fs::path("std::cout") / name; Stored::open(x);' 'fmt::format("x"); database.open();' >"$work/runner/commands/cli/a.cpp"
+    echo 'std::ifstream in(::open(x));' >"$work/runner/platform/files/b.cpp"
+    echo 'std::cout << text;' >"$work/runner/platform/system/console.cpp"
     plant=
-    passes "comments, texts, paths and the rooms that may" "$here/files.sh" "$work/runner"
+    passes "comments, texts, paths and the folders that may" "$here/files.sh" "$work/runner"
     finds "there is no source" "$here/files.sh" "$work/runner/store"
     ;;
 
@@ -124,25 +124,35 @@ PLANTS
     sources base/a.h '#include "mesh/b.h"' && finds "base/a.h:2: base includes" "$here/layers.sh" "$core"
     sources mesh/b.cpp '#  include "biology/c.h"' && finds "mesh/b.cpp:4: mesh includes" "$here/layers.sh" "$core"
     sources biology/c.h '#include "store/e.h"' && finds "biology/c.h:2: biology includes" "$here/layers.sh" "$core"
-    sources biology/c.h '#include "c2.h"' && finds "does not say of which room" "$here/layers.sh" "$core"
+    sources biology/c.h '#include "c2.h"' && finds "does not say of which folder" "$here/layers.sh" "$core"
     sources simulation/d.h '#include <Eigen/Core>' && finds "<Eigen/Core>: mesh includes Eigen already" "$here/layers.sh" "$core"
-    sources && mkdir "$core/attic" && touch "$core/attic/f.h" && finds "attic: a room" "$here/layers.sh" "$core"
+    sources && mkdir "$core/attic" && touch "$core/attic/f.h" && finds "attic: a folder" "$here/layers.sh" "$core"
     rm -r "$core/attic"
-    # A house on top of another: rooms of the lower one are below all of its own, and not the other way round.
+    # A house on top of another: folders of the lower one are below all of its own, and not the other way round. Some of its
+    # folders are modules with parts.
     runner=$work/runner
-    mkdir -p "$runner"/{files,store,long_run,cli}
-    printf '```\nfiles ← store ← long_run\nlong_run ← cli\neverywhere: fmt\n```\n' >"$runner/README.md"
+    mkdir -p "$runner"/{platform/{files,system},results/{golden,store},long_run,cli}
+    printf '```\nplatform ← results ← long_run\nlong_run ← cli\neverywhere: fmt\n```\n' >"$runner/README.md"
+    printf '```\nfiles ← system\n```\n' >"$runner/platform/README.md"
+    printf '```\ngolden ← store\n```\n' >"$runner/results/README.md"
     upper() { # FILE LINE
-      printf '#include <fmt/format.h>\n#include "mesh/b.h"\n' >"$runner/files/g.cpp"
-      printf '#include <fmt/format.h>\n#include <yaml-cpp/yaml.h>\n' >"$runner/store/h.h"
+      printf '#include <fmt/format.h>\n#include "mesh/b.h"\n' >"$runner/platform/files/g.cpp"
+      printf '#include <fmt/format.h>\n#include <yaml-cpp/yaml.h>\n' >"$runner/results/store/h.h"
+      printf '#include "files/g.h"\n' >"$runner/platform/system/k.h"
+      printf '#include "system/k.h"\n' >"$runner/results/golden/l.h"
       printf '#include "files/g.h"\n' >"$runner/long_run/i.h"
       printf '#include "store/h.h"\n#include "simulation/d.h"\n' >"$runner/cli/j.cpp"
       if [ $# -gt 0 ]; then echo "$2" >>"$runner/$1"; fi
     }
     upper && passes "downward, also by way of others" "$here/layers.sh" "$runner" "$core"
-    upper files/g.cpp '#include "long_run/i.h"' && finds "files/g.cpp:3: files includes" "$here/layers.sh" "$runner" "$core"
+    upper platform/files/g.cpp '#include "long_run/i.h"' && finds "files/g.cpp:3: files includes" "$here/layers.sh" "$runner" "$core"
+    upper platform/files/g.cpp '#include "system/k.h"' && finds "system is not below files" "$here/layers.sh" "$runner" "$core"
+    upper platform/system/k.h '#include "store/h.h"' && finds "results is not below platform" "$here/layers.sh" "$runner" "$core"
+    upper && mkdir "$runner/platform/attic" && touch "$runner/platform/attic/f.h" &&
+      finds "platform/attic: a part" "$here/layers.sh" "$runner" "$core"
+    rm -r "$runner/platform/attic"
     upper long_run/i.h '#include <yaml-cpp/yaml.h>' && finds "<yaml-cpp/yaml.h>: " "$here/layers.sh" "$runner" "$core"
-    upper && finds "mesh is not below it" "$here/layers.sh" "$runner"
+    upper && finds "mesh is not below files" "$here/layers.sh" "$runner"
     sources mesh/b.cpp '#include "files/g.h"' && finds "mesh/b.cpp:4: mesh includes" "$here/layers.sh" "$core"
     echo "no map" >"$core/README.md" && finds "has no map" "$here/layers.sh" "$core"
     ;;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What runner/statistics says of some numbers, and what SciPy says of the same numbers.
+# What runner/studies/statistics says of some numbers, and what SciPy says of the same numbers.
 #
 #   compare.sh PROGRAM      (statistics_numbers)
 #

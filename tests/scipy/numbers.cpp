@@ -1,4 +1,4 @@
-// Samples, and all that runner/statistics says of them, as one JSON object for compare.py.
+// Samples, and all that runner/studies/statistics says of them, as one JSON object for compare.py.
 #include <cstdio>
 
 #include "base/random.h"

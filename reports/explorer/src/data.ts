@@ -1,4 +1,4 @@
-// What the page holds for the explorer, as runner/report_data/explorer_data.cpp and frames.h write it.
+// What the page holds for the explorer, as runner/publish/report_data/explorer_data.cpp and frames.h write it.
 import { facesAcross } from "./occlusion";
 
 export type Fate = "alive" | "divided" | "died";
@@ -37,7 +37,7 @@ export interface Frame {
 
 interface FrameHead { time: number; step: number; cells: number; contacts: number; connections: number; offset: number; vertexForces: number }
 
-/** Forces on the vertices of each cell, as runner/report_data/frame_forces.h writes them. */
+/** Forces on the vertices of each cell, as runner/publish/report_data/frame_forces.h writes them. */
 export class VertexForces {
   private readonly steps: Float32Array; // [i * kinds + k]
   private readonly first: Uint32Array; // likewise, where its numbers begin
@@ -204,7 +204,7 @@ function bytesOf(text: string): ArrayBuffer {
   return bytes.buffer;
 }
 
-const format = 2; // explorerFormat in runner/report_data/explorer_data.cpp
+const format = 2; // explorerFormat in runner/publish/report_data/explorer_data.cpp
 
 /** Null where the page was made by a program of another format. */
 export function readData(): Data | null {

@@ -87,7 +87,7 @@ int compare(const Value& a, const Value& b) {
   return a.kind >= Value::Kind::bytes ? order(a.bytes, b.bytes) : order(a.integer, b.integer);
 }
 
-std::string text(const Value& v) {
+std::string valueText(const Value& v) {
   if (v.kind == Value::Kind::null) return "nothing";
   if (v.kind == Value::Kind::bytes) return "'" + v.bytes + "'";
   if (v.kind == Value::Kind::blob)
@@ -147,7 +147,7 @@ std::string rowText(const Form& form, const std::vector<Value>& row) {
   std::string words;
   for (std::size_t i = 0; i < form.key.size(); ++i)
     words += (i ? ", " : "") + form.key[i].name + ' ' +
-             (row[i].kind == Value::Kind::bytes && !row[i].bytes.empty() ? row[i].bytes : text(row[i]));
+             (row[i].kind == Value::Kind::bytes && !row[i].bytes.empty() ? row[i].bytes : valueText(row[i]));
   return words;
 }
 
@@ -169,7 +169,8 @@ TableDifference compareTable(const Form& form, Database& stored, const std::stri
     else {
       for (std::size_t i = form.key.size(); i < a.values().size(); ++i) {
         if (same(a.values()[i], b.values()[i])) continue;
-        note(a.values(), form.values[i - form.key.size()].name, text(a.values()[i]), text(b.values()[i]));
+        note(a.values(), form.values[i - form.key.size()].name, valueText(a.values()[i]),
+             valueText(b.values()[i]));
         break;
       }
       a.advance(), b.advance();

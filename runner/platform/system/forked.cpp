@@ -18,6 +18,7 @@
 
 #include "base/error.h"
 #include "files/read_file.h"
+#include "system/process_pipe.h"
 
 namespace morula {
 

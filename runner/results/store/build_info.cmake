@@ -1,4 +1,4 @@
-# Writes build_info.cpp. Included by runner/CMakeLists.txt, after the room `store`; run as a script by
+# Writes build_info.cpp. Included by runner/CMakeLists.txt, after the module `results`; run as a script by
 # that target at every build, where it rewrites the file only if something in it has changed. So a commit costs one small
 # file and the link, nothing else is rebuilt, and no edit can hide from the build's identity.
 
@@ -31,8 +31,9 @@ set(libraries [[@libraries@]])
     COMMAND ${CMAKE_COMMAND} -DSOURCE=${CMAKE_SOURCE_DIR} -DFACTS=${facts} -DOUTPUT=${BUILD_INFO_CPP}
             -P ${CMAKE_CURRENT_LIST_FILE}
     BYPRODUCTS ${BUILD_INFO_CPP} VERBATIM COMMENT "What this build is made from")
-  target_sources(runner_store PRIVATE ${BUILD_INFO_CPP})
-  add_dependencies(runner_store build_info)
+  set_source_files_properties(${BUILD_INFO_CPP} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # new with each commit
+  target_sources(runner_results PRIVATE ${BUILD_INFO_CPP})
+  add_dependencies(runner_results build_info)
   return()
 endif()
 
@@ -101,7 +102,7 @@ if(state STREQUAL "modified")
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," diff "${diff}")
 endif()
 
-file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [==[// Written by runner/store/build_info.cmake at each build.
+file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [==[// Written by runner/results/store/build_info.cmake at each build.
 #include "store/build_info.h"
 
 namespace morula {

@@ -193,15 +193,15 @@ std::string list(const std::vector<const Remedy*>& remedies) {
   return text;
 }
 
-struct Findings {
+struct FailureFindings {
   std::vector<const Remedy*> failed;
   const Remedy* helped = nullptr;
   bool cutShort = false;
 };
 
-Findings tryAll(const std::vector<Remedy>& remedies, const Scene& scene, const Execution& execution,
-                const Kept& from, double failedTime, Budget& budget) {
-  Findings found;
+FailureFindings tryAll(const std::vector<Remedy>& remedies, const Scene& scene, const Execution& execution,
+                       const Kept& from, double failedTime, Budget& budget) {
+  FailureFindings found;
   for (const Remedy& remedy : remedies) {
     switch (tryChange(remedy, restored(scene, execution, from.state), failedTime, budget)) {
       case Outcome::holds:
@@ -220,7 +220,7 @@ Findings tryAll(const std::vector<Remedy>& remedies, const Scene& scene, const E
   return found;
 }
 
-std::string describe(const Findings& found, const Kept& from, const BodyFailure& failure) {
+std::string describe(const FailureFindings& found, const Kept& from, const BodyFailure& failure) {
   const std::string since =
       from.step == 0 ? "tried from the start: "
                      : "tried from step " + std::to_string(from.step) + " on, where all was well: ";
@@ -257,7 +257,7 @@ std::string diagnose(const Scene& scene, const Execution& execution, const BodyF
     append(remedy, limit.empty() ? describeLimit(last, cell) : limit);
     const double failedTime = timeAfter(last.clock, 1);
     const std::vector<Remedy> remedies = remediesFor(last, failure.timeStep);
-    Findings found = tryAll(remedies, scene, execution, rerun->good, failedTime, budget);
+    FailureFindings found = tryAll(remedies, scene, execution, rerun->good, failedTime, budget);
     const Kept* from = &rerun->good;
     if (!found.helped && !found.cutShort && rerun->good.step > 0) {
       found = tryAll(remedies, scene, execution, rerun->start, failedTime, budget);
