@@ -9,7 +9,9 @@ namespace morula {
 
 namespace {
 
-std::optional<double> realOr(const Json& j) { return j.is_number() ? std::optional(j.get<double>()) : std::nullopt; }
+std::optional<double> realOr(const Json& j) {
+  return j.is_number() ? std::optional(j.get<double>()) : std::nullopt;
+}
 
 std::string textOr(const Json& j) { return j.is_string() ? j.get<std::string>() : ""; }
 
@@ -41,17 +43,20 @@ AccuracyRow rowFrom(const Json& j) {
   j.at("series").get_to(row.series), j.at("engine").get_to(row.engine);
   row.error = realOr(j.at("error_on_scenario_mesh"));
   if (const Json& parts = j.at("parts"); parts.is_object())
-    row.parts = {realOr(parts.at("time")), realOr(parts.at("mesh")), realOr(parts.at("precision")), realOr(parts.at("model"))};
+    row.parts = {realOr(parts.at("time")), realOr(parts.at("mesh")), realOr(parts.at("precision")),
+                 realOr(parts.at("model"))};
   if (const Json& errors = j.at("errors"); errors.is_object()) {
     errors.at("centroid").get_to(row.errors.centroid), errors.at("volume").get_to(row.errors.volume);
     errors.at("surface").get_to(row.errors.surface), errors.at("birth_times").get_to(row.birthTimes);
   }
-  if (const Json& cut = j.at("divided_elsewhere"); cut.is_object()) cut.at("time").get_to(row.cut.emplace().time);
+  if (const Json& cut = j.at("divided_elsewhere"); cut.is_object())
+    cut.at("time").get_to(row.cut.emplace().time);
   row.partedAt = realOr(j.at("lineages_part_at"));
   j.at("resolved").get_to(row.resolved);
   j.at("cpu_seconds").get_to(row.cpuSeconds);
   j.at("force_evaluations").get_to(row.forceEvaluations), j.at("steps").get_to(row.steps);
-  if (j.at("failed").get<bool>()) row.failure = j.at("failure").is_string() ? textOr(j.at("failure")) : "it says not why";
+  if (j.at("failed").get<bool>())
+    row.failure = j.at("failure").is_string() ? textOr(j.at("failure")) : "it says not why";
   return row;
 }
 
@@ -94,17 +99,21 @@ AccuracyReport accuracyFrom(const Json& j) {
   report.mesh = meshFrom(j.at("mesh"));
   report.own = rowFrom(j.at("as_it_is"));
   if (const Json& r = j.at("rival"); r.is_object())
-    report.rival = Rival{r.at("series").get<std::string>(), r.at("cpu_seconds").get<double>(), r.at("speed").get<double>()};
+    report.rival = Rival{r.at("series").get<std::string>(), r.at("cpu_seconds").get<double>(),
+                         r.at("speed").get<double>()};
   for (const Json& row : j.at("rows")) report.rows.push_back(rowFrom(row));
   for (const Json& o : j.at("orders")) {
-    SeriesOrder& order = report.orders.emplace_back(SeriesOrder{o.at("series").get<std::string>(), o.at("theory").get<double>(), {}});
+    SeriesOrder& order = report.orders.emplace_back(
+        SeriesOrder{o.at("series").get<std::string>(), o.at("theory").get<double>(), {}});
     if (const auto slope = realOr(o.at("observed")))
-      order.observed = PowerLaw{*slope, realOr(o.at("standard_error")).value_or(0), o.at("points").get<int>()};
+      order.observed =
+          PowerLaw{*slope, realOr(o.at("standard_error")).value_or(0), o.at("points").get<int>()};
   }
   for (const Json& s : j.at("beside_bullet"))
-    report.bulletSpeeds.push_back({s.at("error").get<double>(), s.at("series").get<std::string>(),
-                                   s.at("bullet_series").get<std::string>(), s.at("cpu_seconds").get<double>(),
-                                   s.at("bullet_cpu_seconds").get<double>(), s.at("bullet_slowest_cpu_seconds").get<double>()});
+    report.bulletSpeeds.push_back(
+        {s.at("error").get<double>(), s.at("series").get<std::string>(),
+         s.at("bullet_series").get<std::string>(), s.at("cpu_seconds").get<double>(),
+         s.at("bullet_cpu_seconds").get<double>(), s.at("bullet_slowest_cpu_seconds").get<double>()});
   report.remarks = j.at("remarks").get<std::vector<std::string>>();
   return report;
 }
@@ -116,7 +125,9 @@ std::string accuracyCsv(const Json& rows) {
   };
   static const Members all[] = {
       {"", "", {"series", "engine"}},
-      {"settings", "", {"integrator", "time_step", "icosphere", "substeps", "precision", "contact_law", "cell_model"}},
+      {"settings",
+       "",
+       {"integrator", "time_step", "icosphere", "substeps", "precision", "contact_law", "cell_model"}},
       {"parts", "error_of_", {"time", "mesh", "precision", "model"}},
       {"errors", "error_in_", {"centroid", "volume", "surface", "birth_times"}},
       {"", "", {"error", "error_on_scenario_mesh", "resolved", "lineages_part_at", "cpu_seconds"}},
@@ -128,7 +139,8 @@ std::string accuracyCsv(const Json& rows) {
     table.rows.emplace_back();
     for (const Members& members : all) {
       const Json& of = members.of.empty() ? row : row.at(members.of);
-      for (const char* name : members.names) table.rows.back().push_back(exact(of.is_object() ? of.at(name) : Json()));
+      for (const char* name : members.names)
+        table.rows.back().push_back(exact(of.is_object() ? of.at(name) : Json()));
     }
   }
   return csvOf(table);

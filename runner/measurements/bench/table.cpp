@@ -18,8 +18,9 @@ std::string size(std::size_t bytes) {
 Table machine(const MachineLimits& limits) {
   Table table{"Limits of this machine", {}};
   for (const auto& [isa, a] : limits.arithmetic)
-    table.rows.push_back({name(isa), fmt::format("{:.1f} G multiplications and additions/s, {:.2f} G roots with division/s",
-                                                 1e-9 * a.operations, 1e-9 * a.roots)});
+    table.rows.push_back(
+        {name(isa), fmt::format("{:.1f} G multiplications and additions/s, {:.2f} G roots with division/s",
+                                1e-9 * a.operations, 1e-9 * a.roots)});
   std::string rates;
   for (const auto& [bytes, rate] : limits.bandwidth)
     rates += fmt::format("{}{} {:.0f}", rates.empty() ? "" : ", ", size(bytes), 1e-9 * rate);
@@ -37,7 +38,8 @@ using Rows = std::vector<const BenchRow*>;
 std::vector<std::string> isasOf(const std::vector<BenchRow>& rows) {
   std::vector<std::string> isas;
   for (const BenchRow& row : rows)
-    if (!row.isa.empty() && std::find(isas.begin(), isas.end(), row.isa) == isas.end()) isas.push_back(row.isa);
+    if (!row.isa.empty() && std::find(isas.begin(), isas.end(), row.isa) == isas.end())
+      isas.push_back(row.isa);
   return isas;
 }
 
@@ -54,13 +56,14 @@ std::string noteOf(const BenchRow& row) {
   if (row.bulletSettings.empty()) return "";
   const BulletSettingRow &best = row.bulletSettings.front(), &worst = row.bulletSettings.back();
   return fmt::format("margin {:g}, {}; {:.0f} to {:.0f} over {} settings", best.margin,
-                     counted(std::uint64_t(best.iterations), "iteration"), best.nsPerVertexStep, worst.nsPerVertexStep,
-                     row.bulletSettings.size());
+                     counted(std::uint64_t(best.iterations), "iteration"), best.nsPerVertexStep,
+                     worst.nsPerVertexStep, row.bulletSettings.size());
 }
 
 std::string heading(const Rows& rows) {
   const BenchRow& row = *rows.front();
-  const std::string text = fmt::format("{} scene, {} cells of {} vertices", row.scene, row.cells, row.vertices);
+  const std::string text =
+      fmt::format("{} scene, {} cells of {} vertices", row.scene, row.cells, row.vertices);
   for (const BenchRow* r : rows)
     if (r->pairsPerVertexStep)
       return text + fmt::format(": {:.2f} pairs per vertex, ", *r->pairsPerVertexStep) +
@@ -76,13 +79,15 @@ Table sceneTable(const Rows& rows, const std::vector<std::string>& isas) {
   table.columns.push_back("");
   for (const BenchRow* row : rows) {
     const std::string label = labelOf(*row);
-    const auto known = std::ranges::find(table.rows, label, [](const auto& cells) { return cells[0].words.text(); });
+    const auto known =
+        std::ranges::find(table.rows, label, [](const auto& cells) { return cells[0].words.text(); });
     if (known == table.rows.end()) table.rows.emplace_back(table.columns.size(), Cell({}, " "))[0] = label;
     auto& cells = known == table.rows.end() ? table.rows.back() : *known;
     const auto isa = static_cast<std::size_t>(std::ranges::find(isas, row->isa) - isas.begin());
     const std::size_t place = isa < isas.size() ? 1 + 2 * isa : 1;
     cells[place] = fixed(row->nsPerVertexStep, 2);
-    if (row->shareOfLimit) cells[place + 1] = {*row->shareOfLimit, fmt::format("{:.0f} %", 100 * *row->shareOfLimit)};
+    if (row->shareOfLimit)
+      cells[place + 1] = {*row->shareOfLimit, fmt::format("{:.0f} %", 100 * *row->shareOfLimit)};
     cells.back() = noteOf(*row);
   }
   return table;
@@ -92,7 +97,8 @@ void addScenes(const std::vector<BenchRow>& rows, Document& text) {
   const auto isas = isasOf(rows);
   for (std::size_t first = 0; first < rows.size();) {
     Rows same;
-    while (first < rows.size() && (same.empty() || sameScene(*same.front(), rows[first]))) same.push_back(&rows[first++]);
+    while (first < rows.size() && (same.empty() || sameScene(*same.front(), rows[first])))
+      same.push_back(&rows[first++]);
     text.heading(heading(same)).add(sceneTable(same, isas));
   }
 }
@@ -101,16 +107,21 @@ void addScenes(const std::vector<BenchRow>& rows, Document& text) {
 void addThesis(const std::vector<BenchRow>& rows, Document& text) {
   const auto isas = isasOf(rows);
   if (isas.empty()) return;
-  const auto ours = [&](int cells) { return find(rows, "packed", "morula", Stage::step, cells, 162, isas.back()); };
+  const auto ours = [&](int cells) {
+    return find(rows, "packed", "morula", Stage::step, cells, 162, isas.back());
+  };
   const BenchRow* eight = ours(8);
-  Table table{"Cost of a cell and step", {"cells", "thesis [ms]", "over 8 cells", "morula [µs]", "over 8 cells"}};
+  Table table{"Cost of a cell and step",
+              {"cells", "thesis [ms]", "over 8 cells", "morula [µs]", "over 8 cells"}};
   for (const ThesisRow& row : thesisTable) {
     const BenchRow* own = ours(row.cells);
-    table.rows.push_back({row.cells, fixed(row.msPerCell, 2), fixed(row.msPerCell / thesisTable[0].msPerCell, 2),
-                          own ? fixed(1e-3 * own->nsPerVertexStep * own->vertices, 2) : Cell({}, " "),
-                          own && eight ? fixed(own->nsPerVertexStep / eight->nsPerVertexStep, 2) : Cell({}, " ")});
+    table.rows.push_back(
+        {row.cells, fixed(row.msPerCell, 2), fixed(row.msPerCell / thesisTable[0].msPerCell, 2),
+         own ? fixed(1e-3 * own->nsPerVertexStep * own->vertices, 2) : Cell({}, " "),
+         own && eight ? fixed(own->nsPerVertexStep / eight->nsPerVertexStep, 2) : Cell({}, " ")});
   }
-  text.heading(fmt::format("cost of a cell and step: thesis, table 5.1 (2008); morula {}, one thread", isas.back()))
+  text.heading(fmt::format("cost of a cell and step: thesis, table 5.1 (2008); morula {}, one thread",
+                           isas.back()))
       .add(std::move(table));
 }
 

@@ -41,7 +41,9 @@ Table costTable(const Prediction& f) {
   const auto fixed = [](int digits, double scale, const char* unit) {
     return [=](double value) { return fmt::format("{:.{}f}{}", scale * value, digits, unit); };
   };
-  const auto ofBodies = [&](const char* title) { return f.vertices ? title : ""; };  // only they have vertices
+  const auto ofBodies = [&](const char* title) {
+    return f.vertices ? title : "";
+  };  // only they have vertices
   const std::vector<Field<Row>> fields{
       {{"part", "", "part"}, [](const Row& c) { return c.part.name; }},
       {{"engaged", "", ""}, [](const Row&) { return exact(true); }},
@@ -49,10 +51,13 @@ Table costTable(const Prediction& f) {
       {{"why", "", ""}, [](const Row& c) { return c.part.why; }},
       {{"seconds", "", "time"}, [](const Row& c) { return valued(c.seconds, timeText); }},
       {{"share", "", "share"}, [=](const Row& c) { return valued(c.share, fixed(1, 100, " %")); }},
-      {{"ns_per_vertex_step", "", ofBodies("ns/v·step")}, [=](const Row& c) { return valued(c.nsPerVertexStep, fixed(2, 1, "")); }},
-      {{"bytes_per_vertex", "", ofBodies("B/vertex")}, [=](const Row& c) { return valued(c.bytesPerVertex, fixed(1, 1, "")); }},
+      {{"ns_per_vertex_step", "", ofBodies("ns/v·step")},
+       [=](const Row& c) { return valued(c.nsPerVertexStep, fixed(2, 1, "")); }},
+      {{"bytes_per_vertex", "", ofBodies("B/vertex")},
+       [=](const Row& c) { return valued(c.bytesPerVertex, fixed(1, 1, "")); }},
       {{"bytes", "", "memory"}, [](const Row& c) { return valued(c.bytes, memoryText); }},
-      {{"", "", "asked for by"}, [](const Row& c) { return c.part.why + (c.part.what.empty() ? "" : " (" + c.part.what + ")"); }},
+      {{"", "", "asked for by"},
+       [](const Row& c) { return c.part.why + (c.part.what.empty() ? "" : " (" + c.part.what + ")"); }},
   };
   return tableOf("What each part costs", fields, f.costs);
 }
@@ -68,11 +73,14 @@ Table absentTable(const Prediction& f) {
 
 Document describe(const Prediction& f, const std::string& title) {
   std::string size = title + (f.life.whole ? ": up to " : ": at least ") + plural(double(f.cells), "cell");
-  std::string cost = fmt::format("foreseen on one thread: {}, {} of arrays", timeText(f.seconds()), memoryText(f.bytes()));
+  std::string cost =
+      fmt::format("foreseen on one thread: {}, {} of arrays", timeText(f.seconds()), memoryText(f.bytes()));
   if (f.vertices) {
-    size += fmt::format(" of {} {}, {}", f.vertices, f.vertices == 1 ? "vertex" : "vertices", plural(f.steps, "step"));
-    cost += f.triedWhole ? "; the whole run was rehearsed"
-                         : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
+    size += fmt::format(" of {} {}, {}", f.vertices, f.vertices == 1 ? "vertex" : "vertices",
+                        plural(f.steps, "step"));
+    cost += f.triedWhole
+                ? "; the whole run was rehearsed"
+                : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
   }
   Document text;
   text.say(size).add(Items{{cost}}).heading("what each part costs").add(costTable(f));

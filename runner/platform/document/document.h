@@ -26,7 +26,13 @@ struct Document {
 };
 
 struct Sentence {
-  enum class Kind { plain, first, note, heading, part };  // first: what is known first of all; part: of a verdict of several parts
+  enum class Kind {
+    plain,
+    first,
+    note,
+    heading,
+    part
+  };  // first: what is known first of all; part: of a verdict of several parts
   Words words;
   Kind kind = Kind::plain;
 };
@@ -55,9 +61,13 @@ struct Verbatim {
 
 /// A picture or a chart.
 struct Picture {
-  enum class Size { usual, wide, large };  // wide: two columns; large: with many words, is not shrunk but scrolled
-  std::string type, bytes;                 // "image/png", "image/svg+xml"
-  std::string what;                        // for people who cannot see it
+  enum class Size {
+    usual,
+    wide,
+    large
+  };                        // wide: two columns; large: with many words, is not shrunk but scrolled
+  std::string type, bytes;  // "image/png", "image/svg+xml"
+  std::string what;         // for people who cannot see it
   std::string caption;
   Size size = Size::usual;
   std::string name = {};  // by which Swipe knows it in its section
@@ -99,7 +109,8 @@ struct Group {
   Document body;
 };
 
-struct Block : std::variant<Sentence, Findings, Items, Verbatim, Table, Picture, Swipe, LineKey, Downloads, ExplorerPlace, Group> {
+struct Block : std::variant<Sentence, Findings, Items, Verbatim, Table, Picture, Swipe, LineKey, Downloads,
+                            ExplorerPlace, Group> {
   using variant::variant;
 };
 

@@ -1,9 +1,10 @@
 // Documents as HTML. Every text of theirs passes through `safe`, and through nothing else.
+#include "page/html.h"
+
 #include <fmt/format.h>
 
 #include "document/document.h"
 #include "files/printable.h"
-#include "page/html.h"
 
 namespace morula {
 
@@ -57,8 +58,8 @@ std::string cellHtml(const Words& words) {
 }
 
 std::string figure(const Picture& p) {
-  return "<figure><img src=\"" + dataUri(p.type, p.bytes) + "\" alt=\"" + safe(p.what) + "\"><figcaption>" + safe(p.caption) +
-         "</figcaption></figure>\n";
+  return "<figure><img src=\"" + dataUri(p.type, p.bytes) + "\" alt=\"" + safe(p.what) + "\"><figcaption>" +
+         safe(p.caption) + "</figcaption></figure>\n";
 }
 
 struct AsHtml {
@@ -95,8 +96,8 @@ struct AsHtml {
         std::string why;
         for (const std::string& clause : finding.why) why += element("li", "", safe(clause));
         html += element("li", ofClass(as.name),
-                        element("span", ofClass(std::string("mark ") + as.name), as.mark) + htmlOf(finding.words) +
-                            (why.empty() ? "" : element("ul", ofClass("why"), why))) +
+                        element("span", ofClass(std::string("mark ") + as.name), as.mark) +
+                            htmlOf(finding.words) + (why.empty() ? "" : element("ul", ofClass("why"), why))) +
                 "\n";
       }
     return element("ul", ofClass("findings"), "\n" + html) + "\n";
@@ -109,25 +110,30 @@ struct AsHtml {
   }
 
   std::string operator()(const Verbatim& v) const {
-    const std::string html = element("pre", " tabindex=\"0\"", safe(std::string_view(v.text).substr(0, v.mostBytes))) + "\n";
+    const std::string html =
+        element("pre", " tabindex=\"0\"", safe(std::string_view(v.text).substr(0, v.mostBytes))) + "\n";
     if (v.text.size() <= v.mostBytes) return html;
-    return html + (*this)(Sentence{fmt::format("The first {} of {} bytes.", v.mostBytes, v.text.size()), Sentence::Kind::note});
+    return html + (*this)(Sentence{fmt::format("The first {} of {} bytes.", v.mostBytes, v.text.size()),
+                                   Sentence::Kind::note});
   }
 
   std::string operator()(const Table& table) const {
     std::string head, body;
     for (const Column& column : table.columns)
-      if (column.isShown) head += column.title.empty() ? "<td></td>" : element("th", " scope=\"col\"", htmlOf(column.title));
+      if (column.isShown)
+        head += column.title.empty() ? "<td></td>" : element("th", " scope=\"col\"", htmlOf(column.title));
     for (const auto& row : table.rows) {
       std::string cells;
       for (std::size_t i = 0; i < row.size(); ++i)
         if (i >= table.columns.size() || table.columns[i].isShown)
-          cells += cells.empty() ? element("th", " scope=\"row\"", htmlOf(row[i].words)) : element("td", "", cellHtml(row[i].words));
+          cells += cells.empty() ? element("th", " scope=\"row\"", htmlOf(row[i].words))
+                                 : element("td", "", cellHtml(row[i].words));
       body += element("tr", "", cells) + "\n";
     }
     const std::string caption = safe(table.caption);
-    return "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"" + caption + "\"><table>\n<caption>" + caption +
-           "</caption>\n" + (head.empty() ? "" : "<thead><tr>" + head + "</tr></thead>\n") + "<tbody>\n" + body +
+    return "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"" + caption +
+           "\"><table>\n<caption>" + caption + "</caption>\n" +
+           (head.empty() ? "" : "<thead><tr>" + head + "</tr></thead>\n") + "<tbody>\n" + body +
            "</tbody></table></div>\n";
   }
 
@@ -142,15 +148,15 @@ struct AsHtml {
   }
 
   std::string operator()(const Swipe& s) const {
-    return "<div class=\"compare\" data-first=\"" + s.first + "\" data-second=\"" + s.second + "\" data-names=\"" + safe(s.titles) +
-           "\"></div>\n";
+    return "<div class=\"compare\" data-first=\"" + s.first + "\" data-second=\"" + s.second +
+           "\" data-names=\"" + safe(s.titles) + "\"></div>\n";
   }
 
   std::string operator()(const LineKey& key) const {
     std::string html;
     for (const auto& [colour, isDashed, words] : key.lines)
-      html += fmt::format("<li><i class=\"{}\" style=\"color: #{:02x}{:02x}{:02x}\"></i>{}</li>\n", isDashed ? "dashed" : "solid",
-                          colour.r, colour.g, colour.b, htmlOf(words));
+      html += fmt::format("<li><i class=\"{}\" style=\"color: #{:02x}{:02x}{:02x}\"></i>{}</li>\n",
+                          isDashed ? "dashed" : "solid", colour.r, colour.g, colour.b, htmlOf(words));
     return element("ul", ofClass("key"), "\n" + html) + "\n";
   }
 
@@ -163,14 +169,16 @@ struct AsHtml {
   }
 
   std::string operator()(const ExplorerPlace&) const {
-    return "<noscript><p>The explorer needs JavaScript; the pictures below do without.</p></noscript>\n<div id=\"explore\"></div>\n";
+    return "<noscript><p>The explorer needs JavaScript; the pictures below do without.</p></noscript>\n<div "
+           "id=\"explore\"></div>\n";
   }
 
   std::string operator()(const Group& group) const {
     const std::string body = htmlOf(group.body);
     if (group.kind == Group::Kind::folded)
       return element("details", "", element("summary", "", safe(group.title)) + "\n" + body) + "\n";
-    return element("div", ofClass(group.kind == Group::Kind::charts ? "charts" : "pictures"), "\n" + body) + "\n";
+    return element("div", ofClass(group.kind == Group::Kind::charts ? "charts" : "pictures"), "\n" + body) +
+           "\n";
   }
 };
 

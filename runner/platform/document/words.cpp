@@ -17,7 +17,9 @@ Words& Words::operator+=(const Words& more) {
 std::string Words::text() const {
   std::string text;
   for (const Piece& piece : pieces_)
-    text += piece.look == Look::lineBreak ? "\n" : piece.look == Look::subscript ? "_" + piece.text : piece.text;
+    text += piece.look == Look::lineBreak   ? "\n"
+            : piece.look == Look::subscript ? "_" + piece.text
+                                            : piece.text;
   return text;
 }
 

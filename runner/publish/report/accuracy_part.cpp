@@ -20,7 +20,8 @@ std::string sentenceOf(const AccuracyReport& report) {
   const std::string start = report.scenario + " as it is";
   if (!own.failure.empty()) return start + " does not come to its end.";
   if (!own.error) return start + ": not compared, for other cells live.";
-  std::string text = start + ": error " + (own.parts.mesh ? "" : "at least ") + numberText(own.parts.sum(), 3);
+  std::string text =
+      start + ": error " + (own.parts.mesh ? "" : "at least ") + numberText(own.parts.sum(), 3);
   const auto add = [&](const std::optional<double>& part, const std::string& of) {
     text += (part ? numberText(*part, 3) : std::string("an unknown part")) + " of " + of;
   };
@@ -52,8 +53,8 @@ void judgeMesh(const AccuracyReport& report, std::vector<Finding>& findings) {
   const MeshError& m = report.mesh;
   if (!m.unknown.empty())
     findings.push_back(
-        {Kind::warning, "What the mesh adds is not known, so whole errors are at least what is stated: " +
-                            m.unknown});
+        {Kind::warning,
+         "What the mesh adds is not known, so whole errors are at least what is stated: " + m.unknown});
   else if (!m.levels.empty() && m.order < leastMeshOrder)
     findings.push_back(
         {Kind::warning, "Errors hardly fall from mesh to mesh: the mesh's error may be larger than stated"});
@@ -63,10 +64,11 @@ void judgeMesh(const AccuracyReport& report, std::vector<Finding>& findings) {
         {Kind::warning, "On another mesh other cells live from " + numberText(*m.partedAt) + " on"});
   const auto error = m.error(), time = report.own.parts.time;
   if (error && time && *error > 3 * *time && *error > 0)
-    findings.push_back({Kind::warning, "The mesh costs " +
-                                           (*time > 0 ? numberText(*error / *time, 2) + " times what the time step does"
-                                                      : "all, the time step nothing") +
-                                           ": shorter time steps gain little"});
+    findings.push_back(
+        {Kind::warning, "The mesh costs " +
+                            (*time > 0 ? numberText(*error / *time, 2) + " times what the time step does"
+                                       : "all, the time step nothing") +
+                            ": shorter time steps gain little"});
 }
 
 void judgeRows(const AccuracyReport& report, std::vector<Finding>& findings) {
@@ -84,7 +86,8 @@ void judgeRows(const AccuracyReport& report, std::vector<Finding>& findings) {
                                            numberText(*report.end, 6) +
                                            ": nothing is said of what comes later"});
   std::size_t failed = 0, parted = 0;
-  for (const AccuracyRow& row : report.rows) failed += !row.failure.empty(), parted += row.partedAt.has_value();
+  for (const AccuracyRow& row : report.rows)
+    failed += !row.failure.empty(), parted += row.partedAt.has_value();
   if (failed)
     findings.push_back({Kind::warning, std::to_string(failed) + " of " +
                                            counted(report.rows.size(), "setting") +
@@ -95,8 +98,8 @@ void judgeRows(const AccuracyReport& report, std::vector<Finding>& findings) {
                                            " come to other cells than the reference"});
   for (const std::string& remark : report.remarks) findings.push_back({Kind::warning, remark});
   if (report.rival)
-    findings.push_back({Kind::good, "As exact on this mesh, and the cheapest tried: " + report.rival->series + ", " +
-                                        numberText(report.rival->speed, 3) +
+    findings.push_back({Kind::good, "As exact on this mesh, and the cheapest tried: " + report.rival->series +
+                                        ", " + numberText(report.rival->speed, 3) +
                                         " times as fast as the scenario as it is"});
 }
 
@@ -114,7 +117,8 @@ void judgeTarget(const Json& t, std::vector<Finding>& findings) {
   const bool holds = t.at("mesh_holds").is_boolean() && t.at("mesh_holds").get<bool>();
   findings.push_back({holds ? Kind::good : Kind::warning,
                       "An error of " + error + " on the scenario's mesh is held for the least CPU time, " +
-                          numberText(best.at("cpu_seconds").get<double>(), 3) + " s to its end, by " + code(command) +
+                          numberText(best.at("cpu_seconds").get<double>(), 3) + " s to its end, by " +
+                          code(command) +
                           (holds ? "; with the mesh's, too"
                            : t.at("mesh_error").is_number()
                                ? "; the mesh itself adds " + numberText(t.at("mesh_error").get<double>(), 3) +
@@ -133,8 +137,10 @@ Section madeBy(const Json& json, const std::string& scenario, const std::string&
                    "./morula report " + shellWord(file)}};
   Table table{section.title, {}};
   if (json.contains("made_by"))
-    for (const auto& [name, value] : json.at("made_by").items()) table.rows.push_back({name, value.get<std::string>()});
-  if (table.rows.empty()) section.body.say("The output does not say by which program and machine it was made.");
+    for (const auto& [name, value] : json.at("made_by").items())
+      table.rows.push_back({name, value.get<std::string>()});
+  if (table.rows.empty())
+    section.body.say("The output does not say by which program and machine it was made.");
   else section.body.add(std::move(table));
   return section;
 }
@@ -149,7 +155,8 @@ PagePart accuracyPart(const std::string& file) {
     throw InputError(file + ": no rows of an accuracy run" + right);
   try {
     const AccuracyReport report = accuracyFrom(json);
-    const std::string scenario = json.contains("file") ? shellWord(json.at("file").get<std::string>()) : "SCENARIO";
+    const std::string scenario =
+        json.contains("file") ? shellWord(json.at("file").get<std::string>()) : "SCENARIO";
     PagePart part{.title = "Accuracy of " + report.scenario,
                   .summary = "What accuracy costs: error against CPU time",
                   .verdict = {}};
@@ -159,11 +166,15 @@ PagePart accuracyPart(const std::string& file) {
     judgeMesh(report, findings);
     judgeRows(report, findings);
     part.verdict = verdict(sentenceOf(report), std::move(findings));
-    part.sections = {cheapestSection(report, scenario), accuracyChartSection(report),
-                     {"rows", "Settings", settingTables(report)}, referenceSection(report), madeBy(json, scenario, file)};
-    part.sections.push_back({"rows-download", "Downloads",
-                             Document().add(Downloads{{{"settings.csv", "text/csv", accuracyCsv(json.at("rows"))},
-                                                       {"accuracy.json", "application/json", text}}})});
+    part.sections = {cheapestSection(report, scenario),
+                     accuracyChartSection(report),
+                     {"rows", "Settings", settingTables(report)},
+                     referenceSection(report),
+                     madeBy(json, scenario, file)};
+    part.sections.push_back(
+        {"rows-download", "Downloads",
+         Document().add(Downloads{{{"settings.csv", "text/csv", accuracyCsv(json.at("rows"))},
+                                   {"accuracy.json", "application/json", text}}})});
     return part;
   } catch (const std::exception&) {  // JSON of other kinds, and choices that are none
     throw InputError(file + ": rows that are none of an accuracy run" + right);
@@ -172,8 +183,7 @@ PagePart accuracyPart(const std::string& file) {
 
 Section programSection() {
   const BuildInfo& build = buildInfo();
-  return {"provenance",
-          "Provenance",
+  return {"provenance", "Provenance",
           Document().add(Table{"Provenance",
                                {},
                                {{"Version", build.version},

@@ -93,10 +93,12 @@ std::string digits(const std::string& text) {
 }
 
 Table resultTable(const Scenario& scenario, const std::vector<CheckResult>& results) {
-  Table table{"What decides", {"Compared", "Ours", "Bullet's", "Tolerance", "Share of it", "Result", "Worst of"}};
+  Table table{"What decides",
+              {"Compared", "Ours", "Bullet's", "Tolerance", "Share of it", "Result", "Worst of"}};
   for (const CheckResult& r : results) {
     const bool off = r.field == "positions";
-    table.rows.push_back({quantityWords(r), digits(r.actual) + (off ? " off" : ""), off ? "" : digits(r.expected), r.tolerance,
+    table.rows.push_back({quantityWords(r), digits(r.actual) + (off ? " off" : ""),
+                          off ? "" : digits(r.expected), r.tolerance,
                           r.share ? (*r.share == 0 ? "0" : numberText(100 * *r.share, 3)) + " %" : "",
                           mark(r.passed, "holds", "does not hold"),
                           r.cell ? withNames(cellName(*r.cell), scenario.names.function()) : ""});
@@ -108,11 +110,12 @@ Document distances(std::vector<CellDistance> all, double radius) {
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.largest > b.largest; });
   Table table{"Distances of the surfaces",
-              {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]", "Our volume [length³]",
-               "Bullet's volume [length³]"}};
+              {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]",
+               "Our volume [length³]", "Bullet's volume [length³]"}};
   for (std::size_t i = 0; i < std::min(all.size(), mostCells); ++i)
-    table.rows.push_back({all[i].cell, number(all[i].largest / radius, 3), number(std::sqrt(all[i].meanSquare) / radius, 3),
-                          number(all[i].ourVolume, 8), number(all[i].bulletVolume, 8)});
+    table.rows.push_back({all[i].cell, number(all[i].largest / radius, 3),
+                          number(std::sqrt(all[i].meanSquare) / radius, 3), number(all[i].ourVolume, 8),
+                          number(all[i].bulletVolume, 8)});
   Document body;
   body.add(std::move(table));
   if (all.size() > mostCells)
@@ -131,20 +134,22 @@ std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
   double squares = 0, count = 0;
   for (const CellDistance& d : all)
     squares += d.meanSquare * static_cast<double>(d.vertices), count += static_cast<double>(d.vertices);
-  return "The surfaces are farthest apart at " + worst->cell + ": " +
-         numberText(worst->largest / radius, 3) + " radii of the egg, near (" + place(worst->at.x) + ", " +
-         place(worst->at.y) + ", " + place(worst->at.z) +
-         ") [length]. The root mean square over all vertices is " +
+  return "The surfaces are farthest apart at " + worst->cell + ": " + numberText(worst->largest / radius, 3) +
+         " radii of the egg, near (" + place(worst->at.x) + ", " + place(worst->at.y) + ", " +
+         place(worst->at.z) + ") [length]. The root mean square over all vertices is " +
          numberText(std::sqrt(squares / count) / radius, 3) + " radii.";
 }
 
-Document pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet, const BulletShown& where) {
+Document pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet,
+                  const BulletShown& where) {
   const ComparisonImages images = imagesBesideBullet(ours, bullet.shapes, scenario);
   const std::string when = "at time " + numberText(ours.clock.time, 6);
-  Picture theirs = pngPicture(images.other, "Bullet's cells " + when, "Bullet's, " + when, where.swipe ? "bullet" : "");
+  Picture theirs =
+      pngPicture(images.other, "Bullet's cells " + when, "Bullet's, " + when, where.swipe ? "bullet" : "");
   theirs.id = where.picture;
   Document three, all;
-  three.add(pngPicture(images.one, "our cells " + when, "ours, " + when, where.swipe ? "ours" : "")).add(std::move(theirs));
+  three.add(pngPicture(images.one, "our cells " + when, "ours, " + when, where.swipe ? "ours" : ""))
+      .add(std::move(theirs));
   three.add(pngPicture(images.distance, "a map of the distances of the surfaces",
                        "how far each vertex of ours is from Bullet's surface"));
   all.add(Group{Group::Kind::pictures, "", std::move(three)});
@@ -182,7 +187,9 @@ Words storedWords(const std::vector<CheckResult>& found, const std::vector<Check
     case BulletStored::same:
       return "Made again for this page, it gives the numbers that are stored with the run, digit for digit.";
     case BulletStored::other:
-      return warning() + "Made again for this page, it gives other numbers than are stored with the run, which the checks show.";
+      return warning() +
+             "Made again for this page, it gives other numbers than are stored with the run, which the "
+             "checks show.";
   }
   return {};
 }
@@ -198,8 +205,8 @@ Document besideBullet(const Scenario& scenario, const World& ours, const BulletA
   const auto apart = distancesOf(scenario, ours, again.found.bullet->shapes);
   const bool touching = scenario.scene.mechanics->contact && scenario.scene.cells.size() > 1;
   Document body;
-  body.say(bold(sentenceOf(again.found.results)) + " " + bulletName() + ", " + baselineWords(check.baseline) + "; margin " +
-           numberText(check.margin, 4) + " radii.");
+  body.say(bold(sentenceOf(again.found.results)) + " " + bulletName() + ", " + baselineWords(check.baseline) +
+           "; margin " + numberText(check.margin, 4) + " radii.");
   if (stored) body.say(storedWords(again.found.results, *stored));
   body.add(pictures(scenario, ours, *again.found.bullet, where));
   body.say(farthestWords(apart, radius)).add(distances(apart, radius));
@@ -240,10 +247,11 @@ Section bulletSection(const std::vector<RunFacts>& runs) {
                                   {"picture-" + std::to_string(runs.size() + made), runs.size() == 1}));
     if (made++ == 0)
       section.commands = {"./morula run " + source, "./morula check " + source,
-                        "./morula report " + shellWord(run.database)};
+                          "./morula report " + shellWord(run.database)};
   }
   if (made > 0 && asked > made)
-    section.body.note("The first " + std::to_string(made) + " of " + counted(asked, "run") + " that are held against Bullet.");
+    section.body.note("The first " + std::to_string(made) + " of " + counted(asked, "run") +
+                      " that are held against Bullet.");
   return section;
 }
 

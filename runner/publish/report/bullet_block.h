@@ -12,7 +12,7 @@ struct BulletShown {
 
 /// `stored`: the checks that are stored with the run, and null where none can be. `ours`: the run made again.
 Document besideBullet(const Scenario& scenario, const World& ours, const BulletAgain& again,
-                         const std::vector<CheckResult>* stored, const BulletShown& shown);
+                      const std::vector<CheckResult>* stored, const BulletShown& shown);
 
 /// What must be known first of Bullet: that it was not asked, gave no answer, or another one than is stored.
 void judgeBullet(const RunFacts& run, std::vector<Finding>& findings);

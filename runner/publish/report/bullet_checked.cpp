@@ -48,7 +48,8 @@ std::vector<Section> bulletSections(const std::vector<CheckedScenario>& checked)
   const auto held =
       static_cast<std::size_t>(std::count_if(checked.begin(), checked.end(), heldAgainstBullet));
   if (!sections.empty() && held > sections.size())
-    sections.back().body.note("Shown of " + std::to_string(sections.size()) + " of " + counted(held, "scenario") +
+    sections.back().body.note("Shown of " + std::to_string(sections.size()) + " of " +
+                              counted(held, "scenario") +
                               " that were held against Bullet; morula report shows it of any run.");
   return sections;
 }

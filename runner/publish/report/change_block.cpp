@@ -20,14 +20,18 @@ void tellBesideGolden(const RunFacts& run, Document& changes) {
   const bool within = std::any_of(run.checks.begin(), run.checks.end(), goldens) &&
                       std::all_of(run.checks.begin(), run.checks.end(),
                                   [&](const CheckResult& c) { return !goldens(c) || c.passed; });
-  changes.say((within ? "Nothing beyond the tolerances of the accepted result, " : "Beside the accepted result, ") +
-              code(run.golden) + ":");
+  changes.say(
+      (within ? "Nothing beyond the tolerances of the accepted result, " : "Beside the accepted result, ") +
+      code(run.golden) + ":");
   changes.add(changeTable(run.change, run.scenario.names));
 }
 
 void tellBesideFirst(const RunFacts& first, const RunFacts& run, Document& changes) {
   const std::string change = changeBetween(first, run);
-  changes.say("Beside " + titleOf(first) + (change.empty() ? ": nothing." : change == run.change ? ": the same." : ":"));
+  changes.say("Beside " + titleOf(first) +
+              (change.empty()         ? ": nothing."
+               : change == run.change ? ": the same."
+                                      : ":"));
   if (!change.empty() && change != run.change) changes.add(changeTable(change, run.scenario.names));
 }
 

@@ -74,7 +74,8 @@ void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Sp
 LineKey keyOf(const std::vector<RunFacts>& runs, std::size_t count) {
   LineKey key;
   for (std::size_t i = 0; i < count; ++i)
-    key.lines.push_back({seriesColour(i), i % 2 == 1, (count <= mostLabels ? std::to_string(i + 1) + " " : "") + titleOf(runs[i])});
+    key.lines.push_back({seriesColour(i), i % 2 == 1,
+                         (count <= mostLabels ? std::to_string(i + 1) + " " : "") + titleOf(runs[i])});
   return key;
 }
 
@@ -94,7 +95,8 @@ std::vector<std::string> moreMeasures(const RunFacts& run) {
 void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>& commands) {
   const auto add = [&](const std::string& what, const std::string& caption, const auto& draw) {
     try {
-      charts.add(svgPicture(draw(), caption, caption, what == "divisions" ? Picture::Size::wide : Picture::Size::usual));
+      charts.add(svgPicture(draw(), caption, caption,
+                            what == "divisions" ? Picture::Size::wide : Picture::Size::usual));
       commands.push_back(commandFor(run, "chart", what + " -o " + what + ".svg"));
     } catch (const InputError&) {  // there is nothing of this kind in the run
     }
@@ -139,7 +141,8 @@ Section chartSection(const std::vector<RunFacts>& runs) {
   Chart cells = timeChart("Living cells", "");
   for (std::size_t i = 0; i < count; ++i) addLine(cells, i, count, cellsOverTime(runs[i]));
   if (!cells.lines.empty())
-    charts.add(svgPicture(drawChart(cells), "Living cells over time", "One more at each division, one fewer at each death"));
+    charts.add(svgPicture(drawChart(cells), "Living cells over time",
+                          "One more at each division, one fewer at each death"));
   const auto measures = sampledMeasures<Observation>();
   for (std::size_t m = 0; m < measures.size(); ++m) {
     const std::string measure = measures[m].name;

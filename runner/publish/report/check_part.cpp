@@ -49,9 +49,10 @@ Table overview(const std::vector<CheckedScenario>& checked) {
       const std::size_t failed = failures(c.report);
       const std::string all = std::to_string(c.report.results.size());
       if ((failed > 0) == wantFailed)
-        table.rows.push_back({c.report.scenario,
-                              mark(failed == 0, "all " + all + " pass", std::to_string(failed) + " of " + all + " differ"),
-                              classesOf(c.report), shareText(largestShare(c.report))});
+        table.rows.push_back(
+            {c.report.scenario,
+             mark(failed == 0, "all " + all + " pass", std::to_string(failed) + " of " + all + " differ"),
+             classesOf(c.report), shareText(largestShare(c.report))});
     }
   return table;
 }
@@ -62,10 +63,11 @@ Document bodyOf(const CheckedScenario& c) {
   if (!c.report.change.empty()) body.add(changeTable(c.report.change, names));
   if (c.again && c.again->beside) body.add(goldenPictures(*c.again->beside, c.report.scenario));
   else if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
-    body.add(Group{Group::Kind::pictures, "",
-                   Document().add(pngPicture(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario)),
-                                             c.report.scenario + ": the organism as it is now",
-                                             "as it is now, at time " + numberText(c.again->simulation.end.time, 6)))});
+    body.add(Group{
+        Group::Kind::pictures, "",
+        Document().add(pngPicture(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario)),
+                                  c.report.scenario + ": the organism as it is now",
+                                  "as it is now, at time " + numberText(c.again->simulation.end.time, 6)))});
   return body.add(checksOf(c.report.results, names));
 }
 
@@ -147,15 +149,17 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
     const CellNames names = c.again ? c.again->scenario.names : CellNames{};
     findings.push_back(
         {Finding::Kind::bad,
-         bold(c.report.scenario) + ": " + std::to_string(differ) + " of " + counted(c.report.results.size(), "check") +
-             (differ == 1 ? " differs: " : " differ: ") + classesOf(c.report) +
-             (c.report.change.empty() ? Words() : ". " + Words(changeSentence(c.report.change, names), Look::italic))});
+         bold(c.report.scenario) + ": " + std::to_string(differ) + " of " +
+             counted(c.report.results.size(), "check") + (differ == 1 ? " differs: " : " differ: ") +
+             classesOf(c.report) +
+             (c.report.change.empty() ? Words()
+                                      : ". " + Words(changeSentence(c.report.change, names), Look::italic))});
     if (++told > mostTold) continue;
     part.sections.push_back({"check-" + std::to_string(told), c.report.scenario, bodyOf(c)});
     if (!c.file.empty())
       part.sections.back().commands = {"./morula check " + shellWord(c.file),
-                                     "./morula explain " + shellWord(c.file),
-                                     "./morula review " + shellWord(c.file)};
+                                       "./morula explain " + shellWord(c.file),
+                                       "./morula review " + shellWord(c.file)};
   }
   part.title = failed ? "morula check: " + std::to_string(failed) + " of " +
                             counted(checked.size(), "scenario") + (failed == 1 ? " differs" : " differ")
@@ -165,9 +169,10 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
   if (told > mostTold)
     findings.push_back({Finding::Kind::warning,
                         "What differs is shown of the first " + std::to_string(mostTold) + " scenarios"});
-  part.verdict = verdict(std::to_string(checked.size() - failed) + " of " + counted(checked.size(), "scenario") +
-                             (checked.size() == 1 ? " passes" : " pass") + ".",
-                         std::move(findings));
+  part.verdict =
+      verdict(std::to_string(checked.size() - failed) + " of " + counted(checked.size(), "scenario") +
+                  (checked.size() == 1 ? " passes" : " pass") + ".",
+              std::move(findings));
   std::string files;
   for (const CheckedScenario& c : checked)
     if (!c.file.empty()) files += ' ' + shellWord(c.file);

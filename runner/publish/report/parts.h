@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "check/beside_golden.h"
-#include "report_data/explorer_data.h"
 #include "report/report.h"
+#include "report_data/explorer_data.h"
 #include "report_data/words.h"
 
 namespace morula {

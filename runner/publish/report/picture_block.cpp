@@ -31,7 +31,8 @@ Picture treeOf(const RunFacts& facts, const std::string& of) {
   const bool few = facts.results.lineage.size() <= fewCells;
   if (few) tree.width = 560, tree.height = 420;
   const Drawing drawing = drawLineage(tree);
-  const std::string what = of + "the tree of " + counted(facts.results.lineage.size(), "cell"), caption = of + "the lineage";
+  const std::string what = of + "the tree of " + counted(facts.results.lineage.size(), "cell"),
+                    caption = of + "the lineage";
   return few ? svgPicture(drawing, what, caption) : pngPicture(drawing.pixels(), what, caption);
 }
 
@@ -83,16 +84,17 @@ Section pictureSection(const std::vector<RunFacts>& runs) {
   for (std::size_t i = 0; i < pictured.size(); ++i) {
     const RunFacts& r = *pictured[i].run;
     const std::string when = r.run.status == RunStatus::done ? "at the end" : "where it failed";
-    Picture picture =
-        pngPicture(drawOrganism(pictured[i].picture),
-                   before(r) + "the organism at time " + numberText(r.run.time, 6) + ", " + counted(r.run.cells, "cell"),
-                   before(r) + "the organism " + when, std::to_string(i));
+    Picture picture = pngPicture(
+        drawOrganism(pictured[i].picture),
+        before(r) + "the organism at time " + numberText(r.run.time, 6) + ", " + counted(r.run.cells, "cell"),
+        before(r) + "the organism " + when, std::to_string(i));
     picture.id = "picture-" + std::to_string(i);
     pictures.add(std::move(picture));
     if (runs.size() == 1)
-      pictures.add(pngPicture(drawOrganism(pictured[i].picture, Style::wireframe), before(r) + "the same as meshes",
-                              before(r) + "the meshes"));
-    if (r.run.status == RunStatus::done) section.commands.push_back(commandFor(r, "render", "-o organism.png"));
+      pictures.add(pngPicture(drawOrganism(pictured[i].picture, Style::wireframe),
+                              before(r) + "the same as meshes", before(r) + "the meshes"));
+    if (r.run.status == RunStatus::done)
+      section.commands.push_back(commandFor(r, "render", "-o organism.png"));
   }
   std::set<std::string> trees;
   std::size_t drawn = 0;

@@ -63,7 +63,8 @@ Table sideBySide(const std::string& caption, const std::vector<RunFacts>& runs,
   Table table{caption, {}};
   if (runs.size() > 1) {
     table.columns.push_back("");
-    for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i) table.columns.push_back(titleOf(runs[i]));
+    for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i)
+      table.columns.push_back(titleOf(runs[i]));
   }
   for (const auto& [label, values] : rows) {
     const bool same = std::all_of(values.begin(), values.end(),
@@ -120,7 +121,8 @@ Section provenanceSection(const std::vector<RunFacts>& runs) {
   Section section{"provenance", "Provenance", {}};
   section.body.add(sideBySide("Provenance", runs, rows));
   if (runs.size() > mostColumns)
-    section.body.note("The first " + std::to_string(mostColumns) + " of " + counted(runs.size(), "run") + ".");
+    section.body.note("The first " + std::to_string(mostColumns) + " of " + counted(runs.size(), "run") +
+                      ".");
   for (const RunFacts& r : runs)
     if (section.commands.size() < mostColumns && r.run.status != RunStatus::running)
       section.commands.push_back(commandFor(r, "replay"));

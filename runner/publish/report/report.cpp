@@ -44,7 +44,8 @@ std::vector<RunFacts> factsOfAll(const Sources& sources, const ReportQuestion& q
 
 Section explorerSection(const ReportQuestion& question, const std::vector<ExplorerRun>& runs) {
   Section section{"explorer", "Explorer", {}};
-  if (question.program.empty()) section.body.say("This page was made without its explorer: " + question.whyNone);
+  if (question.program.empty())
+    section.body.say("This page was made without its explorer: " + question.whyNone);
   else section.body.add(ExplorerPlace{}).add(leftOutOf(runs));
   return section;
 }
@@ -81,12 +82,14 @@ void putTogether(const std::vector<PagePart>& parts, bool one, const Section* ex
   const auto add = [&](const Section& section, const std::string& part) {
     const int count = ++known[section.id];
     page.blocks.push_back({section.id + (count > 1 ? "-" + std::to_string(count) : ""),
-                           section.title + (part.empty() ? "" : ": " + part), htmlOf(section.body), section.commands});
+                           section.title + (part.empty() ? "" : ": " + part), htmlOf(section.body),
+                           section.commands});
   };
   const auto titleOf = [&](const PagePart& part) { return !one || part.isAside ? part.title : ""; };
   for (const PagePart& part : parts)
     if (!part.verdict.empty())
-      page.verdict += (one ? "" : htmlOf(Document().add(Sentence{part.title, Sentence::Kind::part}))) + htmlOf(part.verdict);
+      page.verdict += (one ? "" : htmlOf(Document().add(Sentence{part.title, Sentence::Kind::part}))) +
+                      htmlOf(part.verdict);
   for (const PagePart& part : parts)
     for (const Section& section : part.change) add(section, titleOf(part));
   if (explorer) add(*explorer, "");
@@ -120,7 +123,8 @@ ReportAnswer makeReport(const ReportQuestion& question) {
         (answer.signal = runCheckedInBullet(checks.back(), question)))
       return answer;
     parts.push_back(checkPart(checks.back(), file));
-    for (Section& section : bulletSections(checks.back())) parts.back().sections.push_back(std::move(section));
+    for (Section& section : bulletSections(checks.back()))
+      parts.back().sections.push_back(std::move(section));
   }
   for (auto& checked : checks) exploreChecked(checked, explored);
   if ((answer.signal = exploreRuns(runs, question, explored))) return answer;

@@ -37,7 +37,8 @@ Document checksOfAll(const std::vector<RunFacts>& runs) {
     if (runs.size() == 1) all.add(std::move(checks));
     else if (differs) all.heading(titleOf(run)).add(std::move(checks));
     else if (runs.size() <= mostExplored)
-      all.add(folded(titleOf(run) + ": all " + counted(run.checks.size(), "check") + " passed", std::move(checks)));
+      all.add(folded(titleOf(run) + ": all " + counted(run.checks.size(), "check") + " passed",
+                     std::move(checks)));
   }
   return all;
 }
@@ -65,7 +66,7 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
     if (runs.size() == 1 && !runs[0].golden.empty() &&
         std::any_of(runs[0].checks.begin(), runs[0].checks.end(), ofGolden))
       part.sections.back().commands = {"./morula check " + shellWord(sourceOf(runs[0])),
-                                     "./morula explain " + shellWord(sourceOf(runs[0]))};
+                                       "./morula explain " + shellWord(sourceOf(runs[0]))};
   }
   part.sections.push_back(provenanceSection(runs));
   part.sections.push_back(parameterSection(runs));

@@ -39,12 +39,14 @@ PagePart studyPart(const std::string& database) {
   PagePart part{.title = "Study " + r.name,
                 .summary = r.summary,
                 .verdict = verdict(std::to_string(done) + " of " + counted(r.tasks.size(), "distinct run") +
-                                       (r.tasks.size() == 1 ? " is" : " are") + " done: " +
-                                       counted(r.conditions.size(), "condition") + ", " + counted(r.seeds.size(), "seed") + ".",
+                                       (r.tasks.size() == 1 ? " is" : " are") +
+                                       " done: " + counted(r.conditions.size(), "condition") + ", " +
+                                       counted(r.seeds.size(), "seed") + ".",
                                    findingsOf(c, database))};
   const std::vector<std::string> sentences = verdictsOf(c);
   Items said, more;
-  for (std::size_t i = 0; i < sentences.size(); ++i) (i < mostSentences ? said : more).list.push_back(sentences[i]);
+  for (std::size_t i = 0; i < sentences.size(); ++i)
+    (i < mostSentences ? said : more).list.push_back(sentences[i]);
   Document findings;
   if (said.list.empty()) findings.say("Nothing: no measure has values.");
   else findings.add(std::move(said));
@@ -55,23 +57,26 @@ PagePart studyPart(const std::string& database) {
   const std::string file = shellWord(database);
   part.change.push_back(
       {"findings", "What the study finds", std::move(findings), {"./morula study compare " + file}});
-  part.sections.push_back({"strips",
-                           "Every value",
-                           Document().add(svgPicture(
-                               drawComparedStudy(c), "strips of all values of each condition, with their means and 95 % intervals",
-                               "A dot a run; line and bar: the mean and its 95 % interval", Picture::Size::large)),
-                           {"./morula study compare " + file + " -o strips.svg"}});
+  part.sections.push_back(
+      {"strips",
+       "Every value",
+       Document().add(
+           svgPicture(drawComparedStudy(c),
+                      "strips of all values of each condition, with their means and 95 % intervals",
+                      "A dot a run; line and bar: the mean and its 95 % interval", Picture::Size::large)),
+       {"./morula study compare " + file + " -o strips.svg"}});
   Document body = comparedTables(c);
   Downloads downloads;
-  for (Downloads::File file : {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
-                               Downloads::File{"comparison.json", "application/json", jsonText(toJson(c), 1)}})
+  for (Downloads::File file :
+       {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
+        Downloads::File{"comparison.json", "application/json", jsonText(toJson(c), 1)}})
     if (file.bytes.size() <= 1'000'000) downloads.files.push_back(std::move(file));
   body.add(std::move(downloads));
   part.sections.push_back({"comparison",
-                         "Comparison",
-                         std::move(body),
-                         {"./morula study compare " + file + " --csv > comparison.csv",
-                          "./morula study compare " + file + " --json > comparison.json"}});
+                           "Comparison",
+                           std::move(body),
+                           {"./morula study compare " + file + " --csv > comparison.csv",
+                            "./morula study compare " + file + " --json > comparison.json"}});
   return part;
 }
 
@@ -88,7 +93,8 @@ bool hasBodies(const StudyResults& results, const std::string& database) {
 
 int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
   const StudyResults results = readStudyResults(database);
-  Section section{"organisms", "Organisms", {}, {"./morula compare " + shellWord(database) + " --pictures grid.png"}};
+  Section section{
+      "organisms", "Organisms", {}, {"./morula compare " + shellWord(database) + " --pictures grid.png"}};
   if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
   if (results.conditions.size() > mostDrawn) {
     section.body.note(counted(results.conditions.size(), "condition") +
@@ -97,15 +103,13 @@ int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
     try {
       section.body.add(pngPicture(drawOrganisms(results, database, {}, quiet).pixels(),
                                   "the organisms of all conditions at five moments",
-                                  "A row a condition, a column a moment; one seed, one camera, one scale",
-                                  "", Picture::Size::large));
+                                  "A row a condition, a column a moment; one seed, one camera, one scale", "",
+                                  Picture::Size::large));
     } catch (const Interrupted& by) {
       return by.signal;
     } catch (const UsageError&) {  // there is nothing that can be seen
       return 0;
-    } catch (const NondeterminismError& error) {
-      section.body.note(error.what());
-    }
+    } catch (const NondeterminismError& error) { section.body.note(error.what()); }
   }
   part.sections.insert(part.sections.begin(), std::move(section));
   return 0;

@@ -43,8 +43,7 @@ void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
     else if (trouble.status == "missing")
       findings.push_back(
           {Finding::Kind::warning, which + "missing; morula study run goes on with the study"});
-    else
-{
+    else {
       Finding failed = failedBecause(Finding::Kind::bad, trouble.reason.empty() ? "" : ": ", trouble.reason);
       failed.words = which + trouble.status + failed.words;
       findings.push_back(std::move(failed));
@@ -62,9 +61,9 @@ void judgeConditions(const StudyComparison& c, std::vector<Finding>& findings) {
     if (names.size() > 1)
       findings.push_back({Finding::Kind::warning, listed(names, 12) + " are the same runs"});
   for (const std::size_t k : c.seedless)
-    findings.push_back({Finding::Kind::warning,
-                        "Seeds change nothing under " + bold(r.nameOf(r.conditions[k])) +
-                            ": its runs are one run, no replicates, and its mean has no interval"});
+    findings.push_back(
+        {Finding::Kind::warning, "Seeds change nothing under " + bold(r.nameOf(r.conditions[k])) +
+                                     ": its runs are one run, no replicates, and its mean has no interval"});
 }
 
 /// Runs with divisions whose axis is ambiguous.

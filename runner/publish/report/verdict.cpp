@@ -65,8 +65,7 @@ void judgeDivisions(const RunFacts& facts, std::vector<Finding>& findings) {
       {Kind::warning,
        counted(count, "division") + (count == 1 ? " has an" : " have an") +
            " ambiguous axis: the mother's longest extent is hardly longer than her next one, " +
-           (count == 1 ? "" : "first ") + "that of " + cell + " at time " + numberText(first.time) +
-           ", " +
+           (count == 1 ? "" : "first ") + "that of " + cell + " at time " + numberText(first.time) + ", " +
            (*first.extentRatio - 1 < 1e-6
                 ? "longer by less than a millionth"
                 : "longer by " + numberText(100 * (*first.extentRatio - 1), 2) + " %") +
@@ -137,8 +136,9 @@ Table runTable(const std::vector<const RunFacts*>& runs) {
         std::count_if(r.checks.begin(), r.checks.end(), [](const CheckResult& c) { return !c.passed; });
     table.rows.push_back({titleOf(r), name(r.run.status), r.run.cells, number(r.run.time, 6),
                           r.checks.empty() ? "none"
-                          : failed ? std::to_string(failed) + " of " + std::to_string(r.checks.size()) + " failed"
-                                   : "all " + std::to_string(r.checks.size()) + " passed",
+                          : failed
+                              ? std::to_string(failed) + " of " + std::to_string(r.checks.size()) + " failed"
+                              : "all " + std::to_string(r.checks.size()) + " passed",
                           code(r.run.stateHash.substr(0, 12)), code(r.run.id)});
   }
   return table;
@@ -164,8 +164,7 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   judgeBullet(facts, findings);
   if (!facts.unusableGolden.empty())
     findings.push_back({Kind::warning, "The golden file cannot be used: " + facts.unusableGolden});
-  for (const std::string& warning : facts.scenario.warnings)
-    findings.push_back({Kind::warning, warning});
+  for (const std::string& warning : facts.scenario.warnings) findings.push_back({Kind::warning, warning});
   return findings;
 }
 
@@ -177,15 +176,17 @@ void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& find
   for (const RunFacts* run : runs)
     for (Finding& f : findingsOf(*run)) {
       if (f.kind == Kind::good || f.kind == Kind::note) continue;
-      const auto same = std::find_if(found.begin(), found.end(),
-                                     [&](const auto& known) { return known.first == f; });
+      const auto same =
+          std::find_if(found.begin(), found.end(), [&](const auto& known) { return known.first == f; });
       const Words title = bold(titleOf(*run));
       if (same == found.end()) found.push_back({std::move(f), {title}});
       else same->second.push_back(title);
     }
   for (auto& [finding, titles] : found) {
-    finding.words = (titles.size() < runs.size() ? listed(titles, 3) : runs.size() == 2 ? "Both runs" : "All runs") + ": " +
-                    finding.words;
+    finding.words = (titles.size() < runs.size() ? listed(titles, 3)
+                     : runs.size() == 2          ? "Both runs"
+                                                 : "All runs") +
+                    ": " + finding.words;
     findings.push_back(std::move(finding));
   }
 }

@@ -147,7 +147,9 @@ Document leftOutOf(const std::vector<ExplorerRun>& runs) {
     if (!run.frames) continue;
     const std::size_t kept = run.frames->frames.size(), taken = run.frames->worlds.size();
     if (kept == 0 && taken > 0)
-      say(run, "One frame alone would make the page too large: a larger --size-limit shows it in three dimensions.");
+      say(run,
+          "One frame alone would make the page too large: a larger --size-limit shows it in three "
+          "dimensions.");
     else if (kept < taken)
       say(run, "Thinned: " + std::to_string(kept) + " of " + std::to_string(taken) +
                    " frames fit into the page; a larger --size-limit keeps more.");

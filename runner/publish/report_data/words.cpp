@@ -34,12 +34,13 @@ std::string failedInWords(const CheckResult& failed) {
 
 const std::string& titleOf(const RunFacts& run) { return run.title; }
 
-Picture pngPicture(const Image& image, const std::string& what, const std::string& caption, const std::string& name,
-                   Picture::Size size) {
+Picture pngPicture(const Image& image, const std::string& what, const std::string& caption,
+                   const std::string& name, Picture::Size size) {
   return {"image/png", pngFile(image), what, caption, size, name};
 }
 
-Picture svgPicture(const Drawing& drawing, const std::string& what, const std::string& caption, Picture::Size size) {
+Picture svgPicture(const Drawing& drawing, const std::string& what, const std::string& caption,
+                   Picture::Size size) {
   return {"image/svg+xml", drawing.file(PictureFormat::svg), what, caption, size};
 }
 

@@ -23,8 +23,8 @@ const std::string& titleOf(const RunFacts& run);
 /// answer their id.
 void nameRuns(std::vector<RunFacts>& runs);
 
-Picture pngPicture(const Image& image, const std::string& what, const std::string& caption, const std::string& name = {},
-                   Picture::Size size = Picture::Size::usual);
+Picture pngPicture(const Image& image, const std::string& what, const std::string& caption,
+                   const std::string& name = {}, Picture::Size size = Picture::Size::usual);
 Picture svgPicture(const Drawing& drawing, const std::string& what, const std::string& caption,
                    Picture::Size size = Picture::Size::usual);
 

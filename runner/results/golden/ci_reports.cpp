@@ -105,7 +105,8 @@ std::string annotations(const std::vector<CheckReport>& reports, std::size_t mos
 }
 
 std::string summaryPage(const std::vector<CheckReport>& reports) {
-  Table scenarios{"Scenarios", {"scenario", "checks", ""}}, details{"What differs", {"scenario", "check", "class", "what differs first"}};
+  Table scenarios{"Scenarios", {"scenario", "checks", ""}},
+      details{"What differs", {"scenario", "check", "class", "what differs first"}};
   for (const CheckReport& report : reports) {
     const std::size_t failed = failures(report);
     scenarios.rows.push_back(
@@ -113,7 +114,8 @@ std::string summaryPage(const std::vector<CheckReport>& reports) {
     for (const CheckResult& r : report.results)
       if (!r.passed) details.rows.push_back({report.scenario, r.check, r.failureClass, firstLine(r.message)});
   }
-  return std::string(summaryBeginning) + "\n" + markdownOf(scenarios) + (details.rows.empty() ? "" : "\n" + markdownOf(details));
+  return std::string(summaryBeginning) + "\n" + markdownOf(scenarios) +
+         (details.rows.empty() ? "" : "\n" + markdownOf(details));
 }
 
 }  // namespace morula

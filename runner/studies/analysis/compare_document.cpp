@@ -19,7 +19,8 @@ constexpr std::size_t mostTimes = 8;      // in a table of means over time
 template <class Row>
 std::vector<Row> ofMeasure(const std::vector<Row>& rows, std::size_t measure) {
   std::vector<Row> some;
-  std::ranges::copy_if(rows, std::back_inserter(some), [&](const Row& row) { return row.measure == measure; });
+  std::ranges::copy_if(rows, std::back_inserter(some),
+                       [&](const Row& row) { return row.measure == measure; });
   return some;
 }
 
@@ -144,7 +145,8 @@ std::string toCsv(const StudyComparison& c) {
   for (const TimeCourse& course : c.courses) kinds.emplace_back("course", courseTable(c, course));
   std::vector<std::string> names{"kind", "measure"};
   for (const ResultAxis& axis : c.results.axes) names.push_back("axis:" + axis.name);
-  for (const char* name : {"by", "a", "b", "seed", "time", "n", "distinct"}) names.push_back(name);  // the others follow
+  for (const char* name : {"by", "a", "b", "seed", "time", "n", "distinct"})
+    names.push_back(name);  // the others follow
   return csvOf(stacked(kinds, names), "\n");
 }
 

@@ -9,7 +9,9 @@ namespace morula {
 
 namespace {
 
-Cell bound(const std::optional<Interval>& i, double Interval::*end) { return number(i ? std::optional((*i).*end) : std::nullopt); }
+Cell bound(const std::optional<Interval>& i, double Interval::*end) {
+  return number(i ? std::optional((*i).*end) : std::nullopt);
+}
 
 /// "0.42 to 0.44".
 Words rangeOf(const std::optional<Interval>& i) {
@@ -41,10 +43,12 @@ std::vector<Field<Row>> ofCondition(const StudyComparison& c) {
   const StudyResults& r = c.results;
   std::vector<Field<Row>> fields{
       {{"measure", "measure", ""}, [&](const Row& row) { return c.measureName(row.measure); }},
-      {{"labels", "", ""}, [&](const Row& row) { return exact(labelsOf(r, r.conditions[row.condition].levels)); }}};
+      {{"labels", "", ""},
+       [&](const Row& row) { return exact(labelsOf(r, r.conditions[row.condition].levels)); }}};
   for (std::size_t a = 0; a < r.axes.size(); ++a)
-    fields.push_back({{"", "axis:" + r.axes[a].name, r.axes[a].name},
-                      [&r, a](const Row& row) { return r.axes[a].labels[r.conditions[row.condition].levels[a]]; }});
+    fields.push_back({{"", "axis:" + r.axes[a].name, r.axes[a].name}, [&r, a](const Row& row) {
+                        return r.axes[a].labels[r.conditions[row.condition].levels[a]];
+                      }});
   return fields;
 }
 
@@ -65,7 +69,8 @@ Json labelsOf(const StudyResults& r, const std::vector<std::size_t>& levels) {
 Table valueTable(const StudyComparison& c) {
   std::vector<SeedValue> values;
   for (const ConditionSummary& s : c.conditions)
-    for (std::size_t i = 0; i < s.values.size(); ++i) values.push_back({s.measure, s.condition, s.seeds[i], s.values[i]});
+    for (std::size_t i = 0; i < s.values.size(); ++i)
+      values.push_back({s.measure, s.condition, s.seeds[i], s.values[i]});
   using Row = SeedValue;
   const std::vector<Field<Row>> fields{
       {{"", "seed", "seed"}, [](const Row& v) { return v.seed; }},
@@ -105,7 +110,8 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
       {{"axis", "by", ""}, [&](const Row& p) { return axisOf(p).name; }},
       {{"a", "a", ""}, [&](const Row& p) { return axisOf(p).labels[p.a]; }},
       {{"b", "b", ""}, [&](const Row& p) { return axisOf(p).labels[p.b]; }},
-      {{"", "", "a − b"}, [&](const Row& p) { return axisOf(p).labels[p.a] + " − " + axisOf(p).labels[p.b]; }},
+      {{"", "", "a − b"},
+       [&](const Row& p) { return axisOf(p).labels[p.a] + " − " + axisOf(p).labels[p.b]; }},
       {{"at", "", "of the others"}, [&](const Row& p) { return Cell(fixedJson(c, p), fixedOf(c, p)); }},
       {{"n", "n", "pairs"}, [](const Row& p) { return p.of.size(); }},
       {{"known", "", ""}, [](const Row& p) { return name(p.known); }},
@@ -117,11 +123,15 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
       {{"high", "high", ""}, [=](const Row& p) { return ifEstimated(p, p.paired.interval.high); }},
       {{"", "", "95 % interval"},
        [](const Row& p) {
-         return Cell({}, p.known == Known::exact ? "exact" : p.known == Known::oneSeed ? "" : rangeOf(p.paired.interval));
+         return Cell({}, p.known == Known::exact     ? "exact"
+                         : p.known == Known::oneSeed ? ""
+                                                     : rangeOf(p.paired.interval));
        }},
       {{"p", "p", "p"}, [=](const Row& p) { return ifEstimated(p, p.paired.p, 2); }},
-      {{"p_holm", "p_holm", "Holm"}, [=](const Row& p) { return p.sameRuns ? exact({}) : ifEstimated(p, p.corrected, 2); }},
-      {{"effect", "effect", "d" + Words("z", Look::subscript)}, [](const Row& p) { return number(p.effect.dz, 3); }},
+      {{"p_holm", "p_holm", "Holm"},
+       [=](const Row& p) { return p.sameRuns ? exact({}) : ifEstimated(p, p.corrected, 2); }},
+      {{"effect", "effect", "d" + Words("z", Look::subscript)},
+       [](const Row& p) { return number(p.effect.dz, 3); }},
       {{"d", "", ""}, [](const Row& p) { return number(p.effect.d); }},
       {{"g", "g", "g"}, [](const Row& p) { return number(p.effect.g, 3); }},
       {{"higher", "higher", "higher"}, [](const Row& p) { return p.signs.higher; }},
@@ -131,14 +141,21 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
        [](const Row& p) {
          if (!p.unpaired) return exact({});
          const MeanDifference& u = *p.unpaired;
-         return Cell(Json{{"low", u.interval.low}, {"high", u.interval.high}, {"p", u.p}}, rangeOf(u.interval));
+         return Cell(Json{{"low", u.interval.low}, {"high", u.interval.high}, {"p", u.p}},
+                     rangeOf(u.interval));
        }},
-      {{"", "unpaired_low", ""}, [](const Row& p) { return p.unpaired ? number(p.unpaired->interval.low) : exact({}); }},
-      {{"", "unpaired_high", ""}, [](const Row& p) { return p.unpaired ? number(p.unpaired->interval.high) : exact({}); }},
-      {{"interval_ratio", "interval_ratio", "paired/unpaired"}, [](const Row& p) { return number(p.intervalRatio(), 2); }},
-      {{"", "margin", ""}, [](const Row& p) { return p.equivalence ? number(p.equivalence->test.margin) : exact({}); }},
-      {{"", "p_equivalent_holm", ""}, [](const Row& p) { return p.equivalence ? number(p.equivalence->corrected) : exact({}); }},
-      {{"", "equivalent", ""}, [](const Row& p) { return p.equivalence ? name(p.equivalence->verdict) : exact({}); }},
+      {{"", "unpaired_low", ""},
+       [](const Row& p) { return p.unpaired ? number(p.unpaired->interval.low) : exact({}); }},
+      {{"", "unpaired_high", ""},
+       [](const Row& p) { return p.unpaired ? number(p.unpaired->interval.high) : exact({}); }},
+      {{"interval_ratio", "interval_ratio", "paired/unpaired"},
+       [](const Row& p) { return number(p.intervalRatio(), 2); }},
+      {{"", "margin", ""},
+       [](const Row& p) { return p.equivalence ? number(p.equivalence->test.margin) : exact({}); }},
+      {{"", "p_equivalent_holm", ""},
+       [](const Row& p) { return p.equivalence ? number(p.equivalence->corrected) : exact({}); }},
+      {{"", "equivalent", ""},
+       [](const Row& p) { return p.equivalence ? name(p.equivalence->verdict) : exact({}); }},
   };
   if (!c.margins.empty())
     fields.push_back({{"equivalence", "", ""}, [&](const Row& p) {
@@ -154,14 +171,18 @@ Table equivalenceTable(const StudyComparison& c, const std::vector<PairCompariso
   using Row = PairComparison;
   const std::vector<Field<Row>> fields{
       {{"", "", "a, b"},
-       [&](const Row& p) { return c.results.axes[p.axis].labels[p.a] + ", " + c.results.axes[p.axis].labels[p.b]; }},
+       [&](const Row& p) {
+         return c.results.axes[p.axis].labels[p.a] + ", " + c.results.axes[p.axis].labels[p.b];
+       }},
       {{"", "", "of the others"}, [&](const Row& p) { return fixedOf(c, p); }},
       {{"", "", "difference"}, [](const Row& p) { return number(p.paired.difference); }},
       {{"low", "", ""}, [](const Row& p) { return number(p.equivalence->test.interval.low); }},
       {{"high", "", ""}, [](const Row& p) { return number(p.equivalence->test.interval.high); }},
       {{"", "", "90 % interval"}, [](const Row& p) { return rangeOf(p.equivalence->test.interval); }},
       {{"margin", "", "margin"},
-       [](const Row& p) { return Cell(p.equivalence->test.margin, "±" + numberText(p.equivalence->test.margin, 4)); }},
+       [](const Row& p) {
+         return Cell(p.equivalence->test.margin, "±" + numberText(p.equivalence->test.margin, 4));
+       }},
       {{"p", "", "p"}, [](const Row& p) { return number(p.equivalence->test.p, 2); }},
       {{"p_holm", "", "Holm"}, [](const Row& p) { return number(p.equivalence->corrected, 2); }},
       {{"p_beyond", "", ""}, [](const Row& p) { return number(p.equivalence->test.pBeyond); }},
@@ -179,7 +200,9 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
     for (const std::size_t f : e.factors) names.push_back(axis(f).name);
     return names;
   };
-  const auto corrected = [&](const Row& e) { return of.corrected[static_cast<std::size_t>(&e - of.analysis.effects.data())]; };
+  const auto corrected = [&](const Row& e) {
+    return of.corrected[static_cast<std::size_t>(&e - of.analysis.effects.data())];
+  };
   const std::vector<Field<Row>> fields{
       {{"axes", "", " "}, [=](const Row& e) { return Cell(axesOf(e), join(axesOf(e), " × ")); }},
       {{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }},
@@ -213,7 +236,8 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
 
 Table courseTable(const StudyComparison& c, const TimeCourse& of) {
   using Row = TimeCourse::Point;
-  std::vector<Field<Row>> fields{{{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }}};
+  std::vector<Field<Row>> fields{
+      {{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }}};
   for (std::size_t a = 0; a < c.results.axes.size(); ++a)
     fields.push_back({{"", "axis:" + c.results.axes[a].name, ""}, [&, a](const Row&) {
                         return c.results.axes[a].labels[c.results.conditions[of.condition].levels[a]];

@@ -87,7 +87,8 @@ TEST_CASE("A condition whose seeds change nothing has one run, is named, and has
   }
   CHECK(with == 4);
   CHECK(without == 4);
-  CHECK_THAT(textOf(describe(c)), ContainsSubstring("longest, none") && ContainsSubstring("seeds change nothing"));
+  CHECK_THAT(textOf(describe(c)),
+             ContainsSubstring("longest, none") && ContainsSubstring("seeds change nothing"));
   CHECK(c.effects.at(0).untested == "seeds change nothing in 2 of 4 cells of the design");
 }
 
@@ -242,9 +243,10 @@ TEST_CASE("Other output says the same numbers") {
   const std::string csv = toCsv(c);
   CHECK(std::ranges::count(csv, '\n') ==
         1 + 80 + 8 + 4 + 2 * 3);  // title, values, conditions, pairs, effects
-  CHECK(csv.starts_with(
-      "kind,measure,axis:division,axis:connections,by,a,b,seed,time,n,distinct,value,low,high,p,p_holm,effect,g,higher,lower,"
-      "unpaired_low,unpaired_high,interval_ratio,margin,p_equivalent_holm,equivalent\n"));
+  CHECK(
+      csv.starts_with("kind,measure,axis:division,axis:connections,by,a,b,seed,time,n,distinct,value,low,"
+                      "high,p,p_holm,effect,g,higher,lower,"
+                      "unpaired_low,unpaired_high,interval_ratio,margin,p_equivalent_holm,equivalent\n"));
 }
 
 TEST_CASE("What the study has not is refused, with what was probably meant") {

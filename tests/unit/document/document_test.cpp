@@ -36,11 +36,14 @@ TEST_CASE("A column that is declared once stands in every form, under its name t
         "  AB      4.19         -\n"
         "  P1      12.5      0.25\n");
   CHECK(csvOf(table) == "cell,volume\r\nAB,4.18879020478639\r\nP1,12.5\r\n");
-  CHECK(jsonOf(table) == Json::array({Json{{"name", "AB"}, {"volume", 4.18879020478639}, {"pressure", nullptr}},
-                                      Json{{"name", "P1"}, {"volume", 12.5}, {"pressure", 0.25}}}));
-  CHECK(markdownOf(table) == "| Cell | Volume | Pressure |\n|---|---|---|\n| AB | 4.19 | |\n| P1 | 12.5 | 0.25 |\n");
-  CHECK_THAT(html(Document().add(table)), ContainsSubstring("<th scope=\"col\">Volume</th>") &&
-                                              ContainsSubstring("<tr><th scope=\"row\">AB</th><td>4.19</td><td></td></tr>"));
+  CHECK(jsonOf(table) ==
+        Json::array({Json{{"name", "AB"}, {"volume", 4.18879020478639}, {"pressure", nullptr}},
+                     Json{{"name", "P1"}, {"volume", 12.5}, {"pressure", 0.25}}}));
+  CHECK(markdownOf(table) ==
+        "| Cell | Volume | Pressure |\n|---|---|---|\n| AB | 4.19 | |\n| P1 | 12.5 | 0.25 |\n");
+  CHECK_THAT(html(Document().add(table)),
+             ContainsSubstring("<th scope=\"col\">Volume</th>") &&
+                 ContainsSubstring("<tr><th scope=\"row\">AB</th><td>4.19</td><td></td></tr>"));
 }
 
 TEST_CASE("Letters count, not bytes, and a column of words stands at the left") {
@@ -63,9 +66,14 @@ TEST_CASE("Tables of several kinds become one, by the names of their columns") {
 TEST_CASE("No text becomes markup, wherever it stands") {
   Document all;
   all.say(evil).note(bold(evil)).heading(code(evil)).say(Words(evil, Look::bad, "\" onclick=\"alert(2)"));
-  all.add(Findings{{{Finding::Kind::bad, evil, {evil}}}}).add(Items{{evil}}).add(Verbatim{evil}).add(bodies({{evil, 1, {}}}));
+  all.add(Findings{{{Finding::Kind::bad, evil, {evil}}}})
+      .add(Items{{evil}})
+      .add(Verbatim{evil})
+      .add(bodies({{evil, 1, {}}}));
   all.add(Table{evil, {evil}, {{evil}}}).add(Picture{"image/png", "", evil, evil}).add(Swipe{"a", "b", evil});
-  all.add(LineKey{{{{}, true, evil}}}).add(Downloads{{{evil, "text/csv", ""}}}).add(folded(evil, Document().say(evil)));
+  all.add(LineKey{{{{}, true, evil}}})
+      .add(Downloads{{{evil, "text/csv", ""}}})
+      .add(folded(evil, Document().say(evil)));
   const std::string page = htmlOf(all);
   CHECK_THAT(page, !ContainsSubstring("<script") && !ContainsSubstring("\" onclick"));
   CHECK_THAT(page, ContainsSubstring("&lt;/td&gt;&lt;script&gt;"));
@@ -74,8 +82,9 @@ TEST_CASE("No text becomes markup, wherever it stands") {
 }
 
 TEST_CASE("The worst finding stands first, each kind with a word for it, and what is below it with it") {
-  const std::string page = html(Document().add(
-      Findings{{{Finding::Kind::good, "g"}, {Finding::Kind::warning, "w"}, {Finding::Kind::bad, "b", {"one", "two"}}}}));
+  const std::string page = html(Document().add(Findings{{{Finding::Kind::good, "g"},
+                                                         {Finding::Kind::warning, "w"},
+                                                         {Finding::Kind::bad, "b", {"one", "two"}}}}));
   CHECK(page.find("Fault") < page.find("Warning"));
   CHECK(page.find("Warning") < page.find("</span>g"));
   CHECK_THAT(page, ContainsSubstring("</span>b<ul class=\"why\"><li>one</li><li>two</li></ul></li>"));
@@ -83,7 +92,10 @@ TEST_CASE("The worst finding stands first, each kind with a word for it, and wha
 
 TEST_CASE("What is folded on a page stands in a text, and pictures do not") {
   Document all;
-  all.say("first").heading("then").add(folded("more", Document().say("last"))).add(Picture{"image/png", "x", "what", "caption"});
+  all.say("first")
+      .heading("then")
+      .add(folded("more", Document().say("last")))
+      .add(Picture{"image/png", "x", "what", "caption"});
   CHECK(textOf(all) == "first\n\nthen\nlast\n");
 }
 

@@ -301,6 +301,7 @@ TEST_CASE("The prediction of a lineage needs no trial run") {
   CHECK(f.cells == 1024);
   CHECK(f.vertices == 0);
   CHECK(f.triedWhole);
-  for (const PartCost& c : f.costs) CHECK((c.part.name == "biology" || c.part.name == "samples" || c.part.name == "pictures"));
+  for (const PartCost& c : f.costs)
+    CHECK((c.part.name == "biology" || c.part.name == "samples" || c.part.name == "pictures"));
   CHECK(f.bytes() > 2047 * sizeof(LineageEntry));
 }

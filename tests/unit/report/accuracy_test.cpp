@@ -1,7 +1,8 @@
 // Pages of accuracy runs: the verdict, the cheapest settings, and texts that stay texts.
+#include "accuracy/accuracy.h"
+
 #include <fstream>
 
-#include "accuracy/accuracy.h"
 #include "catch.h"
 #include "report/parts.h"
 #include "temporary_folder.h"

@@ -71,7 +71,8 @@ TEST_CASE("A block beside Bullet says which geometry decides, how far the surfac
   const Scenario scenario = readScenario(bulletScene, "one.yaml", "");
   const World world = makeScenarioWorld(scenario, {});
   auto shapes = shapesOf(world);
-  const std::string same = htmlOf(besideBullet(scenario, world, answered(scenario, world, shapes), nullptr, {}));
+  const std::string same =
+      htmlOf(besideBullet(scenario, world, answered(scenario, world, shapes), nullptr, {}));
   CHECK_THAT(same, ContainsSubstring("come to the same end within every tolerance"));
   CHECK_THAT(same, ContainsSubstring("vertex by vertex"));
   CHECK_THAT(same, ContainsSubstring("✓ holds"));

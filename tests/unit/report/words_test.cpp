@@ -57,8 +57,10 @@ TEST_CASE("What changed is one sentence, and a table") {
 }
 
 TEST_CASE("A failure is told clause by clause") {
-  CHECK(failedBecause(Finding::Kind::bad, "Failed: ", "step 5: it burst") == Finding{Finding::Kind::bad, "Failed: step 5: it burst"});
-  CHECK(failedBecause(Finding::Kind::bad, "", "one; two; three").why == std::vector<std::string>{"two", "three"});
+  CHECK(failedBecause(Finding::Kind::bad, "Failed: ", "step 5: it burst") ==
+        Finding{Finding::Kind::bad, "Failed: step 5: it burst"});
+  CHECK(failedBecause(Finding::Kind::bad, "", "one; two; three").why ==
+        std::vector<std::string>{"two", "three"});
 }
 
 TEST_CASE("A word of a command line is one word") {
