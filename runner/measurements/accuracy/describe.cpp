@@ -81,7 +81,7 @@ void tellOwn(const AccuracyReport& report, Table& facts) {
 
 Table speedTable(const std::vector<SpeedAtError>& speeds) {
   using Row = SpeedAtError;
-  const std::vector<Field<Row>> fields{
+  const std::vector<FieldOf<Row>> fields{
       {"error", [](const Row& s) { return number(s.error, 6); }},
       {"settings", [](const Row& s) { return s.series; }},
       {"CPU [s]", [](const Row& s) { return Cell(s.cpuSeconds, fmt::format("{:.4f}", s.cpuSeconds)); }},

@@ -58,7 +58,7 @@ Document settingTables(const AccuracyReport& report) {
     return number(row.error ? std::optional(value) : std::nullopt, 3);
   };
   const auto note = [&](const Row& row) { return noteOf(row, report.reference.left.error); };
-  std::vector<Field<Row>> fields{
+  std::vector<FieldOf<Row>> fields{
       {"Settings",
        [&](const Row& row) {
          return row.series + (row.series == report.usual ? " (the scenario's own)" : "");
@@ -104,7 +104,7 @@ Document settingTables(const AccuracyReport& report) {
 
 Table orderTable(const AccuracyReport& report) {
   using Row = SeriesOrder;
-  const std::vector<Field<Row>> fields{
+  const std::vector<FieldOf<Row>> fields{
       {"Settings", [](const Row& o) { return o.series; }},
       {"Observed",
        [](const Row& o) {
@@ -122,7 +122,7 @@ Table orderTable(const AccuracyReport& report) {
 
 Table bulletTable(const AccuracyReport& report) {
   using Row = BulletSpeed;
-  const std::vector<Field<Row>> fields{
+  const std::vector<FieldOf<Row>> fields{
       {"Error", [](const Row& s) { return number(s.error, 3); }},
       {"Ours at best", [](const Row& s) { return s.ours; }},
       {"CPU time [s]", [](const Row& s) { return number(s.ourSeconds, 3); }},

@@ -44,7 +44,7 @@ Table costTable(const Prediction& f) {
   const auto ofBodies = [&](const char* title) {
     return f.vertices ? title : "";
   };  // only they have vertices
-  const std::vector<Field<Row>> fields{
+  const std::vector<FieldOf<Row>> fields{
       {{"part", "", "part"}, [](const Row& c) { return c.part.name; }},
       {{"engaged", "", ""}, [](const Row&) { return exact(true); }},
       {{"how", "", ""}, [](const Row& c) { return c.part.what; }},
@@ -63,7 +63,7 @@ Table costTable(const Prediction& f) {
 }
 
 Table absentTable(const Prediction& f) {
-  const std::vector<Field<Part>> fields{
+  const std::vector<FieldOf<Part>> fields{
       {{"part", "", "part"}, [](const Part& part) { return part.name; }},
       {{"engaged", "", ""}, [](const Part&) { return exact(false); }},
       {{"needs", "", "needs"}, [](const Part& part) { return part.why; }},
@@ -83,7 +83,7 @@ Document describe(const Prediction& f, const std::string& title) {
                 : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
   }
   Document text;
-  text.say(size).add(Items{{cost}}).heading("what each part costs").add(costTable(f));
+  text.say(size).add(PlainList{{cost}}).heading("what each part costs").add(costTable(f));
   text.heading("absent, and free").add(absentTable(f));
   for (const std::string& remark : f.remarks) text.heading(remark);
   return text;

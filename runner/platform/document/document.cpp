@@ -23,7 +23,7 @@ std::string inBytes(std::size_t bytes) {
 Document verdict(Words sentence, std::vector<Finding> findings) {
   return Document()
       .add(Sentence{std::move(sentence), Sentence::Kind::first})
-      .add(Findings{std::move(findings)});
+      .add(FindingList{std::move(findings)});
 }
 
 Group folded(std::string title, Document body) {
@@ -37,12 +37,12 @@ struct AsText {
     const bool isHeading = s.kind == Sentence::Kind::heading || s.kind == Sentence::Kind::part;
     return (isHeading ? "\n" : "") + printable(s.words.text()) + "\n";
   }
-  std::string operator()(const Findings& f) const {
+  std::string operator()(const FindingList& f) const {
     std::string text;
     for (const Finding& finding : f.list) text += "  " + printable(finding.words.text()) + "\n";
     return text;
   }
-  std::string operator()(const Items& items) const {
+  std::string operator()(const PlainList& items) const {
     std::string text;
     for (const Words& words : items.list) text += "  " + printable(words.text()) + "\n";
     return text;

@@ -45,11 +45,11 @@ struct Finding {
   std::vector<std::string> why = {};
   bool operator==(const Finding&) const = default;
 };
-struct Findings {
+struct FindingList {
   std::vector<Finding> list;
 };
 
-struct Items {
+struct PlainList {
   std::vector<Words> list;
 };
 
@@ -109,13 +109,13 @@ struct Group {
   Document body;
 };
 
-struct Block : std::variant<Sentence, Findings, Items, Verbatim, Table, Picture, Swipe, LineKey, Downloads,
+struct Block : std::variant<Sentence, FindingList, PlainList, Verbatim, Table, Picture, Swipe, LineKey, Downloads,
                             ExplorerPlace, Group> {
   using variant::variant;
 };
 
 /// A document with a title, the commands that make what it shows again, and the id of its element on a page.
-struct Section {
+struct PageSection {
   std::string id;  // letters, digits and -
   std::string title;
   Document body;

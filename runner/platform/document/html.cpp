@@ -25,26 +25,26 @@ std::string htmlOf(const Words::Piece& piece) {
     const std::string hint = piece.hint.empty() ? "" : " title=\"" + safe(piece.hint) + "\"";
     return element("span", ofClass(std::string("mark ") + kind) + hint, text);
   };
-  switch (piece.look) {
-    case Look::bold:
+  switch (piece.emphasis) {
+    case Emphasis::bold:
       return element("b", "", text);
-    case Look::italic:
+    case Emphasis::italic:
       return element("i", "", text);
-    case Look::code:
+    case Emphasis::code:
       return element("code", "", text);
-    case Look::quiet:
+    case Emphasis::quiet:
       return element("span", ofClass("note"), text);
-    case Look::subscript:
+    case Emphasis::subscript:
       return element("sub", "", text);
-    case Look::good:
+    case Emphasis::good:
       return marked("good");
-    case Look::warning:
+    case Emphasis::warning:
       return marked("warn");
-    case Look::bad:
+    case Emphasis::bad:
       return marked("bad");
-    case Look::lineBreak:
+    case Emphasis::lineBreak:
       return "<br>";
-    case Look::plain:
+    case Emphasis::plain:
       break;
   }
   return text;
@@ -80,7 +80,7 @@ struct AsHtml {
     return element("p", "", words) + "\n";
   }
 
-  std::string operator()(const Findings& f) const {
+  std::string operator()(const FindingList& f) const {
     struct Appearance {
       Finding::Kind kind;
       const char *name, *mark;
@@ -103,7 +103,7 @@ struct AsHtml {
     return element("ul", ofClass("findings"), "\n" + html) + "\n";
   }
 
-  std::string operator()(const Items& items) const {
+  std::string operator()(const PlainList& items) const {
     std::string html;
     for (const Words& words : items.list) html += element("li", "", htmlOf(words)) + "\n";
     return element("ul", "", "\n" + html) + "\n";

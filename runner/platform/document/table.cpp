@@ -120,7 +120,7 @@ std::string markdownOf(const Table& table) {
     std::vector<std::string> cells;
     for (const Cell& cell : row) {
       std::string words = printableLine(cell.words.text());
-      const bool isBold = !words.empty() && cell.words.pieces().front().look == Look::bold;
+      const bool isBold = !words.empty() && cell.words.pieces().front().emphasis == Emphasis::bold;
       cells.push_back(isBold ? "**" + words + "**" : words);
     }
     text += line(cells);

@@ -51,19 +51,19 @@ struct Table {
 
 /// A column of a table whose rows are all of one type: one line declares it, for people and for programs.
 template <class Row>
-struct Field {
+struct FieldOf {
   Column column;
   std::function<Cell(const Row&)> of;
 };
 
 template <class Row>
-Table tableOf(const std::string& caption, const std::vector<Field<Row>>& fields,
+Table tableOf(const std::string& caption, const std::vector<FieldOf<Row>>& fields,
               const std::vector<Row>& rows) {
   Table table{caption, {}};
-  for (const Field<Row>& field : fields) table.columns.push_back(field.column);
+  for (const FieldOf<Row>& field : fields) table.columns.push_back(field.column);
   for (const Row& row : rows) {
     table.rows.emplace_back();
-    for (const Field<Row>& field : fields) table.rows.back().push_back(field.of(row));
+    for (const FieldOf<Row>& field : fields) table.rows.back().push_back(field.of(row));
   }
   return table;
 }

@@ -2,13 +2,13 @@
 
 namespace morula {
 
-Words::Words(std::string text, Look look, std::string hint) {
-  if (!text.empty() || look == Look::lineBreak) pieces_.push_back({look, std::move(text), std::move(hint)});
+Words::Words(std::string text, Emphasis emphasis, std::string hint) {
+  if (!text.empty() || emphasis == Emphasis::lineBreak) pieces_.push_back({emphasis, std::move(text), std::move(hint)});
 }
 
 Words& Words::operator+=(const Words& more) {
   for (const Piece& piece : more.pieces_)
-    if (!pieces_.empty() && piece.look == Look::plain && pieces_.back().look == Look::plain)
+    if (!pieces_.empty() && piece.emphasis == Emphasis::plain && pieces_.back().emphasis == Emphasis::plain)
       pieces_.back().text += piece.text;
     else pieces_.push_back(piece);
   return *this;
@@ -17,17 +17,17 @@ Words& Words::operator+=(const Words& more) {
 std::string Words::text() const {
   std::string text;
   for (const Piece& piece : pieces_)
-    text += piece.look == Look::lineBreak   ? "\n"
-            : piece.look == Look::subscript ? "_" + piece.text
+    text += piece.emphasis == Emphasis::lineBreak   ? "\n"
+            : piece.emphasis == Emphasis::subscript ? "_" + piece.text
                                             : piece.text;
   return text;
 }
 
 Words mark(bool good, const std::string& ifGood, const std::string& ifBad, const std::string& hint) {
-  return {good ? "✓ " + ifGood : "✗ " + ifBad, good ? Look::good : Look::bad, hint};
+  return {good ? "✓ " + ifGood : "✗ " + ifBad, good ? Emphasis::good : Emphasis::bad, hint};
 }
 
-Words warning() { return {"! Warning", Look::warning}; }
+Words warning() { return {"! Warning", Emphasis::warning}; }
 
 std::string counted(std::uint64_t count, const std::string& what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");

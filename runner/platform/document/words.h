@@ -8,18 +8,18 @@
 
 namespace morula {
 
-enum class Look { plain, bold, italic, code, quiet, subscript, good, warning, bad, lineBreak };
+enum class Emphasis { plain, bold, italic, code, quiet, subscript, good, warning, bad, lineBreak };
 
 class Words {
  public:
   struct Piece {
-    Look look;
+    Emphasis emphasis;
     std::string text, hint;  // hint: seen when it is pointed at
     bool operator==(const Piece&) const = default;
   };
 
   Words() = default;
-  Words(std::string text, Look look = Look::plain, std::string hint = {});
+  Words(std::string text, Emphasis emphasis = Emphasis::plain, std::string hint = {});
   Words(const char* text) : Words(std::string(text)) {}
 
   Words& operator+=(const Words& more);
@@ -35,9 +35,9 @@ class Words {
   std::vector<Piece> pieces_;
 };
 
-inline Words bold(std::string text) { return {std::move(text), Look::bold}; }
-inline Words code(std::string text) { return {std::move(text), Look::code}; }
-inline Words quiet(std::string text) { return {std::move(text), Look::quiet}; }
+inline Words bold(std::string text) { return {std::move(text), Emphasis::bold}; }
+inline Words code(std::string text) { return {std::move(text), Emphasis::code}; }
+inline Words quiet(std::string text) { return {std::move(text), Emphasis::quiet}; }
 /// "✓ holds" or "✗ does not hold".
 Words mark(bool good, const std::string& ifGood, const std::string& ifBad, const std::string& hint = {});
 /// "! Warning" before a sentence.

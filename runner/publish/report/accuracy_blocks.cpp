@@ -25,7 +25,7 @@ Words wholeText(const AccuracyRow& row, double error) {
   if (!row.parts.mesh && !row.parts.model)
     return "at least " + numberText(whole, 3) + ": the mesh's is not known";
   return numberText(whole, 3) + " " +
-         (whole > error ? Words("! more", Look::warning) : Words("✓", Look::good));
+         (whole > error ? Words("! more", Emphasis::warning) : Words("✓", Emphasis::good));
 }
 
 /// "velocity-verlet, time step 1/256".
@@ -36,7 +36,7 @@ std::string orUnknown(double error) { return std::isfinite(error) ? numberText(e
 
 }  // namespace
 
-Section accuracyChartSection(const AccuracyReport& report) {
+PageSection accuracyChartSection(const AccuracyReport& report) {
   const std::size_t out = beatenBullets(report).size();
   const std::string caption =
       "CPU time is of the machine that ran it. Errors on the scenario's own mesh; grey: what that mesh "
@@ -50,8 +50,8 @@ Section accuracyChartSection(const AccuracyReport& report) {
                                     Picture::Size::large))};
 }
 
-Section cheapestSection(const AccuracyReport& report, const std::string& scenario) {
-  Section section{"cheapest", "Cheapest settings for an error", {}};
+PageSection cheapestSection(const AccuracyReport& report, const std::string& scenario) {
+  PageSection section{"cheapest", "Cheapest settings for an error", {}};
   Table table{section.title,
               {"Error at most", "Settings of ours", "CPU time [s]", "Error on the scenario's mesh",
                "Whole error, with the mesh's"}};
@@ -96,12 +96,12 @@ Section cheapestSection(const AccuracyReport& report, const std::string& scenari
   return section;
 }
 
-Section referenceSection(const AccuracyReport& report) {
+PageSection referenceSection(const AccuracyReport& report) {
   const AccuracyReference& r = report.reference;
   const auto nameOfSetting = [](const Setting& s) {
     return nameOf(s.integrator) + (", time step " + stepText(s.timeStep));
   };
-  Section section{"reference", "What errors are held against", {}};
+  PageSection section{"reference", "What errors are held against", {}};
   section.body.add(Table{
       "Reference",
       {},
@@ -114,7 +114,7 @@ Section referenceSection(const AccuracyReport& report) {
        {"They agree", mark(r.agrees, "yes", "no")}}});
   using Row = LevelError;
   const MeshError& mesh = report.mesh;
-  const std::vector<Field<Row>> fields{
+  const std::vector<FieldOf<Row>> fields{
       {"Icosphere",
        [&](const Row& l) {
          return std::to_string(l.level) + (l.level == mesh.own ? " (the scenario's)" : "");

@@ -6,11 +6,11 @@
 namespace morula {
 
 /// Error against CPU time: a line a series, a point a time step; the mesh's own error across, and the scenario as it is.
-Section accuracyChartSection(const AccuracyReport& report);
+PageSection accuracyChartSection(const AccuracyReport& report);
 /// For errors of 0.1, 0.01, … the settings that hold them for the least CPU time, ours and Bullet's, and what the mesh adds.
 /// `scenario`: its file, as a word of a command.
-Section cheapestSection(const AccuracyReport& report, const std::string& scenario);
+PageSection cheapestSection(const AccuracyReport& report, const std::string& scenario);
 /// What errors are held against: the reference, finer meshes, and how fast errors fall with the time step.
-Section referenceSection(const AccuracyReport& report);
+PageSection referenceSection(const AccuracyReport& report);
 
 }  // namespace morula

@@ -129,8 +129,8 @@ void judgeTarget(const Json& t, std::vector<Finding>& findings) {
                                            std::to_string(t.at("icosphere_that_holds").get<int>())});
 }
 
-Section madeBy(const Json& json, const std::string& scenario, const std::string& file) {
-  Section section{"made-by",
+PageSection madeBy(const Json& json, const std::string& scenario, const std::string& file) {
+  PageSection section{"made-by",
                   "Where it comes from",
                   {},
                   {"./morula accuracy " + scenario + " --json > " + shellWord(file),
@@ -181,7 +181,7 @@ PagePart accuracyPart(const std::string& file) {
   }
 }
 
-Section programSection() {
+PageSection programSection() {
   const BuildInfo& build = buildInfo();
   return {"provenance", "Provenance",
           Document().add(Table{"Provenance",

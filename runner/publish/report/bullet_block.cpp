@@ -235,8 +235,8 @@ void judgeBullet(const RunFacts& run, std::vector<Finding>& findings) {
       if (!r.passed) findings.push_back({Kind::bad, "Beside Bullet: " + r.message});
 }
 
-Section bulletSection(const std::vector<RunFacts>& runs) {
-  Section section{"bullet", "Beside Bullet", {}};
+PageSection bulletSection(const std::vector<RunFacts>& runs) {
+  PageSection section{"bullet", "Beside Bullet", {}};
   std::size_t asked = 0, made = 0;
   for (const RunFacts& run : runs) {
     asked += run.scenario.check.bullet && run.again;

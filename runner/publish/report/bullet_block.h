@@ -18,12 +18,12 @@ Document besideBullet(const Scenario& scenario, const World& ours, const BulletA
 void judgeBullet(const RunFacts& run, std::vector<Finding>& findings);
 
 /// Of all runs that were made again in Bullet; empty where there is none. Bullet's runs stand in the explorer behind all others.
-Section bulletSection(const std::vector<RunFacts>& runs);
+PageSection bulletSection(const std::vector<RunFacts>& runs);
 
 /// Of a check: the first scenarios that were held against Bullet, those that differ before others, run again in both. Returns the
 /// signal that interrupted it, or 0.
 int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuestion& question);
 /// A section of each of these.
-std::vector<Section> bulletSections(const std::vector<CheckedScenario>& checked);
+std::vector<PageSection> bulletSections(const std::vector<CheckedScenario>& checked);
 
 }  // namespace morula

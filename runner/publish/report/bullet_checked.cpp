@@ -35,8 +35,8 @@ int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuesti
   return 0;
 }
 
-std::vector<Section> bulletSections(const std::vector<CheckedScenario>& checked) {
-  std::vector<Section> sections;
+std::vector<PageSection> bulletSections(const std::vector<CheckedScenario>& checked) {
+  std::vector<PageSection> sections;
   for (const CheckedScenario& c : checked) {
     if (!c.bullet) continue;
     sections.push_back(

@@ -134,8 +134,8 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
 
 }  // namespace
 
-Section chartSection(const std::vector<RunFacts>& runs) {
-  Section section{"charts", "Charts", {}};
+PageSection chartSection(const std::vector<RunFacts>& runs) {
+  PageSection section{"charts", "Charts", {}};
   Document charts;
   const std::size_t count = std::min(runs.size(), mostLines);
   Chart cells = timeChart("Living cells", "");

@@ -153,7 +153,7 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
              counted(c.report.results.size(), "check") + (differ == 1 ? " differs: " : " differ: ") +
              classesOf(c.report) +
              (c.report.change.empty() ? Words()
-                                      : ". " + Words(changeSentence(c.report.change, names), Look::italic))});
+                                      : ". " + Words(changeSentence(c.report.change, names), Emphasis::italic))});
     if (++told > mostTold) continue;
     part.sections.push_back({"check-" + std::to_string(told), c.report.scenario, bodyOf(c)});
     if (!c.file.empty())

@@ -87,7 +87,7 @@ Table changeTable(const std::string& change, const CellNames& names) {
   Table table{"What changed", {}};
   for (const ChangeLine& line : linesOfChange(change, names))
     if (line.heading.empty() && !table.rows.empty())
-      table.rows.back()[1].words += Words("", Look::lineBreak) + line.text;
+      table.rows.back()[1].words += Words("", Emphasis::lineBreak) + line.text;
     else table.rows.push_back({line.heading, line.text});
   return table;
 }

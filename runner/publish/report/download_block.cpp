@@ -44,9 +44,9 @@ void offerRun(const RunFacts& run, const std::string& ending, Links& links) {
 
 }  // namespace
 
-Section downloadSection(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
+PageSection downloadSection(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   Links links{mostBytes};
-  Section section{"downloads", "Downloads", {}};
+  PageSection section{"downloads", "Downloads", {}};
   for (std::size_t i = 0; i < std::min(runs.size(), mostRuns); ++i) {
     const std::string ending = runs.size() > 1 ? "-" + runs[i].run.id : "";
     offerRun(runs[i], ending, links);

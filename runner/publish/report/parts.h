@@ -14,8 +14,8 @@ namespace morula {
 struct PagePart {
   std::string title, summary;
   Document verdict;
-  std::vector<Section> change = {};  // what stands before the pictures
-  std::vector<Section> sections = {};
+  std::vector<PageSection> change = {};  // what stands before the pictures
+  std::vector<PageSection> sections = {};
   bool isAside = false;  // it belongs to another part; the titles of its sections say what they are of
 };
 
@@ -49,6 +49,6 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
 PagePart accuracyPart(const std::string& file);
 
 /// The program that makes the page, where no run says where it comes from.
-Section programSection();
+PageSection programSection();
 
 }  // namespace morula

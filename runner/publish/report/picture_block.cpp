@@ -72,8 +72,8 @@ void overlay(std::vector<Pictured>& all, Document& body) {
 
 }  // namespace
 
-Section pictureSection(const std::vector<RunFacts>& runs) {
-  Section section{"pictures", "Pictures", {}};
+PageSection pictureSection(const std::vector<RunFacts>& runs) {
+  PageSection section{"pictures", "Pictures", {}};
   std::vector<Pictured> pictured;
   for (const RunFacts& r : runs)
     if (pictured.size() < mostPictured && canBeDrawn(r))

@@ -69,7 +69,7 @@ Table sideBySide(const std::string& caption, const std::vector<RunFacts>& runs,
   for (const auto& [label, values] : rows) {
     const bool same = std::all_of(values.begin(), values.end(),
                                   [&, &first = values.front()](const auto& v) { return v == first; });
-    table.rows.push_back({same ? label : label + " " + Words("≠", Look::warning, "differs")});
+    table.rows.push_back({same ? label : label + " " + Words("≠", Emphasis::warning, "differs")});
     table.rows.back().insert(table.rows.back().end(), values.begin(), values.end());
   }
   return table;
@@ -109,7 +109,7 @@ std::string indented(const std::string& json) {
 
 }  // namespace
 
-Section provenanceSection(const std::vector<RunFacts>& runs) {
+PageSection provenanceSection(const std::vector<RunFacts>& runs) {
   std::vector<std::pair<std::string, std::vector<std::string>>> rows;
   for (const Row& row : provenanceRows()) {
     std::vector<std::string> values;
@@ -118,7 +118,7 @@ Section provenanceSection(const std::vector<RunFacts>& runs) {
     if (std::all_of(values.begin(), values.end(), [](const std::string& v) { return v.empty(); })) continue;
     rows.push_back({row.name, std::move(values)});
   }
-  Section section{"provenance", "Provenance", {}};
+  PageSection section{"provenance", "Provenance", {}};
   section.body.add(sideBySide("Provenance", runs, rows));
   if (runs.size() > mostColumns)
     section.body.note("The first " + std::to_string(mostColumns) + " of " + counted(runs.size(), "run") +
@@ -129,8 +129,8 @@ Section provenanceSection(const std::vector<RunFacts>& runs) {
   return section;
 }
 
-Section parameterSection(const std::vector<RunFacts>& runs) {
-  Section section{"parameters", "Parameters", differences(runs)};
+PageSection parameterSection(const std::vector<RunFacts>& runs) {
+  PageSection section{"parameters", "Parameters", differences(runs)};
   std::set<std::string> shownAlready;
   for (const RunFacts& r : runs) {
     if (shownAlready.size() >= mostColumns) break;

@@ -42,8 +42,8 @@ std::vector<RunFacts> factsOfAll(const Sources& sources, const ReportQuestion& q
   return facts;
 }
 
-Section explorerSection(const ReportQuestion& question, const std::vector<ExplorerRun>& runs) {
-  Section section{"explorer", "Explorer", {}};
+PageSection explorerSection(const ReportQuestion& question, const std::vector<ExplorerRun>& runs) {
+  PageSection section{"explorer", "Explorer", {}};
   if (question.program.empty())
     section.body.say("This page was made without its explorer: " + question.whyNone);
   else section.body.add(ExplorerPlace{}).add(leftOutOf(runs));
@@ -76,10 +76,10 @@ std::string commandOf(const ReportQuestion& question) {
 
 /// The parts, one after the other: what must be known first of each, then the explorer, then the rest.
 /// Parts are told apart by their titles, unless they are of `one` source.
-void putTogether(const std::vector<PagePart>& parts, bool one, const Section* explorer, Page& page) {
+void putTogether(const std::vector<PagePart>& parts, bool one, const PageSection* explorer, Page& page) {
   page.verdict.clear(), page.blocks.clear();
   std::map<std::string, int> known;  // ids
-  const auto add = [&](const Section& section, const std::string& part) {
+  const auto add = [&](const PageSection& section, const std::string& part) {
     const int count = ++known[section.id];
     page.blocks.push_back({section.id + (count > 1 ? "-" + std::to_string(count) : ""),
                            section.title + (part.empty() ? "" : ": " + part), htmlOf(section.body),
@@ -91,10 +91,10 @@ void putTogether(const std::vector<PagePart>& parts, bool one, const Section* ex
       page.verdict += (one ? "" : htmlOf(Document().add(Sentence{part.title, Sentence::Kind::part}))) +
                       htmlOf(part.verdict);
   for (const PagePart& part : parts)
-    for (const Section& section : part.change) add(section, titleOf(part));
+    for (const PageSection& section : part.change) add(section, titleOf(part));
   if (explorer) add(*explorer, "");
   for (const PagePart& part : parts)
-    for (const Section& section : part.sections) add(section, titleOf(part));
+    for (const PageSection& section : part.sections) add(section, titleOf(part));
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
         (answer.signal = runCheckedInBullet(checks.back(), question)))
       return answer;
     parts.push_back(checkPart(checks.back(), file));
-    for (Section& section : bulletSections(checks.back()))
+    for (PageSection& section : bulletSections(checks.back()))
       parts.back().sections.push_back(std::move(section));
   }
   for (auto& checked : checks) exploreChecked(checked, explored);
@@ -153,7 +153,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
             .command = commandOf(question),
             .program = explored.runs.empty() ? "" : question.program};
   const auto compose = [&] {
-    const Section explorer = explorerSection(question, explored.runs);
+    const PageSection explorer = explorerSection(question, explored.runs);
     putTogether(parts, one, explored.runs.empty() ? nullptr : &explorer, page);
     if (!page.program.empty()) page.data = jsonText(explorerData(explored.runs));
   };

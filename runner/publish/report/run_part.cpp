@@ -57,7 +57,7 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   if (!judged.empty()) part.verdict = verdictOf(judged);
   if (Document changes = changesOf(runs); !changes.empty())
     part.change.push_back({"change", "What changed", std::move(changes)});
-  if (Section bullet = bulletSection(runs); !bullet.body.empty()) part.sections.push_back(std::move(bullet));
+  if (PageSection bullet = bulletSection(runs); !bullet.body.empty()) part.sections.push_back(std::move(bullet));
   part.sections.push_back(pictureSection(runs));
   part.sections.push_back(chartSection(runs));
   if (Document checks = checksOfAll(runs); !checks.empty()) {

@@ -44,7 +44,7 @@ PagePart studyPart(const std::string& database) {
                                        counted(r.seeds.size(), "seed") + ".",
                                    findingsOf(c, database))};
   const std::vector<std::string> sentences = verdictsOf(c);
-  Items said, more;
+  PlainList said, more;
   for (std::size_t i = 0; i < sentences.size(); ++i)
     (i < mostSentences ? said : more).list.push_back(sentences[i]);
   Document findings;
@@ -93,7 +93,7 @@ bool hasBodies(const StudyResults& results, const std::string& database) {
 
 int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
   const StudyResults results = readStudyResults(database);
-  Section section{
+  PageSection section{
       "organisms", "Organisms", {}, {"./morula compare " + shellWord(database) + " --pictures grid.png"}};
   if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
   if (results.conditions.size() > mostDrawn) {

@@ -31,7 +31,7 @@ Document header(const StudyComparison& c) {
   text.say(fmt::format("{}: {} conditions, {}, {} of {} distinct runs done", r.name, r.conditions.size(),
                        counted(r.seeds.size(), "seed"), done, r.tasks.size()));
   if (!r.summary.empty()) text.say(r.summary);
-  Items told, seedless;
+  PlainList told, seedless;
   const auto troubles = troublesOf(r);
   for (std::size_t i = 0; i < troubles.size() && i < mostTroubles; ++i) told.list.push_back(troubles[i]);
   if (troubles.size() > mostTroubles)
@@ -78,7 +78,7 @@ Json unfinished(const StudyResults& r) {
 
 Document describe(const StudyComparison& c) {
   Document text = header(c);
-  Items verdicts;
+  PlainList verdicts;
   for (const std::string& line : verdictsOf(c)) verdicts.list.push_back(line);
   if (!verdicts.list.empty()) text.heading("What the study finds").add(std::move(verdicts));
   return text.add(comparedTables(c));

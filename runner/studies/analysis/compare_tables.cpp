@@ -39,9 +39,9 @@ Json fixedJson(const StudyComparison& c, const PairComparison& pair) {
 
 /// Which measure under which condition a row is of.
 template <class Row>
-std::vector<Field<Row>> ofCondition(const StudyComparison& c) {
+std::vector<FieldOf<Row>> ofCondition(const StudyComparison& c) {
   const StudyResults& r = c.results;
-  std::vector<Field<Row>> fields{
+  std::vector<FieldOf<Row>> fields{
       {{"measure", "measure", ""}, [&](const Row& row) { return c.measureName(row.measure); }},
       {{"labels", "", ""},
        [&](const Row& row) { return exact(labelsOf(r, r.conditions[row.condition].levels)); }}};
@@ -53,7 +53,7 @@ std::vector<Field<Row>> ofCondition(const StudyComparison& c) {
 }
 
 template <class Row>
-std::vector<Field<Row>> operator+(std::vector<Field<Row>> fields, const std::vector<Field<Row>>& more) {
+std::vector<FieldOf<Row>> operator+(std::vector<FieldOf<Row>> fields, const std::vector<FieldOf<Row>>& more) {
   fields.insert(fields.end(), more.begin(), more.end());
   return fields;
 }
@@ -72,7 +72,7 @@ Table valueTable(const StudyComparison& c) {
     for (std::size_t i = 0; i < s.values.size(); ++i)
       values.push_back({s.measure, s.condition, s.seeds[i], s.values[i]});
   using Row = SeedValue;
-  const std::vector<Field<Row>> fields{
+  const std::vector<FieldOf<Row>> fields{
       {{"", "seed", "seed"}, [](const Row& v) { return v.seed; }},
       {{"", "value", "value"}, [](const Row& v) { return number(v.value); }},
   };
@@ -81,7 +81,7 @@ Table valueTable(const StudyComparison& c) {
 
 Table conditionTable(const StudyComparison& c, const std::vector<ConditionSummary>& of) {
   using Row = ConditionSummary;
-  const std::vector<Field<Row>> fields{
+  const std::vector<FieldOf<Row>> fields{
       {{"n", "n", "n"}, [](const Row& s) { return s.values.size(); }},
       {{"distinct", "distinct", "distinct"}, [](const Row& s) { return s.distinct; }},
       {{"mean", "value", "mean"}, [](const Row& s) { return s.values.empty() ? exact({}) : number(s.mean); }},
@@ -105,7 +105,7 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
   const auto ifEstimated = [](const Row& p, double value, int digits = 4) {
     return p.known == Known::estimated ? number(value, digits) : exact({});
   };
-  std::vector<Field<Row>> fields{
+  std::vector<FieldOf<Row>> fields{
       {{"measure", "measure", ""}, [&](const Row& p) { return c.measureName(p.measure); }},
       {{"axis", "by", ""}, [&](const Row& p) { return axisOf(p).name; }},
       {{"a", "a", ""}, [&](const Row& p) { return axisOf(p).labels[p.a]; }},
@@ -130,7 +130,7 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
       {{"p", "p", "p"}, [=](const Row& p) { return ifEstimated(p, p.paired.p, 2); }},
       {{"p_holm", "p_holm", "Holm"},
        [=](const Row& p) { return p.sameRuns ? exact({}) : ifEstimated(p, p.corrected, 2); }},
-      {{"effect", "effect", "d" + Words("z", Look::subscript)},
+      {{"effect", "effect", "d" + Words("z", Emphasis::subscript)},
        [](const Row& p) { return number(p.effect.dz, 3); }},
       {{"d", "", ""}, [](const Row& p) { return number(p.effect.d); }},
       {{"g", "g", "g"}, [](const Row& p) { return number(p.effect.g, 3); }},
@@ -169,7 +169,7 @@ Table equivalenceTable(const StudyComparison& c, const std::vector<PairCompariso
   for (const PairComparison& p : of)
     if (p.equivalence) tested.push_back(p);
   using Row = PairComparison;
-  const std::vector<Field<Row>> fields{
+  const std::vector<FieldOf<Row>> fields{
       {{"", "", "a, b"},
        [&](const Row& p) {
          return c.results.axes[p.axis].labels[p.a] + ", " + c.results.axes[p.axis].labels[p.b];
@@ -203,7 +203,7 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
   const auto corrected = [&](const Row& e) {
     return of.corrected[static_cast<std::size_t>(&e - of.analysis.effects.data())];
   };
-  const std::vector<Field<Row>> fields{
+  const std::vector<FieldOf<Row>> fields{
       {{"axes", "", " "}, [=](const Row& e) { return Cell(axesOf(e), join(axesOf(e), " × ")); }},
       {{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }},
       {{"", "by", ""}, [=](const Row& e) { return join(axesOf(e), " x "); }},
@@ -236,13 +236,13 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
 
 Table courseTable(const StudyComparison& c, const TimeCourse& of) {
   using Row = TimeCourse::Point;
-  std::vector<Field<Row>> fields{
+  std::vector<FieldOf<Row>> fields{
       {{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }}};
   for (std::size_t a = 0; a < c.results.axes.size(); ++a)
     fields.push_back({{"", "axis:" + c.results.axes[a].name, ""}, [&, a](const Row&) {
                         return c.results.axes[a].labels[c.results.conditions[of.condition].levels[a]];
                       }});
-  const std::vector<Field<Row>> ofPoint{
+  const std::vector<FieldOf<Row>> ofPoint{
       {{"time", "time", "time"}, [](const Row& p) { return number(p.time); }},
       {{"n", "n", "n"}, [](const Row& p) { return p.n; }},
       {{"mean", "value", "mean"}, [](const Row& p) { return number(p.mean); }},

@@ -14,7 +14,7 @@ struct Body {
 };
 
 Table bodies(std::vector<Body> rows) {
-  const std::vector<Field<Body>> fields{
+  const std::vector<FieldOf<Body>> fields{
       {{"name", "cell", "Cell"}, [](const Body& b) { return b.name; }},
       {{"volume", "volume", "Volume"}, [](const Body& b) { return number(b.volume, 3); }},
       {{"", "", "Pressure"}, [](const Body& b) { return number(b.pressure); }},
@@ -65,9 +65,9 @@ TEST_CASE("Tables of several kinds become one, by the names of their columns") {
 
 TEST_CASE("No text becomes markup, wherever it stands") {
   Document all;
-  all.say(evil).note(bold(evil)).heading(code(evil)).say(Words(evil, Look::bad, "\" onclick=\"alert(2)"));
-  all.add(Findings{{{Finding::Kind::bad, evil, {evil}}}})
-      .add(Items{{evil}})
+  all.say(evil).note(bold(evil)).heading(code(evil)).say(Words(evil, Emphasis::bad, "\" onclick=\"alert(2)"));
+  all.add(FindingList{{{Finding::Kind::bad, evil, {evil}}}})
+      .add(PlainList{{evil}})
       .add(Verbatim{evil})
       .add(bodies({{evil, 1, {}}}));
   all.add(Table{evil, {evil}, {{evil}}}).add(Picture{"image/png", "", evil, evil}).add(Swipe{"a", "b", evil});
@@ -82,7 +82,7 @@ TEST_CASE("No text becomes markup, wherever it stands") {
 }
 
 TEST_CASE("The worst finding stands first, each kind with a word for it, and what is below it with it") {
-  const std::string page = html(Document().add(Findings{{{Finding::Kind::good, "g"},
+  const std::string page = html(Document().add(FindingList{{{Finding::Kind::good, "g"},
                                                          {Finding::Kind::warning, "w"},
                                                          {Finding::Kind::bad, "b", {"one", "two"}}}}));
   CHECK(page.find("Fault") < page.find("Warning"));
@@ -100,7 +100,7 @@ TEST_CASE("What is folded on a page stands in a text, and pictures do not") {
 }
 
 TEST_CASE("Emphasis is no part of a text; lists and sizes are as people write them") {
-  CHECK(("a " + bold("b") + code("c") + Words("z", Look::subscript)).text() == "a bc_z");
+  CHECK(("a " + bold("b") + code("c") + Words("z", Emphasis::subscript)).text() == "a bc_z");
   CHECK(listed(std::vector<std::string>{}).empty());
   CHECK(listed(std::vector<std::string>{"a", "b", "c"}) == "a, b and c");
   CHECK(listed(std::vector<Words>{bold("a"), bold("b"), bold("c")}, 2) == bold("a") + " and 1 more");

@@ -87,7 +87,7 @@ PagePart partOf(const Json& json) {
 }
 
 std::string blockOf(const PagePart& part, const std::string& id) {
-  for (const Section& section : part.sections)
+  for (const PageSection& section : part.sections)
     if (section.id == id) return htmlOf(section.body);
   return {};
 }
@@ -143,7 +143,7 @@ TEST_CASE("Bullet's best stands beside ours, and failures have a table of their 
 TEST_CASE("Texts of an accuracy run stay texts, and the page the same; other JSON is refused") {
   const PagePart part = partOf(output());
   std::string all = htmlOf(part.verdict);
-  for (const Section& section : part.sections) all += htmlOf(section.body);
+  for (const PageSection& section : part.sections) all += htmlOf(section.body);
   CHECK_THAT(all, !ContainsSubstring("<script"));
   CHECK_THAT(all, ContainsSubstring("a &lt;remark&gt;"));
   Json broken = output();
