@@ -10,28 +10,28 @@ namespace morula {
 
 namespace {
 
-struct MeasureWords {
+struct KnownWords {
   const char *measure, *subject, *more, *less;
 };
 
 constexpr std::array known{
-    MeasureWords{"sister_contact", "sister adjacency", "higher", "lower"},
-    MeasureWords{"cousin_contact", "cousin adjacency", "higher", "lower"},
-    MeasureWords{"clone_contact", "contact within clones", "more", "less"},
-    MeasureWords{"homotypic_contact", "contact between cells of one kind", "more", "less"},
-    MeasureWords{"clone_radius", "clones", "wider", "tighter"},
-    MeasureWords{"clone_components", "pieces of a clone", "more", "fewer"},
-    MeasureWords{"mixing_index", "clones", "more mixed", "less mixed"},
-    MeasureWords{"lineage_space", "correlation of lineage and space", "higher", "lower"},
-    MeasureWords{"sphericity", "cells", "rounder", "less round"},
-    MeasureWords{"elongation", "cells", "longer", "shorter"},
-    MeasureWords{"organism_elongation", "organism", "longer", "shorter"},
-    MeasureWords{"extent", "organism", "wider", "narrower"},
-    MeasureWords{"neighbours", "neighbours of a cell", "more", "fewer"},
-    MeasureWords{"cells", "cells", "more", "fewer"},
-    MeasureWords{"volume", "volume", "larger", "smaller"},
-    MeasureWords{"cell.volume", "cells", "larger", "smaller"},
-    MeasureWords{"area", "area of contacts", "larger", "smaller"},
+    KnownWords{"sister_contact", "sister adjacency", "higher", "lower"},
+    KnownWords{"cousin_contact", "cousin adjacency", "higher", "lower"},
+    KnownWords{"clone_contact", "contact within clones", "more", "less"},
+    KnownWords{"homotypic_contact", "contact between cells of one kind", "more", "less"},
+    KnownWords{"clone_radius", "clones", "wider", "tighter"},
+    KnownWords{"clone_components", "pieces of a clone", "more", "fewer"},
+    KnownWords{"mixing_index", "clones", "more mixed", "less mixed"},
+    KnownWords{"lineage_space", "correlation of lineage and space", "higher", "lower"},
+    KnownWords{"sphericity", "cells", "rounder", "less round"},
+    KnownWords{"elongation", "cells", "longer", "shorter"},
+    KnownWords{"organism_elongation", "organism", "longer", "shorter"},
+    KnownWords{"extent", "organism", "wider", "narrower"},
+    KnownWords{"neighbours", "neighbours of a cell", "more", "fewer"},
+    KnownWords{"cells", "cells", "more", "fewer"},
+    KnownWords{"volume", "volume", "larger", "smaller"},
+    KnownWords{"cell.volume", "cells", "larger", "smaller"},
+    KnownWords{"area", "area of contacts", "larger", "smaller"},
 };
 
 struct Row {
@@ -63,7 +63,7 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
   std::string plain = measure;
   std::ranges::replace(plain, '_', ' ');
   std::ranges::replace(plain, '.', ' ');
-  for (const MeasureWords& w : known) {
+  for (const KnownWords& w : known) {
     if (measure != w.measure) continue;
     const bool spokenOf = std::string(w.subject).ends_with("adjacency");
     return {spokenOf ? w.subject : plain, w.subject, w.more, w.less};
