@@ -146,7 +146,7 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   if (!picture.empty()) writePicture(drawAccuracy(report), picture);
   if (words.intoGolden) writeIntoGolden(scenario, report);
   Json json = words.output.json ? toJson(report, picture) : Json();
-  std::string text = words.output.json ? "" : describe(report);
+  std::string text = words.output.json ? "" : textOf(describe(report));
   bool held = true;
   if (target) {
     const TargetQuestion question{*target,          file,           words.scene.set,

@@ -179,7 +179,7 @@ int act(const BenchWords& words) {
   const auto picture = words.picture.empty() ? (options.folder / "bench.png").string() : words.picture;
   writePicture(drawBench(report), picture);
   if (words.output.json) printJson(toJson(report, picture));
-  else print(describe(report) + "\npicture  " + picture + "\n");
+  else print(textOf(describe(report)) + "\npicture  " + picture + "\n");
   return fine;
 }
 

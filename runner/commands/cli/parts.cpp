@@ -45,22 +45,9 @@ double secondsPerPicture(const Scenario& scenario, const World& world) {
   return few + std::max(more - few, 0.0) / 3 * 35;
 }
 
-Json toJson(const PartCost& c) {
-  return {{"part", c.part.name},
-          {"engaged", true},
-          {"how", c.part.what},
-          {"why", c.part.why},
-          {"seconds", orNull(c.seconds)},
-          {"share", orNull(c.share)},
-          {"ns_per_vertex_step", orNull(c.nsPerVertexStep)},
-          {"bytes", orNull(c.bytes)},
-          {"bytes_per_vertex", orNull(c.bytesPerVertex)}};
-}
-
 Json toJson(const Prediction& f, const Scenario& scenario, const Execution& how) {
-  Json parts = Json::array();
-  for (const PartCost& c : f.costs) parts.push_back(toJson(c));
-  for (const Part& p : f.absent) parts.push_back({{"part", p.name}, {"engaged", false}, {"needs", p.why}});
+  Json parts = jsonOf(costTable(f));
+  for (const Json& absent : jsonOf(absentTable(f))) parts.push_back(absent);
   return {{"scenario", scenario.scene.name},
           {"isa", name(how.isa)},
           {"cells", f.cells},
@@ -90,7 +77,7 @@ int act(const PartsOptions& options) {
   if (world.bodies && how.ask.pictures) how.secondsPerPicture = secondsPerPicture(scenario, world);
   const Prediction prediction = predictCost(scenario, how);
   if (options.output.json) printJson(toJson(prediction, scenario, how.execution));
-  else print(describe(prediction, scenario.scene.name + ", " + name(how.execution.isa)));
+  else print(textOf(describe(prediction, scenario.scene.name + ", " + name(how.execution.isa))));
   return fine;
 }
 

@@ -131,7 +131,7 @@ int act(const CompareCommand& command) {
     if (!pictures.empty()) json["pictures"] = pictures;
     printJson(json);
   } else {
-    std::string text = describe(comparison);
+    std::string text = textOf(describe(comparison));
     for (const std::string& picture : pictures) text += "\npicture  " + picture;
     print(text + (pictures.empty() ? "" : "\n"));
   }

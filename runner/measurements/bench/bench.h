@@ -13,6 +13,7 @@
 #include "bench/work.h"
 #include "charts/chart.h"
 #include "contacts/contact_search.h"
+#include "document/document.h"
 
 namespace morula {
 
@@ -88,7 +89,7 @@ struct BenchReport {
 BenchReport runBench(const BenchOptions& options);
 
 /// For people.
-std::string describe(const BenchReport& report);
+Document describe(const BenchReport& report);
 
 /// As a picture: time per vertex and step over the number of cells, both on logarithmic scales. One line per
 /// engine and instruction set, for whole steps of packed cells of 162 vertices; the thesis' own times, scaled

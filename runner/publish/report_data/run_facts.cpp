@@ -17,8 +17,8 @@ namespace {
 
 /// The golden file of the scenario that the run was read from, if it is here: below the current folder, for the database
 /// says where the scenario was, and must not reach other files.
-std::string goldenOf(const std::vector<Document>& documents) {
-  for (const Document& document : documents) {
+std::string goldenOf(const std::vector<SourceText>& documents) {
+  for (const SourceText& document : documents) {
     if (document.role != "scenario" || document.path.empty()) continue;
     const fs::path golden = goldenPath(document.path);
     if (fileExists(golden) && liesWithin(golden, currentFolder()) && contentOfFile(golden) == Content::golden)

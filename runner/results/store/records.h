@@ -24,13 +24,13 @@ enum class RunStatus { running, done, failed, killed };
 const char* name(RunStatus status);
 
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
-struct Document {
+struct SourceText {
   // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "shell", "names", "reference", "faces" (of kept surfaces), "diff" (what the
   // program's sources had that their commit had not)
   std::string role;
   std::string path;  // where it was read from; "" if it was not
   std::string content;
-  friend bool operator==(const Document&, const Document&) = default;
+  friend bool operator==(const SourceText&, const SourceText&) = default;
 };
 
 /// What is known before the first step.
@@ -38,7 +38,7 @@ struct RunRecord {
   std::string scenario;      // its name
   std::string scenarioHash;  // semantic: formatting and key order do not count
   std::uint64_t seed = 0;
-  std::vector<Document> documents;
+  std::vector<SourceText> documents;
   std::string command;  // as typed
   std::string isa;      // the kernels' instruction set; changes no result
   int threads = 1;      // changes no result

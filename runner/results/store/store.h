@@ -101,7 +101,7 @@ class Store {
   RunResults lineage(const std::string& id);
   std::vector<CheckResult> checks(const std::string& id);
   std::vector<ChainLink> chain(const std::string& id);
-  std::vector<Document> documents(const std::string& id);
+  std::vector<SourceText> documents(const std::string& id);
 
   /// What was changed in the record of a run since it was made: documents that do not fit the hashes that
   /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.

@@ -357,11 +357,11 @@ std::vector<CheckResult> Store::checks(const std::string& id) {
   return checks;
 }
 
-std::vector<Document> Store::documents(const std::string& id) {
+std::vector<SourceText> Store::documents(const std::string& id) {
   Statement s(db_,
               "SELECT role, path, content FROM run_document JOIN document USING (hash) WHERE run_id = ? "
               "ORDER BY number");
-  std::vector<Document> documents;
+  std::vector<SourceText> documents;
   for (s.start(id); s.next();) documents.push_back({s.line(0), s.text(1), s.text(2)});
   return documents;
 }

@@ -15,7 +15,7 @@ namespace {
 
 /// The same run under the conditions of now.
 RunRecord recordNow(const RunRecord& before, const Scenario& scenario, const Execution& how,
-                    const std::string& command, std::vector<Document> documents) {
+                    const std::string& command, std::vector<SourceText> documents) {
   RunRecord now;
   now.scenario = before.scenario;
   now.scenarioHash = scenario.meaning.text();

@@ -57,7 +57,7 @@ void lookForNondeterminism(const Scenario& scenario, const WhyQuestion& question
   f.text += (f.failureClass.empty() ? "two runs of this program: " : "") + f.where.text;
 }
 
-std::string resolvedOf(const std::vector<Document>& documents) {
+std::string resolvedOf(const std::vector<SourceText>& documents) {
   for (const auto& d : documents)
     if (d.role == "resolved") return d.content;
   return {};

@@ -119,7 +119,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
   std::set<std::string> searches;
   for (const BenchRow& r : report.rows) searches.insert(r.search);
   CHECK(searches.size() == 1 + valuesOf<ContactSearch>().size());
-  const std::string text = describe(report);
+  const std::string text = textOf(describe(report));
   CHECK_THAT(text, ContainsSubstring("packed scene, 8 cells of 42 vertices") &&
                        ContainsSubstring("rebuild, aabb-tree") && ContainsSubstring("23.68"));
 
