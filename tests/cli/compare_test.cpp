@@ -81,7 +81,7 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
   fails(2, "did you mean division?", {"compare", file, "--by", "divison"});
   fails(2, "--equivalent: 'much' is no margin; needs a number above 0",
         {"compare", file, "--equivalent", "much"});
-  fails(2, "leave out one of them", {"compare", file, "--csv", "--json"});
+  fails(2, "--csv and --json: give one of them", {"compare", file, "--csv", "--json"});
   fails(2, "needs a name that ends in", {"compare", file, "-o", folder / "all.gif"});
   const std::string picture = folder / "grid.png";
   fails(2, "give --pictures FILE, too", {"compare", file, "--moments", "3"});
@@ -108,7 +108,7 @@ TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
              "vary: {drag: {little: {physics.drag: 4}, much: {physics.drag: 8}}}\n"
              "seeds: 1..4\nmeasures: {names: [sphericity, cells], when: {every: 0.5}}\n");
   const std::string study = folder / "pair.study.yaml", to = folder / "results";
-  const auto run = launch({"study", "run", study, "--to", to, "--quiet"});
+  const auto run = launch({"study", "run", study, "--out", to, "--quiet"});
   INFO(run.err);
   REQUIRE(run.code == 0);
   const auto compared =

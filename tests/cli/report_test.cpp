@@ -122,7 +122,7 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
   writeWhole(stored.folder / "two.study.yaml",
              "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    less: {physics.drag: 1}\n"
              "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\n");
-  const auto ran = launch({"study", "run", stored.folder / "two.study.yaml", "--to", stored.folder / "study",
+  const auto ran = launch({"study", "run", stored.folder / "two.study.yaml", "--out", stored.folder / "study",
                            "--no-predict", "--quiet"});
   INFO(ran.err);
   REQUIRE(ran.code == 0);

@@ -32,7 +32,7 @@ struct Study {
                "[sphericity]\n");
   }
   Launched run(std::vector<std::string> more, const std::function<void(int)>& meanwhile = {}) const {
-    std::vector<std::string> words{"study", more.at(0), folder / "small.study.yaml", "--to", folder / "out"};
+    std::vector<std::string> words{"study", more.at(0), folder / "small.study.yaml", "--out", folder / "out"};
     words.insert(words.end(), more.begin() + 1, more.end());
     return launch(words, {}, meanwhile);
   }

@@ -7,10 +7,12 @@
 #include "base/error.h"
 #include "base/floating_point.h"
 #include "database/store_error.h"
+#include "files/quote.h"
 #include "files/text.h"
 #include "options/exit_codes.h"
 #include "store/build_info.h"
 #include "system/console.h"
+#include "system/signals.h"
 #include "system/usable_memory.h"
 
 namespace morula::cli {
@@ -120,7 +122,7 @@ std::string commandLine() { return typed; }
 
 int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   setFloatingPoint();
-  for (int i = 0; i < argc; ++i) typed += (i ? " " : "") + std::string(i ? argv[i] : "morula");
+  for (int i = 0; i < argc; ++i) typed += i ? ' ' + shellWord(argv[i]) : "morula";
   std::signal(SIGXFSZ,
               SIG_IGN);  // then a write beyond the limit of file sizes fails, as one to a full disk does
   try {
@@ -140,7 +142,7 @@ int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   } catch (const NondeterminismError& error) {
     tellError(error.what());
     return differs;
-  } catch (const FileError& error) {
+  } catch (const Interrupted& by) { return signalled + by.signal; } catch (const FileError& error) {
     tellError(error.what());
     return file;
   } catch (const std::bad_alloc&) {

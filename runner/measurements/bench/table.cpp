@@ -57,7 +57,7 @@ std::string line(const std::string& label, const Rows& rows, const std::vector<s
 }
 
 std::string labelOf(const BenchRow& row) {
-  std::string label = name(row.stage);
+  std::string label = nameOf(row.stage);
   if (row.wallClock)
     return fmt::format("{}, {} thread{}, wall", label, row.threads, row.threads == 1 ? "" : "s");
   return row.search.empty() ? label : label + ", " + row.search;

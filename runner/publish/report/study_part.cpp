@@ -81,7 +81,7 @@ std::string pairTable(const StudyComparison& c) {
 
 }  // namespace
 
-bool isStudy(const std::string& database) {
+bool isMergedStudy(const std::string& database) {
   Database db = openStudy(database);
   return db.integer(
              "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('study', 'replicate', "

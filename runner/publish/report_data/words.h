@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/quote.h"
 #include "report_data/run_facts.h"
 
 namespace morula {
@@ -48,9 +49,6 @@ void nameRuns(std::vector<RunFacts>& runs);
 
 /// The scenario file that the run was read from, as it was given.
 std::string sourceOf(const RunFacts& run);
-
-/// As one word of a command line.
-std::string shellWord(const std::string& word);
 
 /// "./morula render FILE --run ID …"
 std::string commandFor(const RunFacts& run, const std::string& verb, const std::string& options = {});
