@@ -110,7 +110,7 @@ class Verb {
   template <class T>
   static std::string textOf(const T& value) {
     if constexpr (std::is_arithmetic_v<T>) return numberText(static_cast<double>(value), 12);
-    else if constexpr (std::is_enum_v<T>) return nameOf(value);
+    else if constexpr (requires { choices<T>[0]; }) return nameOf(value);
     else if constexpr (std::is_convertible_v<T, std::string>) return value;
     else return "";
   }
