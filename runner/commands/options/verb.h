@@ -45,30 +45,19 @@ class Verb {
   }
   void does(Action action);
 
-  /// What must be given: a word, one and more, or a value. No word may be empty.
-  void needs(const std::string& name, std::string& word, const std::string& type, const std::string& help) {
-    needs(name, word, type, theWord, help);
-  }
-  void needs(const std::string& name, std::vector<std::string>& words, const std::string& type,
-             const std::string& help) {
-    takes(name, words, type, help);
-    require(name);
-  }
-  template <class T>
-  void needs(const std::string& name, T& value, const std::string& type, std::type_identity_t<Reader<T>> read,
-             const std::string& help) {
-    takes(name, value, type, read, help);
+  /// What must be given; takes what `takes` takes. No word may be empty.
+  template <class... Rest>
+  void needs(const std::string& name, Rest&&... rest) {
+    takes(name, std::forward<Rest>(rest)...);
     require(name);
   }
 
-  /// What may be given: a word. The help shows what stands in it as the default.
-  void takes(const std::string& name, std::string& word, const std::string& type, const std::string& help) {
-    takes(name, word, type, theWord, help);
-  }
-  /// As often as wanted; where the type ends in ",..." also several with commas or blanks between.
-  void takes(const std::string& name, std::vector<std::string>& words, const std::string& type,
-             const std::string& help) {
-    takes(name, words, type, theWord, help);
+  /// What may be given: a word, of which the help shows what stands in it as the default; or as many as wanted, where the
+  /// type ends in ",..." also several with commas or blanks between.
+  template <class Words>
+  void takes(const std::string& name, Words& words, const std::string& type, const std::string& help) {
+    takes(
+        name, words, type, [](const std::string& text) { return text; }, help);
   }
   /// Given or not.
   void takes(const std::string& name, bool& given, const std::string& help);
@@ -114,8 +103,6 @@ class Verb {
     else if constexpr (std::is_convertible_v<T, std::string>) return value;
     else return "";
   }
-
-  static std::string theWord(const std::string& text) { return text; }
 
   void add(const std::string& name, const std::string& type, const std::string& help,
            const std::string& shown, Take take);
