@@ -23,10 +23,7 @@ std::pair<int, int> sidesOf(const std::string& png) {
 
 void refused(std::vector<std::string> arguments, const std::string& words) {
   arguments.insert(arguments.begin(), "render");
-  const auto end = launch(arguments);
-  INFO(end.err);
-  CHECK(end.code == 2);
-  CHECK(end.err.find(words) != std::string::npos);
+  refuses(arguments, 2, words);
 }
 
 }  // namespace

@@ -96,9 +96,7 @@ TEST_CASE("a share, a task, the rest: each is computed once, and the whole is me
 TEST_CASE("mistakes on the command line are named") {
   const Study s;
   const auto refuses = [&](std::vector<std::string> words, int code, const std::string& because) {
-    const Launched l = s.run(std::move(words));
-    CHECK(l.code == code);
-    CHECK_THAT(l.err, ContainsSubstring(because));
+    morula::test::refuses(s.run(std::move(words)), code, because);
   };
   refuses({"run", "--shard", "5/3"}, 2, "--shard: '5/3' is no share; needs NUMBER/OF");
   refuses({"run", "--jobs", "0"}, 2, "--jobs: 0 is out of range");

@@ -12,37 +12,30 @@ namespace {
 
 const std::string four = "scenarios/thesis/unique-four.yaml";
 
-void refused(const std::vector<std::string>& arguments, int code, const std::string& text) {
-  const auto run = launch(arguments);
-  INFO(arguments[0] << ": " << run.err);
-  CHECK(run.code == code);
-  CHECK(run.err.find(text) != std::string::npos);
-}
-
 }  // namespace
 
 TEST_CASE("a chart of a time after the end is refused, as a picture is") {
-  refused({"chart", four, "contacts", "--time", "1e9"}, 2, "--time: 1e+09 is after the end of the run");
+  refuses({"chart", four, "contacts", "--time", "1e9"}, 2, "--time: 1e+09 is after the end of the run");
 }
 
 TEST_CASE("what cannot be rejected is not said to be") {
-  refused({"review", "--reject"}, 2, "--reject: only with --why");
+  refuses({"review", "--reject"}, 2, "--reject: only with --why");
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", "morula: 1\nname: small\ndna: 'START: a0'\nstop: {cycles: 2}\n");
-  refused({"review", folder / "small.yaml", "--reject", "--why", "no"}, 6, "no result waits for a review");
+  refuses({"review", folder / "small.yaml", "--reject", "--why", "no"}, 6, "no result waits for a review");
 }
 
 TEST_CASE("a wrong seed is a wrong command line, as a wrong range of seeds is") {
-  refused({"run", four, "--seed", "abc"}, 2, "--seed: 'abc' is not a number; needs a whole number from 0 to");
-  refused({"run", four, "--seeds", "a..b"}, 2,
+  refuses({"run", four, "--seed", "abc"}, 2, "--seed: 'abc' is not a number; needs a whole number from 0 to");
+  refuses({"run", four, "--seeds", "a..b"}, 2,
           "--seeds: 'a' is not a number; needs a whole number from 0 to");
 }
 
 TEST_CASE("a report of what is no file says so, as other verbs do") {
   const TemporaryFolder folder;
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
-  refused({"report", folder / "pipe"}, 6, "is a pipe; needs a file");
-  refused({"report", "/dev/zero"}, 6, "is a device; needs a file");
+  refuses({"report", folder / "pipe"}, 6, "is a pipe; needs a file");
+  refuses({"report", "/dev/zero"}, 6, "is a device; needs a file");
 }
 
 TEST_CASE("a message does not repeat a word of a hundred kilobytes") {

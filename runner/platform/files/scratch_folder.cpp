@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuse(const fs::path& folder) {
+[[noreturn]] void refuseFolder(const fs::path& folder) {
   throw FileError("'" + folder.string() + "' cannot be made: " + std::strerror(errno));
 }
 
@@ -40,7 +40,7 @@ ScratchFolder::ScratchFolder(const fs::path& parent) : lock_(-1) {
   removeAbandonedDrafts(parent.empty() ? fs::path(".") : parent);
   do {
     path_ = draftIn(parent);
-    if (::mkdir(path_.c_str(), 0777) != 0 && errno != EEXIST) refuse(path_);
+    if (::mkdir(path_.c_str(), 0777) != 0 && errno != EEXIST) refuseFolder(path_);
     lock_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
     // Until it is locked it looks abandoned, and may be gone.
   } while (!lock_.isOpen() || ::flock(lock_.number(), LOCK_EX) != 0 || !fileExists(path_));
@@ -60,8 +60,8 @@ void DraftFolder::takePlace() {
   // Whoever stands in a folder must not find it replaced by another one.
   if (isThere && fs::equivalent(target, currentFolder())) {
     for (const fs::path& name : namesIn(path()))
-      if (::rename((path() / name).c_str(), (target / name).c_str()) != 0) refuse(folder_);
-  } else if (::rename(path().c_str(), target.c_str()) != 0) refuse(folder_);
+      if (::rename((path() / name).c_str(), (target / name).c_str()) != 0) refuseFolder(folder_);
+  } else if (::rename(path().c_str(), target.c_str()) != 0) refuseFolder(folder_);
 }
 
 }  // namespace morula
