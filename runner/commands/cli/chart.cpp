@@ -29,13 +29,13 @@ struct ChartOptions {
   OutputOptions output;
 };
 
-struct Measured {
+struct RunToDraw {
   RunResults results;
   double end = 0;  // [time]
   int signal = 0;
 };
 
-Measured resultsOf(const ChartOptions& options, const Scenario& scenario) {
+RunToDraw resultsOf(const ChartOptions& options, const Scenario& scenario) {
   if (isDatabase(options.file)) {
     auto store = Store::openForReading(options.file);
     const auto run = store.find(options.run);
@@ -54,13 +54,13 @@ Picture ofSize(Picture picture, const std::optional<PictureSize>& size) {
   return picture;
 }
 
-Drawing draw(const Measured& measured, const ChartOptions& options, const std::optional<MeasureName>& measure,
+Drawing draw(const RunToDraw& run, const ChartOptions& options, const std::optional<MeasureName>& measure,
              const Scenario& scenario) {
-  if (measure) return drawChart(ofSize(seriesOf(measured.results, *measure, scenario), options.size));
+  if (measure) return drawChart(ofSize(seriesOf(run.results, *measure, scenario), options.size));
   if (options.what == "contacts")
     return drawMatrix(
-        ofSize(contactsOf(measured.results, options.time.value_or(measured.end), scenario), options.size));
-  return drawRoses(ofSize(divisionsOf(measured.results, scenario), options.size));
+        ofSize(contactsOf(run.results, options.time.value_or(run.end), scenario), options.size));
+  return drawRoses(ofSize(divisionsOf(run.results, scenario), options.size));
 }
 
 int act(const ChartOptions& options) {
@@ -73,16 +73,16 @@ int act(const ChartOptions& options) {
   if (options.time && options.what != "contacts")
     throw UsageError("--time says when contacts are shown; leave it out with " + options.what);
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-  const Measured measured = resultsOf(options, scenario);
-  if (measured.signal) return signalled + measured.signal;
-  if (options.time && *options.time > measured.end)
+  const RunToDraw run = resultsOf(options, scenario);
+  if (run.signal) return signalled + run.signal;
+  if (options.time && *options.time > run.end)
     throw UsageError(fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that",
-                                 exactText(*options.time), measured.end));
+                                 exactText(*options.time), run.end));
   const std::string file =
       options.picture.empty() ? scenario.scene.name + "-" + options.what + ".svg" : options.picture;
-  writePicture(draw(measured, options, measure, scenario), file);
+  writePicture(draw(run, options, measure, scenario), file);
   printEither(options.output,
-              {{"scenario", scenario.scene.name}, {"time", measured.end}, {"pictures", {file}}}, file + "\n");
+              {{"scenario", scenario.scene.name}, {"time", run.end}, {"pictures", {file}}}, file + "\n");
   return fine;
 }
 

@@ -52,7 +52,7 @@ PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {
 
 void keepPlan(const PlannedStudy& study) {
   makeFolder(study.folder.tasks());
-  if (study.isNew) overwriteFile(study.planFile(folder.path()), writePlan(study.plan));
+  if (study.isNew) overwriteFile(planFile(study.folder.path()), writePlan(study.plan));
 }
 
 }  // namespace morula
