@@ -91,7 +91,9 @@ void checkOutput(const RenderOptions& options) {
   const bool isTree = options.style == PictureStyle::lineage, isFilm = isFilmName(options.output) && !isTree;
   if (options.perSecond && !isFilm)
     throw UsageError("--fps is of a film; leave it out, or give -o a name that ends in .mp4, .webm or .gif");
-  if (!isFilm) return checkPictureName("render", options.output, isTree);
+  if (!isFilm) try {
+      return checkPictureName("render", options.output, isTree);
+    } catch (const InputError& error) { throw UsageError(std::string("--output: ") + error.what()); }
   if (!options.moves())
     refuse(
         ", a film, and one picture does not move; needs --turntable N or --frames N, or a name that ends "

@@ -98,7 +98,8 @@ std::vector<Planned> plan(const RunOptions& options) {
     };
     const bool twin =
         places[key(run.scenario)].size() > 1 ||
-        isOfOther(options.database.empty() ? folder(false) / "run.db" : options.database, run.scenario);
+        isOfOther(options.database.empty() ? folder(false) / "run.db" : std::filesystem::path(options.database),
+                  run.scenario);
     run.settings.folder = folder(twin);
     if (options.database.empty()) run.settings.database = run.settings.folder / "run.db";
   }

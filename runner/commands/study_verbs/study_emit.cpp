@@ -1,6 +1,5 @@
 // morula study emit: what a cluster, a workflow or GNU parallel runs a study with.
 
-#include "base/did_you_mean.h"
 #include "files/write_file.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
