@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct ExportOptions {
-  std::string database, output, crate, pictures, agent, license;
+  std::string database, path, crate, pictures, agent, license;
   ExportRequest request;
   bool list = false;
   ExecutionOptions execution;
@@ -69,8 +69,8 @@ int listTables(Store& store, const ExportOptions& options) {
 
 int writeFormat(const ExportOptions& options) {
   ExportRequest request = options.request;
-  if (options.output.empty()) throw UsageError("--format: needs -o PATH, where to write");
-  request.output = options.output;
+  if (options.path.empty()) throw UsageError("--format: needs -o PATH, where to write");
+  request.output = options.path;
   request.execution = execution(options.execution);
   request.quiet = options.output.quiet;
   auto store = Store::openForReading(options.database);
@@ -120,7 +120,7 @@ void addExport(CLI::App& app, Action& action) {
              "Which run of the database; default: the latest, and with --format all");
   verb.takes("--format", options.request.format, "NAME", formatCalled, formatList());
   verb.takes(
-      "-o,--output", options.output, "PATH",
+      "-o,--output", options.path, "PATH",
       "With --format: the file or folder, which must be new; of several runs a folder with one for each");
   verb.takes("--time", options.request.time, "TIME", number(scenario::notNegative),
              "With surfaces: of this time alone");

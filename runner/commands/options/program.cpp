@@ -78,7 +78,10 @@ void checkLeftovers(const CLI::App& verb) {
 }
 
 Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
-  CLI::App app{"Morula grows organisms from one cell, the same bits every time.", "morula"};
+  // It lives as long as the action, which asks it what was given.
+  const auto owner =
+      std::make_shared<CLI::App>("Morula grows organisms from one cell, the same bits every time.", "morula");
+  CLI::App& app = *owner;
   app.footer(
       "Exit codes: 0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 5 study "
       "incomplete, 6 file or database,\n"
@@ -113,7 +116,7 @@ Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
   }
   if (const auto* chosen = chosenOf(app); chosen != &app) checkLeftovers(*chosen);
   if (!action) throw UsageError("no verb; one of " + join(verbNames(*chosenOf(app))) + ", or --help");
-  return action;
+  return [owner, action] { return action(); };
 }
 
 }  // namespace
