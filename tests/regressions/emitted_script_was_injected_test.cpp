@@ -39,7 +39,7 @@ TEST_CASE("an emitted script names the study's folder and runs nothing else, wha
     CHECK(run(folder, "bash", "script") == 0);
     CHECK(readWhole(folder / "told").find(folder / name + "\n") != std::string::npos);
     if (std::system("shellcheck --version >/dev/null 2>&1") == 0)
-      CHECK(std::system(("shellcheck '" + folder / "script'").c_str()) == 0);
+      CHECK(std::system(("shellcheck -e SC2016 '" + folder / "script'").c_str()) == 0);
     else WARN("skipped: no shellcheck here");
   }
   for (const auto& entry : fs::directory_iterator(folder.path()))
