@@ -48,7 +48,7 @@ TEST_CASE("every verb that help lists is there") {
 }
 
 TEST_CASE("misspelt verbs and options are guessed") {
-  refuses({}, 2, "no verb; one of run, parts, check");
+  refuses(std::vector<std::string>{}, 2, "no verb; one of run, parts, check");
   refuses({"rnu", four}, 2, "unknown verb 'rnu'; did you mean run?");
   refuses({"valdate", four}, 2, "did you mean validate?");
   refuses({"frobnicate"}, 2, "unknown verb 'frobnicate'; one of run, ");
