@@ -10,8 +10,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+
+#include "catch.h"
 
 namespace morula::test {
 
@@ -137,6 +140,31 @@ TemporaryFolder::TemporaryFolder() {
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
+}
+
+void refuses(const Launched& launched, int code, const std::string& because) {
+  INFO(launched.err);
+  CHECK(launched.code == code);
+  CHECK(launched.out.empty());
+  CHECK_THAT(launched.err, ContainsSubstring(because));
+}
+
+void refuses(const std::vector<std::string>& arguments, int code, const std::string& because) {
+  refuses(launch(arguments), code, because);
+}
+
+nlohmann::json jsonOf(std::vector<std::string> arguments, int code) {
+  arguments.push_back("--json");
+  const auto run = launch(arguments);
+  INFO(run.err);
+  REQUIRE(run.code == code);
+  const auto json = nlohmann::json::parse(run.out);
+  CHECK(json["morula"] == 1);
+  return json;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
 }
 
 std::string readWhole(const std::string& file) {

@@ -90,11 +90,7 @@ TEST_CASE("accuracy for people: series, orders, speeds and the line to use") {
 TEST_CASE("accuracy refuses what makes no sense, and says what would") {
   const Bench bench;
   const auto refused = [&](const std::vector<std::string>& more, int code, const std::string& text) {
-    const auto run = bench.accuracy(more);
-    CAPTURE(text, run.err);
-    CHECK(run.code == code);
-    CHECK_THAT(run.err, ContainsSubstring(text));
-    CHECK(run.out.empty());
+    refuses(bench.accuracy(more), code, text);
   };
   refused({"--until", "0"}, 2, "--until: 0 is out of range; needs a number > 0");
   refused({"--until", "7"}, 2, "--until: 7 is after the scene's end; needs at most 1");

@@ -53,13 +53,6 @@ struct Stored {
   }
 };
 
-void refuses(const Launched& launched, int code, const std::string& because) {
-  INFO(launched.err);
-  CHECK(launched.code == code);
-  CHECK_THAT(launched.err, ContainsSubstring(because));
-  CHECK(launched.out.empty());
-}
-
 }  // namespace
 
 TEST_CASE("of one run a file or a folder is written, and stdout names the files") {

@@ -41,7 +41,7 @@ struct Study {
                "{stop.cycles: 1000000000}}}\nseeds: 1..3\nmeasures: [cells]\n");
   }
   Launched run(std::vector<std::string> more, const std::function<void(int)>& meanwhile = {}) const {
-    std::vector<std::string> words{"study", more.at(0), folder / "small.study.yaml", "--to", folder / "out"};
+    std::vector<std::string> words{"study", more.at(0), folder / "small.study.yaml", "--out", folder / "out"};
     words.insert(words.end(), more.begin() + 1, more.end());
     return launch(words, {}, meanwhile);
   }
@@ -105,9 +105,7 @@ TEST_CASE("a share, a task, the rest: each is computed once, and the whole is me
 TEST_CASE("mistakes on the command line are named") {
   const Study s;
   const auto refuses = [&](std::vector<std::string> words, int code, const std::string& because) {
-    const Launched l = s.run(std::move(words));
-    CHECK(l.code == code);
-    CHECK_THAT(l.err, ContainsSubstring(because));
+    morula::test::refuses(s.run(std::move(words)), code, because);
   };
   refuses({"run", "--shard", "5/3"}, 2, "--shard: '5/3' is no share; needs NUMBER/OF");
   refuses({"run", "--jobs", "0"}, 2, "--jobs: 0 is out of range");

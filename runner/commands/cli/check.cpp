@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <memory>
 
 #include "base/error.h"
 #include "check/check_run.h"
@@ -32,7 +31,9 @@ struct CheckOptions {
   InputOptions input;
   ExecutionOptions execution;
   OutputOptions output;
-  std::string reports, beside, cpuLimit;
+  std::string reports;
+  std::vector<Engine> beside;
+  int cpuLimit = usualCpuSeconds;
 };
 
 /// As the contract of `morula check --json` says.
@@ -152,18 +153,9 @@ void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
   if (page) appendToFile(page, summaryPage(reports));
 }
 
-ComparisonOptions comparisonOptions(const CheckOptions& options) {
-  ComparisonOptions beside{parseEngines(options.beside), usualCpuSeconds, options.output.quiet};
-  if (options.cpuLimit.empty()) return beside;
-  if (options.beside.empty())
-    throw UsageError("--cpu-limit: is for the engines of --beside; give --beside, too");
-  beside.cpuSeconds = static_cast<int>(naturalOption("--cpu-limit", options.cpuLimit, 1, 1'000'000));
-  return beside;
-}
-
 int act(const CheckOptions& options) {
   const auto how = execution(options.execution);
-  const ComparisonOptions beside = comparisonOptions(options);
+  const ComparisonOptions beside{options.beside, options.cpuLimit, options.output.quiet};
   std::vector<Scenario> scenarios;
   for (const auto& file : options.scenarios.empty() ? shippedScenarios() : options.scenarios)
     scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
@@ -216,19 +208,21 @@ int act(const CheckOptions& options) {
 }  // namespace
 
 void addCheck(CLI::App& app, Action& action) {
-  auto options = std::make_shared<CheckOptions>();
   Verb verb(app, action, "check", "Run scenarios again and compare them with their golden files");
-  verb.takes("scenario", options->scenarios, "FILE", "Scenario files; default: all under scenarios/");
-  verb.takes("--reports", options->reports, "FOLDER",
+  auto& options = verb.does<CheckOptions>(act);
+  verb.takes("scenario", options.scenarios, "FILE", "Scenario files; default: all under scenarios/");
+  verb.takes("--reports", options.reports, "FOLDER",
              "Write junit.xml, report.json, summary.md and the page report.html there");
-  verb.takes("--beside", options->beside, "ENGINES",
-             "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
-             "(its contact law), bullet, b1, b2, b3");
-  verb.takes("--cpu-limit", options->cpuLimit, "SECONDS", "CPU time of each of their runs; default: 120");
-  add(verb, options->input);
-  add(verb, options->execution);
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  verb.takes<std::vector<Engine>>(
+      "--beside", options.beside, "ENGINES", parseEngines,
+      "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
+      "(its contact law), bullet, b1, b2, b3");
+  verb.takes("--cpu-limit", options.cpuLimit, "SECONDS", natural(1, 1'000'000),
+             "CPU time of each of their runs");
+  verb.onlyWith({"--cpu-limit"}, {"--beside"});
+  add(verb, options.input);
+  add(verb, options.execution);
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

@@ -18,8 +18,14 @@
 namespace morula {
 
 enum class Stage { step, internal, contact, rebuild, integrate };
-inline constexpr const char* stageNames[] = {"step", "internal", "contact", "rebuild", "integrate"};
-constexpr const char* name(Stage stage) { return stageNames[static_cast<int>(stage)]; }
+template <>
+inline constexpr auto choices<Stage> = std::to_array<Choice<Stage>>({
+    {Stage::step, "step", "a whole step"},
+    {Stage::internal, "internal", "the forces of cells on themselves"},
+    {Stage::contact, "contact", "the forces between cells"},
+    {Stage::rebuild, "rebuild", "the search for neighbours"},
+    {Stage::integrate, "integrate", "from forces to positions"},
+});
 
 struct BenchOptions {
   std::vector<int> cells;        // of packed scenes

@@ -45,7 +45,7 @@ std::vector<std::string> isasOf(const std::vector<BenchRow>& rows) {
 
 std::string labelOf(const BenchRow& row) {
   if (row.engine != "morula") return row.engine == "scalar" ? "internal, ordinary code" : row.engine;
-  std::string label = name(row.stage);
+  std::string label = nameOf(row.stage);
   if (row.wallClock) return fmt::format("{}, {}, wall", label, counted(std::uint64_t(row.threads), "thread"));
   return row.search.empty() ? label : label + ", " + row.search;
 }

@@ -80,7 +80,6 @@ CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures
   for (const SourceText& document : store.documents(run.id)) crate.files.push_back(crateFile(document));
   addGolden(crate.files);
   if (!pictures.empty() && !isFolder(pictures)) throw FileError("'" + pictures + "': no such folder");
-  makeEmptyFolder(folder);
   store.copyRun(run.id, folder / "run.db");
   crate.files.push_back({"run.db",
                          CrateFile::Role::result,

@@ -24,7 +24,7 @@ Database openStudy(const std::string& file) {
 
 }  // namespace
 
-bool isStudy(const std::string& database) {
+bool isMergedStudy(const std::string& database) {
   Database db = openStudy(database);
   return db.integer(
              "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('study', 'replicate', "

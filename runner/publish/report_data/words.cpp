@@ -50,15 +50,6 @@ std::string sourceOf(const RunFacts& run) {
   return run.run.record.scenario + ".yaml";
 }
 
-std::string shellWord(const std::string& word) {
-  static constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
-  if (!word.empty() && word.find_first_not_of(plain) == word.npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 std::string commandFor(const RunFacts& run, const std::string& verb, const std::string& options) {
   return "./morula " + verb + " " + shellWord(run.database) + " --run " + run.run.id +
          (options.empty() ? "" : " " + options);

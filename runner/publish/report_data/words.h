@@ -5,6 +5,7 @@
 
 #include "document/document.h"
 #include "drawing/drawing.h"
+#include "files/quote.h"
 #include "report_data/run_facts.h"
 
 namespace morula {
@@ -30,9 +31,6 @@ Picture svgPicture(const Drawing& drawing, const std::string& what, const std::s
 
 /// The scenario file that the run was read from, as it was given.
 std::string sourceOf(const RunFacts& run);
-
-/// As one word of a command line.
-std::string shellWord(const std::string& word);
 
 /// "./morula render FILE --run ID …"
 std::string commandFor(const RunFacts& run, const std::string& verb, const std::string& options = {});

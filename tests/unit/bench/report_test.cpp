@@ -104,7 +104,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
   for (const Isa isa : availableIsas())
     for (const Stage stage : options.stages) {
       const BenchRow* r = find(report.rows, "packed", "morula", stage, 8, 42, name(isa));
-      CAPTURE(name(isa), name(stage));
+      CAPTURE(name(isa), nameOf(stage));
       REQUIRE(r);
       CHECK(r->nsPerVertexStep >= 0);
       CHECK(r->shareOfLimit.has_value() == (stage != Stage::rebuild));
