@@ -43,36 +43,67 @@ double springTension(const ConnectionSpring& spring, const Bodies& b, int slotA,
   return spring.stiffness * (distance - spring.rest * (roundRadius(b, slotA) + roundRadius(b, slotB)));
 }
 
+namespace {
+
+/// [force] Which cells are connected how strongly: the pull of connection number `i` of the active ones over a distance.
+class Pulls {
+ public:
+  Pulls(const Connections& c, const Bodies& b) : c_(c), b_(b) {}
+  double operator()(std::size_t i, double distance) const {
+    const auto& [a, b] = c_.scratch.ends[i];
+    if (c_.parameters.spring)
+      return springTension(*c_.parameters.spring, b_, b_.slots[a], b_.slots[b], distance);
+    return c_.parameters.strength ? *c_.parameters.strength : std::min(part(a), part(b));
+  }
+  int countOf(int cell) const { return c_.scratch.first[cell + 1] - c_.scratch.first[cell]; }
+
+ private:
+  double part(int cell) const { return sharedStrength * shareOfEgg(b_, b_.slots[cell]) / countOf(cell); }
+  const Connections& c_;
+  const Bodies& b_;
+};
+
+}  // namespace
+
 void addConnectionForces(Connections& c, const std::vector<CellPath>& paths, Bodies& bodies, int threads) {
   ConnectionScratch& scratch = c.scratch;
   findEnds(scratch, c, paths);
   const int cells = static_cast<int>(paths.size());
-  const auto countOf = [&](int cell) { return scratch.first[cell + 1] - scratch.first[cell]; };
-  const auto part = [&](int cell) {
-    return sharedStrength * shareOfEgg(bodies, bodies.slots[cell]) / countOf(cell);
-  };
+  const Pulls pullOf(c, bodies);
   scratch.centre.resize(paths.size());
   parallelFor(cells, threads, [&](int cell) {
-    if (countOf(cell) > 0) scratch.centre[cell] = measureCentre(bodies, bodies.slots[cell]);
+    if (pullOf.countOf(cell) > 0) scratch.centre[cell] = measureCentre(bodies, bodies.slots[cell]);
   });
   // Each cell gathers its own forces, one connection after the other, so that threads cannot matter.
   parallelFor(cells, threads, [&](int cell) {
     const int slot = bodies.slots[cell], vertices = bodies.vertexCount(slot);
     for (int k = scratch.first[cell]; k < scratch.first[cell + 1]; ++k) {
-      const auto& [a, b] = scratch.ends[scratch.ofCell[k]];
+      const std::size_t i = scratch.ofCell[k];
+      const auto& [a, b] = scratch.ends[i];
       const Vector between = scratch.centre[b] - scratch.centre[a];
       const double distance = norm(between);
       if (!(distance > 0)) continue;  // concentric: no direction, no force
-      const double pull = c.parameters.spring ? springTension(*c.parameters.spring, bodies, bodies.slots[a],
-                                                              bodies.slots[b], distance)
-                          : c.parameters.strength ? *c.parameters.strength
-                                                  : std::min(part(a), part(b));
+      const double pull = pullOf(i, distance);
       const Vector share = (pull / (distance * vertices)) * between;
       const Vector force = cell == a ? share : -share;
       for (int v = 0; v < vertices; ++v)
         bodies.write(bodies.acceleration, slot, v, bodies.read(bodies.acceleration, slot, v) + force);
     }
   });
+}
+
+double measureConnectionEnergy(const Connections& connections, const std::vector<CellPath>& paths, const Bodies& b) {
+  Connections c = connections;
+  findEnds(c.scratch, c, paths);
+  const Pulls pullOf(c, b);
+  double sum = 0;
+  for (std::size_t i = 0; i < c.scratch.ends.size(); ++i) {
+    const auto& [first, second] = c.scratch.ends[i];
+    const double distance =
+        norm(measureCentre(b, b.slots[second]) - measureCentre(b, b.slots[first])), pull = pullOf(i, distance);
+    sum += c.parameters.spring ? 0.5 * pull * pull / c.parameters.spring->stiffness : pull * distance;
+  }
+  return sum;
 }
 
 }  // namespace morula

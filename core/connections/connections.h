@@ -52,6 +52,10 @@ double roundRadius(const Bodies& bodies, int slot);
 double springTension(const ConnectionSpring& spring, const Bodies& bodies, int slotA, int slotB,
                      double distance);
 
+/// [force·length] Of the active connections: k_c times the distance of the centres, or of springs ½ k (d − rest)².
+double measureConnectionEnergy(const Connections& connections, const std::vector<CellPath>& paths,
+                               const Bodies& bodies);
+
 /// Adhesion [Nilsson 2008, eq. 4.9]: on each of the two cells the constant force k_c towards the other's
 /// centre, spread evenly over its vertices. `paths` [cell], sorted. Adds to the bodies' forces; equal and
 /// opposite on a pair. Without a strength k_c is the smaller of what the two cells have for each of their

@@ -26,7 +26,7 @@ void refit(TreeSearch& tree, const SearchInput& input, int slot) {
       bodies.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes;
   for (int i = 0; i < vertices; ++i) {
     const int v = shape.order[i];
-    tree.points.set(base + i, bodies.vertex(slot, v), firstNumber + v * blockLanes, slot,
+    tree.points.set(base + i, input.vertex(slot, v), firstNumber + v * blockLanes, slot,
                     input.halfReach[slot]);
   }
   Box* boxes = &tree.boxes[firstBox];
@@ -139,7 +139,7 @@ void searchBlock(const TreeSearch& tree, const SearchInput& input, int block, Bl
         const auto& rows = scratch.rows[node.leaf];
         const int v = shape.order[i];
         findNeighbours(lists, input, tree.points, rows.data(), static_cast<int>(rows.size()), slot,
-                       v * blockLanes + lane, bodies.vertex(slot, v));
+                       v * blockLanes + lane, input.vertex(slot, v));
       }
   }
 }

@@ -1,6 +1,7 @@
 #include "contacts/adhesion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/parallel.h"
@@ -23,7 +24,13 @@ double areaOverSquare(const MeshTemplate& mesh, double influence) {
   return area / (mesh.vertexCount() * radius * radius);
 }
 
-/// S of vertices of these two slots, for W = 1: the same to the bit when they are exchanged.
+/// [1] Of a normal in a flat mesh, whose G is six times a vertex's area (surface_kernel.h).
+double normalLength(double areaOverSquare) {
+  const double g = 6 * areaOverSquare;
+  return g * std::sqrt(normalScaleSquared / (g * g + foldedNormal * foldedNormal));
+}
+
+/// S, or T of the energy law, of vertices of these two slots, for W = 1: the same to the bit when they are exchanged.
 double pairFactor(const Contacts& c, const Bodies& b, int i, int j) {
   const double ri = c.radius[i], rj = c.radius[j];
   if (b.areSpheres()) return pi * (ri * rj) / (ri + rj);  // their influence radius is the diameter
@@ -31,6 +38,13 @@ double pairFactor(const Contacts& c, const Bodies& b, int i, int j) {
     return c.adhesion.areaOverSquare[b.blocks[slot / blockLanes].meshLevel] * (r * r);
   };
   const double inverse = 0.5 * (1 / (ri * ri) + 1 / (rj * rj));  // 1/R²
+  if (c.parameters.law == ContactLaw::energy) {
+    const auto normalOf = [&](int slot) {
+      return normalLength(c.adhesion.areaOverSquare[b.blocks[slot / blockLanes].meshLevel]);
+    };
+    const double m = 1 + normalOf(i) * normalOf(j), s = 0.25 * m * m * (3 - m);
+    return 24 / pi * (area(i, ri) * area(j, rj)) * inverse / s;
+  }
   return 24 / pi * (area(i, ri) * area(j, rj)) * (inverse * inverse);
 }
 
@@ -101,8 +115,11 @@ double adhesionStiffness(const Contacts& c, const Bodies& b) {
   // Of all pairs that with the most different radii has the largest factor.
   const auto smaller = [&](int i, int j) { return c.radius[i] < c.radius[j]; };
   const auto [least, most] = std::minmax_element(b.slots.begin(), b.slots.end(), smaller);
-  return work * std::max({pairFactor(c, b, *least, *most), pairFactor(c, b, *least, *least),
-                          pairFactor(c, b, *most, *most)});
+  const auto steepest = [&](int i, int j) {
+    const double ri = c.radius[i], rj = c.radius[j], factor = pairFactor(c, b, i, j);
+    return c.parameters.law == ContactLaw::energy ? factor * 0.5 * (1 / (ri * ri) + 1 / (rj * rj)) : factor;
+  };
+  return work * std::max({steepest(*least, *most), steepest(*least, *least), steepest(*most, *most)});
 }
 
 }  // namespace morula

@@ -9,6 +9,10 @@
 //   W = ∫ p dg = n_i n_j S πR⁴/24     ⇒     S = (24/π) W a_i a_j/R⁴,   a = 1/n the area of a vertex at rest
 //
 // So W does not depend on the mesh nor on the cells' sizes. With radius 1 and equal icospheres S = 5.5 W.
+//
+// The energy law (energy_law_kernel.h) has −s T/6 (1 − r²/R²)³ of each pair. Flat surfaces that touch hold
+// n_i n_j s T/6 ∫ (1 − ρ²/R²)³ 2πρ dρ = n_i n_j s T πR²/24, so T = S R²/s, with s of flat meshes face to face. Over a
+// gap g they hold W (1 − g²/R²)⁴: the same p(g).
 #include <vector>
 
 #include "base/aligned.h"
@@ -31,7 +35,7 @@ struct AdhesionKinds {
 /// Follows from the cells' kinds, their influence radii and the neighbour list.
 struct Adhesion {
   AdhesionKinds kinds;
-  AlignedVector<double> ofPairs;  // [as NeighbourList::indices] S [force/length]; of spheres [force]
+  AlignedVector<double> ofPairs;  // [as NeighbourList::indices] S [force/length], of the energy law T [energy]; of spheres [force]
   bool isCurrent = false;         // ofPairs
   // With each set of cells
   std::vector<int> blockOfLine;  // [line]

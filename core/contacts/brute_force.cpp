@@ -13,7 +13,7 @@ std::int32_t neighboursOf(const SearchInput& input, int slot, const Point& x, Ve
       for (int lane = 0; lane < blockLanes; ++lane, ++number) {
         const int other = block * blockLanes + lane;
         if (other == slot || lane >= bodies.liveLanes(block)) continue;
-        const Vector d = bodies.vertex(other, v) - x;
+        const Vector d = input.vertex(other, v) - x;
         const double reach = input.reach(slot, other);
         if (dot(d, d) < reach * reach) out[found++] = number;
       }
@@ -29,7 +29,7 @@ void searchBlock(const BruteForce&, const SearchInput& input, int block, BlockLi
   for (int lane = 0; lane < bodies.liveLanes(block); ++lane)
     for (int v = 0; v < own; ++v) {
       const int slot = block * blockLanes + lane;
-      const std::int32_t found = neighboursOf(input, slot, bodies.vertex(slot, v), lists.room(others));
+      const std::int32_t found = neighboursOf(input, slot, input.vertex(slot, v), lists.room(others));
       lists.add(v * blockLanes + lane, found);
       lists.counters.distanceTests += others;
     }

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "contacts/contacts.h"
+#include "contacts/pair_energy.h"
 
 namespace morula {
 
@@ -100,10 +101,35 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
   return pairs;
 }
 
+constexpr double leastOverlap = 1.0 / 5000;  // of the influence radius
+constexpr double mostCover = 2;              // of a vertex's area
+
+/// What presses on the vertices of either side over the mean pressure in both cells; where that is less than what so
+/// little overlap bears, over this. No vertex counts for more than twice its area.
+std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
+  std::vector<std::vector<double>> areas(b.blocks.size() * blockLanes);  // [slot][vertex]
+  for (int slot : b.slots) areas[slot] = vertexAreas(b, slot);
+  const std::vector<int> cellOf = cellsOf(b);
+  const auto pressureOf = [&](int slot) { return b.model().hasMembrane ? b.pressure[slot] : 0.0; };
+  std::vector<ContactArea> pairs;
+  for (const PairSum& p : sumPairs(c, b)) {
+    if (!(p.pressing > 0)) continue;
+    const double own = areas[p.slot][placeOf(b, p.vertex).vertex];
+    const double least = c.parameters.stiffness * leastOverlap * c.radius[p.slot] / own;
+    const double pressure = std::max(0.5 * (pressureOf(p.slot) + pressureOf(p.other)), least);
+    const auto [first, second] = std::minmax(cellOf[p.slot], cellOf[p.other]);
+    if (pairs.empty() || pairs.back().a != first || pairs.back().b != second)
+      pairs.push_back({first, second, 0});
+    pairs.back().area += 0.5 * std::min(p.pressing / pressure, mostCover * own);
+  }
+  return pairs;
+}
+
 }  // namespace
 
 std::vector<ContactArea> measureContactAreas(const Contacts& c, const Bodies& b) {
   if (b.areSpheres()) return sphereContacts(c, b);
+  if (c.parameters.law == ContactLaw::energy) return pressedAreas(c, b);
   std::vector<Side> sides;  // the same pair may occur many times
   const VertexNumber far = static_cast<VertexNumber>(c.rows.size() - 1);
   std::vector<std::vector<double>> areas;  // [cell][vertex]

@@ -16,8 +16,10 @@ struct ContactArea {
 
 /// A vertex touches the cell of its nearest facing neighbour within reach when its gap to it is below a
 /// quarter of the influence radius; it stands for a third of the area of its faces. Area of a pair: the mean
-/// of the two sides. Two spheres that overlap touch over the disc in which their surfaces meet. From the last
-/// snapshot; by (a, b).
+/// of the two sides. With the energy law area is force over pressure: what presses on the vertices of either side
+/// where surfaces overlap, over the mean of both cells' pressures. It is continuous in time, but for daughters: born
+/// with flat faces in one plane, they press on each other only some steps later. Two spheres that overlap touch over
+/// the disc in which their surfaces meet. From the last snapshot; by (a, b).
 std::vector<ContactArea> measureContactAreas(const Contacts& contacts, const Bodies& bodies);
 
 }  // namespace morula

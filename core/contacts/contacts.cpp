@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
+
 namespace morula {
 
 namespace {
@@ -32,6 +34,14 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
                                  : c.kernels->addSphereForces;
     return c;
   }
+  if (parameters.law == ContactLaw::energy) {
+    c.takeSnapshot = c.kernels->takeSurface;
+    c.addForces = sticks && rubs ? c.kernels->addStickyEnergyForcesWithFriction
+                  : sticks       ? c.kernels->addStickyEnergyForces
+                  : rubs         ? c.kernels->addEnergyForcesWithFriction
+                                 : c.kernels->addEnergyForces;
+    return c;
+  }
   c.takeSnapshot = c.kernels->takeSnapshot;
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
                 : sticks && rubs                     ? c.kernels->addStickyPairForcesWithFriction
@@ -55,7 +65,9 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies, std::span<const double
   for (int cell = 0; cell < bodies.count; ++cell) {
     const int slot = bodies.slots[cell];
     c.radius[slot] = radii[cell];
-    c.inverseRadiusSquared[slot] = 1 / (radii[cell] * radii[cell]);
+    const double inverse = 1 / (radii[cell] * radii[cell]);
+    // As rows hold it, so that each user of it sees the same number; rows of spheres hold their radius, too.
+    c.inverseRadiusSquared[slot] = bodies.areSpheres() ? inverse : static_cast<float>(inverse);
     smallest = std::min(smallest, radii[cell]);
   }
   c.list.skin = bodies.count > 0 ? c.skinShare * smallest : 0;
@@ -73,6 +85,13 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   c.rows[vertices] = asMemory({far, far, far, 0, 0, 0, 1, 0, 0, 1}, precision);
   c.farthest.assign(bodies.blockCount(), 0);
   c.list.reference = bodies.position;
+  if (c.parameters.law != ContactLaw::energy || bodies.areSpheres()) return;
+  int mostVertices = 0;
+  for (int block = 0; block < bodies.blockCount(); ++block)
+    mostVertices = std::max(mostVertices, bodies.verticesPerLane(block));
+  c.scratch.resize(bodies.scratch.size(), {Reals(precision), Reals(precision)});
+  for (auto& [force, turn] : c.scratch)
+    for (Reals* a : {&force, &turn}) a->assign(std::size_t(mostVertices) * vertexStride, 0);
 }
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
@@ -82,11 +101,36 @@ void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int
       c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes]);
 }
 
+namespace {
+
+/// The points that lists are built from: where the rows stand.
+void takePoints(Contacts& c, const Bodies& bodies, int threads) {
+  if (c.parameters.law != ContactLaw::energy || bodies.areSpheres()) {
+    c.list.reference = bodies.position;
+    return;
+  }
+  parallelFor(bodies.blockCount(), threads, [&](int block) {
+    const BlockPlace& place = bodies.blocks[block];
+    for (int line = place.firstLine; line < place.firstLine + bodies.verticesPerLane(block); ++line)
+      for (int lane = 0; lane < place.liveLanes; ++lane) {
+        const SurfaceRow row =
+            readSurfaceRow(c.rows[std::size_t(line) * blockLanes + lane], bodies.parameters.precision);
+        const std::size_t at = std::size_t(line) * vertexStride + lane;
+        c.list.reference[at] = row.x;
+        c.list.reference[at + blockLanes] = row.y;
+        c.list.reference[at + 2 * blockLanes] = row.z;
+      }
+  });
+}
+
+}  // namespace
+
 void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   const double limit = 0.25 * c.list.skin * c.list.skin;
   // Not `<=`: a NaN must lead to a rebuild, never to a stale list.
   const bool still = std::all_of(c.farthest.begin(), c.farthest.end(), [&](double f) { return f < limit; });
   if (!c.listIsValid || !still) {
+    takePoints(c, bodies, threads);
     buildNeighbourList(c.list, bodies, c.radius, threads);
     c.listIsValid = true;
     c.adhesion.isCurrent = false;
@@ -102,10 +146,19 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
 
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
   const std::int64_t first = c.list.firstSlice[block], last = c.list.firstSlice[block + 1];
+  const BlockPlace& place = bodies.blocks[block];
+  const bool onSurface = !c.scratch.empty();
+  const RealPointer none{nullptr};
   const BlockSlices slices{.slices = c.list.slices.data() + first,
                            .count = last - first,
                            .vertexMass = &bodies.vertexMass[std::size_t(block) * blockLanes],
-                           .nextLine = bodies.blocks[block].firstLine + bodies.verticesPerLane(block)};
+                           .nextLine = place.firstLine + bodies.verticesPerLane(block),
+                           .mesh = bodies.meshAt(place.meshLevel).view(),
+                           .liveLanes = place.liveLanes,
+                           .firstVertex = place.firstLine * blockLanes,
+                           .position = bodies.position.from(std::size_t(place.firstLine) * vertexStride),
+                           .surfaceForce = onSurface ? c.scratch[threadNumber()].force.from(0) : none,
+                           .surfaceTurn = onSurface ? c.scratch[threadNumber()].turn.from(0) : none};
   const ContactConstants constants{.stiffness = c.parameters.stiffness,
                                    .damping = c.parameters.damping,
                                    .friction = c.parameters.friction,

@@ -29,6 +29,10 @@ struct Contacts {
   AlignedVector<double> inverseRadiusSquared;  // [slot] [1/length²]
   AlignedVector<RowMemory> rows;               // of every vertex, and the far row
   AlignedVector<double> farthest;  // [block] largest squared displacement since the list was built
+  struct Scratch {
+    Reals force, turn;  // [vertex][xyz][lane] of one block's surface
+  };
+  std::vector<Scratch> scratch;  // one per thread; of the energy law
   NeighbourList list;
   bool listIsValid = false;
   Adhesion adhesion;  // of scenes with ContactParameters::adhesion

@@ -1,6 +1,7 @@
 // Compiled once per instruction set (core/CMakeLists.txt); see contacts_dispatch.cpp for the choice.
 #include "contacts/contacts_kernels.h"
 
+#include "contacts/energy_law_kernel.h"
 #include "contacts/pair_law_kernel.h"
 #include "contacts/rows_kernel.h"
 #include "contacts/sphere_law_kernel.h"
@@ -12,6 +13,7 @@ extern const ContactKernels contacts;
 const ContactKernels contacts = {
     .takeSnapshot = takeSnapshot,
     .takeSphereSnapshot = takeSphereSnapshot,
+    .takeSurface = takeSurface,
     .addPairForces = addPairForces<false, false>,
     .addPairForcesWithFriction = addPairForces<true, false>,
     .addThesisForces = addThesisForces,
@@ -19,6 +21,10 @@ const ContactKernels contacts = {
     .addSphereForcesWithFriction = addSphereForces<true, false>,
     .addStickyPairForces = addPairForces<false, true>,
     .addStickyPairForcesWithFriction = addPairForces<true, true>,
+    .addEnergyForces = addEnergyForces<false, false>,
+    .addEnergyForcesWithFriction = addEnergyForces<true, false>,
+    .addStickyEnergyForces = addEnergyForces<false, true>,
+    .addStickyEnergyForcesWithFriction = addEnergyForces<true, true>,
     .addStickySphereForces = addSphereForces<false, true>,
     .addStickySphereForcesWithFriction = addSphereForces<true, true>,
 };

@@ -2,6 +2,7 @@
 // The kernels of contact, one table per instruction set and precision. Those that search: search_kernels.h.
 #include "base/isa.h"
 #include "base/precision.h"
+#include "contacts/parameters.h"
 #include "contacts/snapshot.h"
 #include "physics/block.h"
 
@@ -25,6 +26,12 @@ struct BlockSlices {
   std::int64_t count;
   const double* vertexMass;  // [lane]
   std::int64_t nextLine;     // where the next block's vertices begin (BlockPlace::firstLine)
+  // The energy law's
+  TemplateView mesh;
+  int liveLanes;
+  VertexNumber firstVertex;               // of the block
+  RealPointer position;                   // [vertexCount][3][blockLanes]
+  RealPointer surfaceForce, surfaceTurn;  // the same; scratch of the running thread
 };
 
 struct ContactConstants {
@@ -38,10 +45,10 @@ struct ContactConstants {
 
 struct ContactKernels {
   /// Writes the rows of a block's vertices from position, predicted and gradient. Returns the largest squared
-  /// distance of a vertex from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
+  /// distance of a row from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
   using TakeSnapshot = double (*)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
                                   RealPointer reference, RowMemory* rows);
-  TakeSnapshot takeSnapshot, takeSphereSnapshot;
+  TakeSnapshot takeSnapshot, takeSphereSnapshot, takeSurface;
   /// force += contact forces on one block's vertices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
   using AddForces = void (*)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows,
                              const ContactConstants&, RealPointer force);
@@ -49,6 +56,7 @@ struct ContactKernels {
   AddForces addSphereForces, addSphereForcesWithFriction;
   // With adhesion, and without or with friction.
   AddForces addStickyPairForces, addStickyPairForcesWithFriction;
+  AddForces addEnergyForces, addEnergyForcesWithFriction, addStickyEnergyForces, addStickyEnergyForcesWithFriction;
   AddForces addStickySphereForces, addStickySphereForcesWithFriction;
 };
 

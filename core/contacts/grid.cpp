@@ -5,7 +5,7 @@
 namespace morula {
 
 void prepare(GridSearch& grid, const SearchInput& input) {
-  const Box box = boundingBox(input.bodies);
+  const Box box = boundingBox(input);
   const Vector extent = box.high - box.low;
   // Not so small that doubling it takes long, or never ends where reaches underflow.
   const double longest = std::max({extent.x, extent.y, extent.z});
@@ -36,7 +36,7 @@ void searchBlock(const GridSearch& grid, const SearchInput& input, int block, Bl
   for (int lane = 0; lane < bodies.liveLanes(block); ++lane)
     for (int v = 0; v < bodies.verticesPerLane(block); ++v) {
       const int slot = block * blockLanes + lane;
-      const Point x = bodies.vertex(slot, v);
+      const Point x = input.vertex(slot, v);
       const int cx = grid.column(x.x, grid.low.x, grid.nx), cy = grid.column(x.y, grid.low.y, grid.ny),
                 cz = grid.column(x.z, grid.low.z, grid.nz);
       const int left = std::max(cx - 1, 0), right = std::min(cx + 1, grid.nx - 1);

@@ -96,11 +96,10 @@ void searchAllBlocks(Search& search, const SearchInput& input, NeighbourList& li
 void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
                         int threads) {
   const int blocks = bodies.blockCount();
-  list.reference = bodies.position;
   list.halfReach.resize(radius.size());
   for (std::size_t slot = 0; slot < radius.size(); ++slot)
     list.halfReach[slot] = rounding * 0.5 * radius[slot] * list.reach;
-  const SearchInput input{*list.kernels, bodies, list.halfReach,
+  const SearchInput input{*list.kernels, bodies, list.reference, list.halfReach,
                           *std::max_element(list.halfReach.begin(), list.halfReach.end()), list.skin};
   list.perBlock.resize(blocks);
   std::visit(

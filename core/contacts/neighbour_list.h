@@ -27,7 +27,7 @@ struct NeighbourList {
   double reach = 1;                      // [1] influence reaches so many influence radii
   double bytesPerNeighbour = 16;         // [byte] that an entry may take, see mostNumbers
   double skin = 0;                       // [length] with 0, it is good for the positions it was built at
-  Reals reference;                       // positions it was built at, as Bodies::position
+  Reals reference;                       // points it is built from, as Bodies::position
   std::vector<NeighbourSlice> slices;    // by block; vertices without neighbours have none
   std::vector<std::int64_t> firstSlice;  // [block + 1]
   AlignedVector<std::int32_t> indices;   // NeighbourSlice
@@ -43,7 +43,7 @@ struct NeighbourList {
 /// Empty, and how it will be built.
 NeighbourList makeNeighbourList(ContactSearch search, Isa isa);
 
-/// Builds the list from the positions now. `radius` [slot]: influence radii. Throws ListsTooLong.
+/// Builds the list from the points in `reference`. `radius` [slot]: influence radii. Throws ListsTooLong.
 void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
                         int threads);
 

@@ -10,11 +10,13 @@ namespace morula {
 
 enum class ContactLaw {
   pair,    // f_ij = −f_ji; converges in the time step
+  energy,  // the gradient of an energy of overlap; momentum and angular momentum are kept
   thesis,  // stiffness ∝ 1/Δt²; kept so that the difference can be shown
 };
 template <>
 inline constexpr auto choices<ContactLaw> = std::to_array<Choice<ContactLaw>>({
     {ContactLaw::pair, "pair", "pair-symmetric penalty"},
+    {ContactLaw::energy, "energy", "gradient of an energy: closed scenes keep theirs, and come to rest"},
     {ContactLaw::thesis, "thesis", "implicit planes with [Nilsson 2008, eq. 4.8]"},
 });
 
@@ -33,14 +35,20 @@ struct AdhesionParameters {
   std::vector<AdhesionPair> pairs;  // the first that fits two cells counts
 };
 
+// What the energy law is made of, in kernels and measures; formulas: energy_law_kernel.h, surface_kernel.h.
+constexpr double retreat = 0.125;                                            // γ
+constexpr double foldedNormal = 2;                                           // ε
+constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // ν²
+constexpr double hardening1 = 6, hardening2 = 100;                           // β₁, β₂
+
 struct ContactParameters {
   ContactLaw law = ContactLaw::pair;
-  double stiffness = 30;    // K [force/length] of one vertex pair; pair law only
-  double damping = 0.02;    // C [force·time/length] against approach; pair law only
-  double friction = 0;      // [1] Coulomb's coefficient; pair law only
+  double stiffness = 30;    // K [force/length] of one vertex pair; not the thesis' law
+  double damping = 0.02;    // C [force·time/length] against approach; not the thesis' law
+  double friction = 0;      // [1] Coulomb's coefficient; not the thesis' law
   double slipSpeed = 0.01;  // [length/time] below it friction fades out linearly
   double radius = 1;        // influence radius of a vertex, in mean rest lengths of its cell's edges
-  std::optional<AdhesionParameters> adhesion = {};  // absent: cells that touch do not stick; pair law only
+  std::optional<AdhesionParameters> adhesion = {};  // absent: cells that touch do not stick; not the thesis' law
 };
 
 }  // namespace morula

@@ -36,15 +36,15 @@ void findNeighbours(BlockLists& lists, const SearchInput& input, const PointTabl
   lists.add(row, found);
 }
 
-Box boundingBox(const Bodies& bodies) {
+Box boundingBox(const SearchInput& input) {
   Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
   const auto include = [](double& low, double& high, double a) {
     if (!(std::abs(a) < 1e150)) return;  // what lies farther out belongs to the bins at the border
     low = std::min(low, a);
     high = std::max(high, a);
   };
-  forEachVertex(bodies, [&](int, int block, int v, int lane) {
-    const Point x = bodies.vertex(block * blockLanes + lane, v);
+  forEachVertex(input.bodies, [&](int, int block, int v, int lane) {
+    const Point x = input.vertex(block * blockLanes + lane, v);
     include(box.low.x, box.high.x, x.x);
     include(box.low.y, box.high.y, x.y);
     include(box.low.z, box.high.z, x.z);

@@ -22,7 +22,7 @@ void findNeighbours(BlockLists& lists, const SearchInput& input, const PointTabl
 
 /// The corners of the smallest box around all vertices; numbers that are not finite, or enormous, are left
 /// out. An empty box is {0, 0, 0} twice.
-Box boundingBox(const Bodies& bodies);
+Box boundingBox(const SearchInput& input);
 
 /// Calls body(i, block, vertex, lane) for each vertex of a living cell, in order of vertex numbers.
 template <class Body>
@@ -46,13 +46,13 @@ void sortIntoBins(PointTable& table, std::vector<std::int32_t>& start, std::vect
   binOf.resize(total);
   start.assign(bins + 1, 0);
   forEachVertex(bodies, [&](int i, int block, int v, int lane) {
-    binOf[i] = chooseBin(bodies.vertex(block * blockLanes + lane, v));
+    binOf[i] = chooseBin(input.vertex(block * blockLanes + lane, v));
     ++start[binOf[i] + 1];
   });
   for (std::size_t bin = 1; bin <= bins; ++bin) start[bin] += start[bin - 1];
   forEachVertex(bodies, [&](int i, int block, int v, int lane) {
     const int slot = block * blockLanes + lane;
-    table.set(start[binOf[i]]++, bodies.vertex(slot, v),
+    table.set(start[binOf[i]]++, input.vertex(slot, v),
               (bodies.blocks[block].firstLine + v) * blockLanes + lane, slot, input.halfReach[slot]);
   });
   // Each start has moved to its bin's end: move them back.

@@ -18,10 +18,14 @@ namespace morula {
 
 struct SearchInput {
   const SearchKernels& kernels;
-  const Bodies& bodies;  // a vertex whose position is not finite has no neighbours; this step is the last
+  const Bodies& bodies;
+  // As Bodies::position: where vertices stand, to other cells. One that is not finite has no neighbours; this
+  // step is the last.
+  const Reals& points;
   const AlignedVector<double>& halfReach;  // [slot] [length]; 0 without a cell
   double largestHalfReach, skin;           // [length]
 
+  Point vertex(int slot, int v) const { return bodies.read(points, slot, v); }
   double reach(int a, int b) const { return (halfReach[a] + halfReach[b]) + skin; }
   double largestReach() const { return (largestHalfReach + largestHalfReach) + skin; }
 };

@@ -28,4 +28,14 @@ SnapshotRow readRow(const RowMemory& memory, Precision precision) {
   return {r.x, r.y, r.z, r.vx, r.vy, r.vz, r.nx, r.ny, r.nz, r.inverseRadiusSquared};
 }
 
+SurfaceRow readSurfaceRow(const RowMemory& memory, Precision precision) {
+  if (precision == Precision::binary64) {
+    SurfaceRow row;
+    std::memcpy(&row, &memory, sizeof row);
+    return row;
+  }
+  const SnapshotRow r = readRow(memory, precision);  // the normal stands in the velocity's place
+  return {r.x,  r.y,  r.z, r.vx, r.vy, r.vz, r.nx, r.ny, r.nz, r.inverseRadiusSquared};
+}
+
 }  // namespace morula

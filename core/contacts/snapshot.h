@@ -1,6 +1,7 @@
 #pragma once
 // What the contact laws read of a vertex: one cache line, copied of all vertices at one moment, so that forces
 // are computed from data that no thread changes, in any order and on any number of threads.
+#include <cstddef>
 #include <cstdint>
 
 #include "base/precision.h"
@@ -25,6 +26,17 @@ struct SingleSnapshotRow {
 };
 static_assert(sizeof(SingleSnapshotRow) == 64);
 
+/// What the energy law reads of a vertex (surface_kernel.h): the place where its surface stands instead of the
+/// vertex's own, and the normal in full, for the couples of forces on either side to match.
+struct SurfaceRow {
+  double x, y, z;              // [length]
+  double nx, ny, nz;           // [1] outward, about 1 long
+  float vx, vy, vz;            // [length/time] damping and friction alone read it
+  float inverseRadiusSquared;  // [1/length²]
+};
+static_assert(sizeof(SurfaceRow) == 64 &&
+              offsetof(SurfaceRow, inverseRadiusSquared) == offsetof(SnapshotRow, inverseRadiusSquared));
+
 /// Memory for one or the other.
 struct alignas(64) RowMemory {
   unsigned char bytes[64];
@@ -33,6 +45,7 @@ struct alignas(64) RowMemory {
 
 RowMemory asMemory(const SnapshotRow& row, Precision precision);
 SnapshotRow readRow(const RowMemory& memory, Precision precision);
+SurfaceRow readSurfaceRow(const RowMemory& memory, Precision precision);
 
 // Vertex number g = (the block's first line + vertex) · blockLanes + lane: a vertex of all cells of a block
 // side by side. Behind the last one stands a row far away that fills up lists: nothing is within its reach.

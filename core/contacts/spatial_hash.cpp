@@ -49,7 +49,7 @@ int bucketsAround(const SpatialHash& h, const Bin& b, std::int32_t* buckets) {
 }  // namespace
 
 void prepare(SpatialHash& h, const SearchInput& input) {
-  const Box box = boundingBox(input.bodies);
+  const Box box = boundingBox(input);
   const Vector extent = box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
   h.low = box.low;
@@ -68,7 +68,7 @@ void searchBlock(const SpatialHash& h, const SearchInput& input, int block, Bloc
   for (int lane = 0; lane < bodies.liveLanes(block); ++lane)
     for (int v = 0; v < bodies.verticesPerLane(block); ++v) {
       const int slot = block * blockLanes + lane;
-      const Point x = bodies.vertex(slot, v);
+      const Point x = input.vertex(slot, v);
       std::int32_t buckets[27];
       const int around = bucketsAround(h, binOf(h, x), buckets);
       NearQuery::Row rows[27];

@@ -29,12 +29,20 @@ struct TemplateView {
   int vertexCount, edgeCount;
   const std::int32_t* edges;      // [edge][2], first < second
   const double* restLengths;      // [edge] [length] of the template, at scale 1
+  const double* springWeights;    // [edge] [1] of k_s and k_d; null: all 1
   const std::int32_t* ringStart;  // [vertex + 1] into ring
   const RingStep* ring;
+  const double* ringShare;  // [as ring] 1 over the number of that vertex' own neighbours; 0 of a repeated one
   // Shape matching only, at scale 1
   const double* restShape;    // [vertex][3] [length] from the mean of the vertices
   const double* restInverse;  // (Σ q qᵀ)⁻¹: xx xy xz yy yz zz [1/length²]
   double restVolume;          // [length³]
+
+  /// Of a vertex: the first so many of its ring.
+  int neighbours(int vertex) const {
+    const int last = ringStart[vertex + 1];
+    return last - ringStart[vertex] - (ring[last - 1].edgeOffset == edgeCount * blockLanes);
+  }
 };
 
 /// Where a block's numbers lie. Lengths: [v] stands for [vertexCount][3][blockLanes], [l] for [blockLanes].
@@ -49,6 +57,8 @@ struct BlockView {
   const double* vertexMass;        // [l]
   const double* restScale;         // [l] rest length over the template's
   const double* pressureConstant;  // [l] k_p
+  // Between drift and kick, where the shell holds surfaces, else null: the points that it holds [v]
+  RealPointer held;
   // Output of each cell
   double* volume;    // [l]
   double* pressure;  // [l]
@@ -62,7 +72,8 @@ struct BlockView {
 
 struct ShellPlane;  // mesh/convex_shell.h
 
-enum class ShellShape { none, sphere, ellipsoid, aroundSpheres, planes, planesAroundSpheres };
+/// `surface`: a sphere or ellipsoid that holds surfaces, not vertices.
+enum class ShellShape { none, sphere, ellipsoid, surface, aroundSpheres, planes, planesAroundSpheres };
 
 /// The constants of a scene, as the kernels need them.
 struct KernelParameters {

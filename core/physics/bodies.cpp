@@ -6,6 +6,7 @@
 #include "base/maths.h"
 #include "mesh/nesting.h"
 #include "physics/integrator.h"
+#include "physics/stages.h"
 
 namespace morula {
 
@@ -38,6 +39,7 @@ void arrange(Bodies& b, const std::vector<Body>& cells) {
     }
   }
   for (auto* a : {&b.position, &b.velocity, &b.acceleration}) a->assign(std::size_t(lines) * vertexStride, 0);
+  if (shellShapeOf(b.parameters) == ShellShape::surface) b.held.assign(b.position.size(), 0);
   if (kindOf(b.parameters.integrator).evaluations > 1)
     b.substeps.assign(std::size_t(lines) * vertexStride * 4, 0);
 }
@@ -70,11 +72,14 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
                   const std::vector<Mesh>& coarser) {
   Bodies b;
   b.parameters = parameters;
-  b.mesh = b.areSpheres() ? makeCentre(2 * parameters.cell.radius) : makeTemplate(egg);
+  b.mesh = b.areSpheres() ? makeCentre(2 * parameters.cell.radius)
+                          : makeTemplate(egg, parameters.membrane.springs);
   if (b.areSpheres()) b.surface = egg;
   for (const Mesh& mesh : coarser) {
     const Mesh& finer = b.meshAt(static_cast<int>(b.coarser.size())).mesh;
-    CoarserMesh next{makeTemplate(scaleToVolume(mesh, measureVolume(finer.vertices, finer.faces))), {}};
+    CoarserMesh next{makeTemplate(scaleToVolume(mesh, measureVolume(finer.vertices, finer.faces)),
+                                  parameters.membrane.springs),
+                     {}};
     next.nested = findNested(next.mesh.mesh.vertices, finer.vertices);
     b.coarser.push_back(std::move(next));
   }
@@ -96,7 +101,8 @@ Bodies makeBodies(const PhysicsParameters& parameters, const Mesh& egg, int thre
     b.mesh.rest = makeRestShape(b.mesh.mesh);
     for (CoarserMesh& mesh : b.coarser) mesh.mesh.rest = makeRestShape(mesh.mesh.mesh);
   }
-  for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps}) *a = Reals(parameters.precision);
+  for (auto* a : {&b.position, &b.velocity, &b.acceleration, &b.substeps, &b.held})
+    *a = Reals(parameters.precision);
   b.scratch.assign(threads,
                    {Reals(parameters.precision), Reals(parameters.precision), Reals(parameters.precision)});
   for (auto& s : b.scratch) {
@@ -127,6 +133,7 @@ BlockView Bodies::block(int index, int thread) {
           .vertexMass = &vertexMass[l],
           .restScale = &restScale[l],
           .pressureConstant = &pressureConstant[l],
+          .held = held.size() > 0 ? held.from(v) : RealPointer{nullptr},
           .volume = &volume[l],
           .pressure = &pressure[l],
           .predicted = s.predicted.from(0),

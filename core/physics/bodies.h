@@ -62,6 +62,9 @@ struct Bodies {
   // Between the evaluations of a Runge–Kutta step (BlockView::substeps); empty with the other integrators
   Reals substeps;
 
+  // Of the last drift: the points that a shell holds (shell_surface_kernel.h); empty where these are the vertices
+  Reals held;
+
   // Output of the last force evaluation, [slot]
   AlignedVector<double> volume;    // [length³]
   AlignedVector<double> pressure;  // [force/length²] inner minus outer

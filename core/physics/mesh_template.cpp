@@ -1,5 +1,10 @@
 #include "physics/mesh_template.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
 #include "mesh/connectivity.h"
 #include "mesh/measures.h"
 
@@ -10,14 +15,16 @@ TemplateView MeshTemplate::view() const {
           .edgeCount = edgeCount(),
           .edges = edges.data(),
           .restLengths = restLengths.data(),
+          .springWeights = springWeights.empty() ? nullptr : springWeights.data(),
           .ringStart = ringStart.data(),
           .ring = ring.data(),
+          .ringShare = ringShare.data(),
           .restShape = rest.vertices.data(),
           .restInverse = rest.inverse.data(),
           .restVolume = rest.volume};
 }
 
-MeshTemplate makeTemplate(const Mesh& mesh) {
+MeshTemplate makeTemplate(const Mesh& mesh, Springs springs) {
   const Connectivity c = makeConnectivity(mesh);
   MeshTemplate t;
   t.mesh = mesh;
@@ -31,13 +38,38 @@ MeshTemplate makeTemplate(const Mesh& mesh) {
   t.restLengths.push_back(0);  // of the slack edge that evens out odd rings
   for (int v = 0; v < c.vertexCount; ++v) {
     t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
-    for (int k = c.ringStart[v]; k < c.ringStart[v + 1]; ++k)
-      t.ring.push_back({c.ringVertex[k] * vertexStride, c.ringEdge[k] * blockLanes});
-    if ((c.ringStart[v + 1] - c.ringStart[v]) % 2 == 1)
+    for (int k = c.ringStart[v]; k < c.ringStart[v + 1]; ++k) {
+      const int neighbour = c.ringVertex[k];
+      t.ring.push_back({neighbour * vertexStride, c.ringEdge[k] * blockLanes});
+      t.ringShare.push_back(1.0 / (c.ringStart[neighbour + 1] - c.ringStart[neighbour]));
+    }
+    if ((c.ringStart[v + 1] - c.ringStart[v]) % 2 == 1) {
       t.ring.push_back({t.ring.back().vertexOffset, c.edgeCount * blockLanes});
+      t.ringShare.push_back(0);
+    }
   }
   t.ringStart.push_back(static_cast<std::int32_t>(t.ring.size()));
+  if (springs == Springs::equal) return t;
+  t.springWeights = makeSpringWeights(mesh, t.edges);
+  std::vector<double> sums(mesh.vertices.size());
+  for (std::size_t end = 0; end < t.edges.size(); ++end) sums[t.edges[end]] += t.springWeights[end / 2];
+  t.ringWeight = *std::ranges::max_element(sums);
   return t;
+}
+
+std::vector<double> makeSpringWeights(const Mesh& mesh, const std::vector<std::int32_t>& edges) {
+  std::map<std::pair<std::int32_t, std::int32_t>, double> weights;
+  for (const Face& face : mesh.faces)
+    for (int k = 0; k < 3; ++k) {
+      const int a = face[k], b = face[(k + 1) % 3];
+      const Point& opposite = mesh.vertices[face[(k + 2) % 3]];
+      const Vector u = mesh.vertices[a] - opposite, v = mesh.vertices[b] - opposite;
+      weights[{std::min(a, b), std::max(a, b)}] += 0.5 * std::sqrt(3.0) * dot(u, v) / norm(cross(u, v));
+    }
+  std::vector<double> ofEdges;
+  for (std::size_t e = 0; e < edges.size(); e += 2)
+    ofEdges.push_back(std::max(weights.at({edges[e], edges[e + 1]}), 0.05));
+  return ofEdges;
 }
 
 RestShape makeRestShape(const Mesh& mesh) {

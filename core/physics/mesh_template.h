@@ -6,6 +6,7 @@
 
 #include "mesh/mesh.h"
 #include "physics/block.h"
+#include "physics/parameters.h"
 
 namespace morula {
 
@@ -21,8 +22,11 @@ struct MeshTemplate {
   std::vector<std::int32_t> edges;  // [edge][2], first < second
   // [edge] [length] of the mesh as loaded [Nilsson 2008, §4.2.1]; one 0 behind the last
   std::vector<double> restLengths;
+  std::vector<double> springWeights;    // [edge] [1] of k_s and k_d (Springs); empty: all 1
+  double ringWeight = 6;                // [1] the most that the weights of a vertex' springs sum up to
   std::vector<std::int32_t> ringStart;  // [vertex + 1] into ring
   std::vector<RingStep> ring;           // TemplateView
+  std::vector<double> ringShare;        // TemplateView
   double meanRestLength = 0;            // [length]
   RestShape rest;                       // empty where no body is made by shape matching
 
@@ -32,7 +36,14 @@ struct MeshTemplate {
 };
 
 /// Expects a closed manifold (checkClosedManifold).
-MeshTemplate makeTemplate(const Mesh& mesh);
+MeshTemplate makeTemplate(const Mesh& mesh, Springs springs = Springs::equal);
+
+/// [edge] [1] √3 (cot α + cot β)/2, with the angles opposite of the edge: √3 times the length of its dual, between the
+/// centres of both circumcircles, over its own. 1 where all triangles are equilateral. Then Σ w d dᵀ over the edges of
+/// a mesh is √3 times its area in each direction of the surface, so springs that are stretched alike, l = λ L0, pull
+/// with the tension √3 k_s (1 − 1/λ) everywhere [Pinkall & Polthier 1993]. Not less than 0.05: obtuse angles would give
+/// springs that push.
+std::vector<double> makeSpringWeights(const Mesh& mesh, const std::vector<std::int32_t>& edges);
 
 /// The mesh encloses a volume.
 RestShape makeRestShape(const Mesh& mesh);

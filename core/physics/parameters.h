@@ -41,12 +41,24 @@ struct CellParameters {
   CellModel model = CellModel::shell;
 };
 
+/// How strong each of a mesh's springs is (makeSpringWeights).
+enum class Springs { equal, dual };
+template <>
+inline constexpr auto choices<Springs> = std::to_array<Choice<Springs>>({
+    {Springs::equal, "equal",
+     "all alike [Nilsson 2008, eq. 4.2]: tauter where triangles are small or narrow"},
+    {Springs::dual, "dual",
+     "by dual over own length: the same tension everywhere and in all directions, and errors of second order "
+     "in the mesh's edges"},
+});
+
 /// Every mesh edge is a damped spring [Nilsson 2008, eq. 4.2].
 struct MembraneParameters {
   double stiffness = 10;  // k_s [force/length]; higher: rounder cells, shorter steps
   double damping = 0.02;  // k_d [force·time/length] along the edge
   // Membrane area of both daughters together over their mother's; 2^(1/3) keeps a sphere's tension.
   double areaFactor = 1.26;
+  Springs springs = Springs::equal;  // what k_s and k_d of an edge are multiplied with
 };
 
 /// P = k_p/V − P_0 [Nilsson 2008, eq. 4.3].
@@ -73,9 +85,23 @@ struct GrowthParameters {
       {};  // [1] volume at rest over the egg's at which growth stops; absent: it goes on
 };
 
+/// What of a cell with a mesh cannot leave a sphere or an ellipsoid.
+enum class Held { vertices, surface };
+template <>
+inline constexpr auto choices<Held> = std::to_array<Choice<Held>>({
+    {Held::vertices, "vertices",
+     "the mesh's vertices: its faces lie deeper, so cells have less room than the shell encloses, and too "
+     "high a pressure where they fill it"},
+    {Held::surface, "surface",
+     "the surface that holds the mesh's volume, below its vertices: room and pressure are right to third "
+     "order in "
+     "the mesh's edges"},
+});
+
 struct ShellParameters {
   double semiAxes[3] = {1, 1, 1};                // [length]; all equal: a sphere
   std::shared_ptr<const ConvexShell> mesh = {};  // instead of the ellipsoid, if not null
+  Held holds = Held::vertices;                   // without effect in a mesh, and on balls
 };
 
 /// Cells that crawl: an active force that would move a cell alone through the medium with one speed, and

@@ -7,20 +7,21 @@
 namespace morula {
 
 /// What a kick must know of the shell.
-enum class KickShell { none, anyShape, aroundSpheres, planes, planesAroundSpheres };
+enum class KickShell { none, anyShape, surface, aroundSpheres, planes, planesAroundSpheres };
 
 struct PhysicsKernels {
   using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
   using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&,
                               double timeStep);
-  TimedStage driftVelocityVerlet[6], driftThesisVerlet[6];    // [ShellShape]
-  TimedStage driftExplicitEuler[6], driftSymplecticEuler[6];  // [ShellShape]
-  TimedStage driftRungeKutta[6][4];                           // [ShellShape][evaluation]
-  TimedStage driftXpbd[2][5];                                 // [damped][ShellShape], null around spheres
-  // [dragged][ShellShape], null around spheres and in planes; velocity Verlet only
-  TimedStage endAndDrift[2][5];
-  TimedStage endEvaluation[5], kickVelocityVerlet[5], kickSymplecticEuler[5];  // [KickShell]
+  TimedStage driftVelocityVerlet[7], driftThesisVerlet[7];    // [ShellShape]
+  TimedStage driftExplicitEuler[7], driftSymplecticEuler[7];  // [ShellShape]
+  TimedStage driftRungeKutta[7][4];                           // [ShellShape][evaluation]
+  TimedStage driftXpbd[2][6];                                 // [damped][ShellShape], null around spheres
+  // [dragged][ShellShape], null for surfaces, around spheres and in planes; velocity Verlet only
+  TimedStage endAndDrift[2][6];
+  TimedStage endEvaluation[6], kickVelocityVerlet[6], kickSymplecticEuler[6];  // [KickShell]
   Stage findTensions, findDampedTensions;
+  Stage findWeightedTensions[2];                 // [damped]
   Stage accumulateRings, accumulateAreaVectors;  // with spring forces, and without
   Stage addPressureForces, addPressureAndDragForces, findPressure;
   Stage findShapeForces[2][2];  // [damped or dragged][volumes too]

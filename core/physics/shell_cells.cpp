@@ -20,11 +20,14 @@ void chooseShellForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsP
     s.finishForces = k.findPressure;
     return;
   }
-  s.findTensions = p.membrane.damping > 0 ? k.findDampedTensions : k.findTensions;
+  const bool damped = p.membrane.damping > 0;
+  s.findTensions = p.membrane.springs != Springs::equal ? k.findWeightedTensions[damped]
+                   : damped                             ? k.findDampedTensions
+                                                        : k.findTensions;
   s.accumulateRings = k.accumulateRings;
   s.finishForces = p.drag > 0 ? k.addPressureAndDragForces : k.addPressureForces;
-  if (p.integrator == Integrator::velocityVerlet)
-    s.endAndDrift = k.endAndDrift[p.drag > 0][static_cast<int>(shellShapeOf(p))];  // null in planes
+  if (p.integrator == Integrator::velocityVerlet)  // null in planes, and where the shell holds surfaces
+    s.endAndDrift = k.endAndDrift[p.drag > 0][static_cast<int>(shellShapeOf(p))];
 }
 
 /// Of an integrator that drag alone keeps stable [stability.h]. `radius` [length] and `omega` [1/time]: of
@@ -32,7 +35,7 @@ void chooseShellForces(PhysicsStages& s, const PhysicsKernels& k, const PhysicsP
 StabilityLimits limitsByDrag(const Bodies& b, int slot, double radius, double omega) {
   const auto& membrane = b.parameters.membrane;
   const auto oscillator = kindOf(b.parameters.integrator).oscillatorLimit;
-  const double drag = b.parameters.drag, m = b.vertexMass[slot] / 6;
+  const double drag = b.parameters.drag, m = b.vertexMass[slot] / b.meshOf(slot).ringWeight;
   if (!(drag > 0)) return {0, 0};
   const Mesh& mesh = b.meshOf(slot).mesh;
   const double fourPi = 4 * std::numbers::pi;
@@ -51,7 +54,8 @@ StabilityLimits shellLimits(const Bodies& b, int slot) {
   const double radius = cubeRoot(3 * volume / fourPi), area = fourPi * radius * radius;
   const double omega = std::sqrt(b.pressureConstant[slot] / b.mass(slot)) / volume * area;
   if (integrator.needsDrag) return limitsByDrag(b, slot, radius, omega);
-  return {integrator.oscillatorLimit(membrane.stiffness, membrane.damping, b.vertexMass[slot] / 6),
+  return {integrator.oscillatorLimit(membrane.stiffness, membrane.damping,
+                                     b.vertexMass[slot] / b.meshOf(slot).ringWeight),
           integrator.undampedLimit / omega};
 }
 

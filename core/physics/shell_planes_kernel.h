@@ -10,7 +10,6 @@
 // which is exact.
 #include "mesh/convex_shell.h"
 #include "physics/shell_kernel.h"
-#include "physics/xpbd_kernel.h"
 
 namespace morula::MORULA_ISA {
 
@@ -96,19 +95,6 @@ inline void driftInPlanes(const TemplateView& mesh, const BlockView& b, const Ke
                           double dt) {
   drift(mesh, b, p, dt);
   keepAllInPlanes<balls>(mesh, b, p);
-}
-
-/// driftXpbd, with the planes after each sub-step.
-template <bool damped>
-inline void driftXpbdInPlanes(const TemplateView& mesh, const BlockView& b, const KernelParameters& p,
-                              double dt) {
-  KernelParameters one = p;
-  one.substeps = 1;
-  const int substeps = dt > 0 ? p.substeps : 1;
-  for (int i = 0; i < substeps; ++i) {
-    driftXpbd<damped, ShellShape::none>(mesh, b, one, dt / substeps);
-    keepAllInPlanes<false>(mesh, b, p);
-  }
 }
 
 /// A kick without a shell, and then the planes bear what presses against them.

@@ -3,8 +3,8 @@
 //
 // On the first end of edge e, with d = x_second − x_first, l = |d|, and w the velocities:
 //   f = (k_s (l − L0) + k_d (w_second − w_first)·d/l) d/l = c_e d,   and −c_e d on the second end.
-// One number c_e per edge; the ring pass (ring_kernel.h) adds c_e d at either end, with d from that end to the
-// other.
+// With weights w_e (TemplateView::springWeights) c_e is w_e times that. One number c_e per edge; the ring pass
+// (ring_kernel.h) adds c_e d at either end, with d from that end to the other.
 #include "base/lane_prefetch.h"
 #include "physics/lane_vec3.h"
 
@@ -20,7 +20,7 @@ MORULA_INLINE void prefetchNextBlock(const TemplateView& mesh, const BlockView& 
   prefetch<line>(b.acceleration.place, from);
 }
 
-template <bool damped>
+template <bool damped, bool weighted>
 inline void findTensions(const TemplateView& mesh, const BlockView& b, const KernelParameters& p) {
   const Lanes stiffness = p.stiffness, damping = p.damping;
   Real* coefficient = b.coefficient;
@@ -37,6 +37,7 @@ inline void findTensions(const TemplateView& mesh, const BlockView& b, const Ker
         const Vec dw = loadVec(b.predicted, second, lane) - loadVec(b.predicted, first, lane);
         tension += damping * (dot(dw, d) * inverse);
       }
+      if constexpr (weighted) tension = Lanes(mesh.springWeights[e]) * tension;
       store(coefficient + e * blockLanes + lane, tension * inverse);
     }
   }

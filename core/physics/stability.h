@@ -9,7 +9,8 @@ struct StabilityLimits {
   double pressure = 0;  // [time] breathing: the whole membrane against the enclosed fluid
 };
 
-/// Spring mode, 6 k_s/m_p with damping, and pressure mode:
+/// Spring mode, 6 k_s/m_p with damping (with weighted springs the largest sum of a ring's weights for 6), and
+/// pressure mode:
 ///   k_s Δt² + 2s k_d Δt − 4 m_p/6 = 0       s = 2 for velocity Verlet, 1 for the thesis' and symplectic Euler
 ///   Δt = 2/ω,  ω² = (k_p/V²) A²/m           V from the last evaluation, A the area of the sphere that holds it,
 ///                                           m the cell's mass

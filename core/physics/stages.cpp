@@ -10,6 +10,7 @@ ShellShape shellShapeOf(const PhysicsParameters& p) {
   const bool balls = !kindOf(p.cell.model).hasMesh;
   if (p.shell->mesh) return balls ? ShellShape::planesAroundSpheres : ShellShape::planes;
   if (balls) return ShellShape::aroundSpheres;
+  if (p.shell->holds == Held::surface) return ShellShape::surface;
   const double* a = p.shell->semiAxes;
   return a[0] == a[1] && a[1] == a[2] ? ShellShape::sphere : ShellShape::ellipsoid;
 }
@@ -18,6 +19,7 @@ PhysicsStages chooseStages(const PhysicsParameters& p, Isa isa, bool surfaces) {
   const PhysicsKernels& k = physicsKernels(isa, p.precision);
   const ShellShape shape = shellShapeOf(p);
   const KickShell kickShell = shape == ShellShape::none                  ? KickShell::none
+                              : shape == ShellShape::surface             ? KickShell::surface
                               : shape == ShellShape::aroundSpheres       ? KickShell::aroundSpheres
                               : shape == ShellShape::planes              ? KickShell::planes
                               : shape == ShellShape::planesAroundSpheres ? KickShell::planesAroundSpheres

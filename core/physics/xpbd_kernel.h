@@ -8,7 +8,7 @@
 //                                                 them better than one impulse for all.
 //   2. edges, in the mesh's order: along an edge of length l = |d| an impulse h f changes stretch and rate by
 //      −2h² f/m and −2h f/m, so f = k_s (l − L0) + k_d l' after it is
-//        f/m = (k_s (l − L0) + k_d l') / (m + 2h (h k_s + k_d)) before it.
+//        f/m = (k_s (l − L0) + k_d l') / (m + 2h (h k_s + k_d)) before it; k_s and k_d with the edge's weight.
 //   3. fluid: with ∇V = G/6 at x and c = h² Σ|∇V|²/m, a pressure p moves the volume to V' = V + c p. The
 //      fluid's own pressure there, p = k_p/V' − P_0, is the larger root of
 //        c p² + (V + c P_0) p + P_0 V − k_p = 0, and makes V' > 0 whatever V.
@@ -51,15 +51,20 @@ inline void predictMotion(const TemplateView& mesh, const BlockView& b, double k
 }
 
 /// 2.
-template <bool damped>
+template <bool damped, bool weighted>
 inline void solveEdges(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double h) {
   const Lanes stiffness = p.stiffness, damping = p.damping, step = h;
   Lanes perTension[blockLanes / width];  // velocity over k_s (l − L0) + k_d l'
-  for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
-    perTension[group] = step / (load(b.vertexMass + lane) + Lanes(2 * h * (h * p.stiffness + p.damping)));
+  const auto findPerTension = [&](double weight) MORULA_INLINE_LAMBDA {
+    const Lanes yielding = 2 * h * (h * p.stiffness + p.damping) * weight;
+    for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group)
+      perTension[group] = Lanes(h * weight) / (load(b.vertexMass + lane) + yielding);
+  };
+  findPerTension(1);
   for (int e = 0; e < mesh.edgeCount; ++e) {
     const int first = mesh.edges[2 * e], second = mesh.edges[2 * e + 1];
     const Lanes templateLength = mesh.restLengths[e];
+    if constexpr (weighted) findPerTension(mesh.springWeights[e]);
     for (int lane = 0, group = 0; lane < b.liveLanes; lane += width, ++group) {
       const Vec x = loadVec(b.position, first, lane), y = loadVec(b.position, second, lane), d = y - x;
       const Vec v = loadVec(b.velocity, first, lane), w = loadVec(b.velocity, second, lane);
@@ -174,12 +179,25 @@ inline void driftXpbd(const TemplateView& mesh, const BlockView& b, const Kernel
   for (int i = 0; i < p.substeps && dt > 0; ++i) {
     Spin spin;
     predictMotion(mesh, b, kept, h, spin);
-    solveEdges<damped>(mesh, b, p, h);
+    if (mesh.springWeights) solveEdges<damped, true>(mesh, b, p, h);
+    else solveEdges<damped, false>(mesh, b, p, h);
     solveFluid(mesh, b, p, h);
     keepAngularMomentum(mesh, b, h, spin);
     if (i + 1 < p.substeps) endSubstep<shell>(mesh, b, p);
   }
   endSubstep<shell>(mesh, b, p);
+}
+
+/// driftXpbd, with another shell after each sub-step.
+template <bool damped, auto keep>
+inline void driftXpbdIn(const TemplateView& mesh, const BlockView& b, const KernelParameters& p, double dt) {
+  KernelParameters one = p;
+  one.substeps = 1;
+  const int substeps = dt > 0 ? p.substeps : 1;
+  for (int i = 0; i < substeps; ++i) {
+    driftXpbd<damped, ShellShape::none>(mesh, b, one, dt / substeps);
+    keep(mesh, b, p);
+  }
 }
 
 }  // namespace morula::MORULA_ISA

@@ -7,34 +7,13 @@
 #include "base/maths.h"
 #include "mesh/measures.h"
 #include "mesh/overlap.h"
+#include "physics/shell_surface.h"
 
 namespace morula {
 
 namespace {
 
 constexpr double ballArea = 4 * std::numbers::pi;  // over the square of the radius
-
-/// Every edge once: in one of its two faces it runs upwards.
-double membraneEnergy(const Bodies& b, int slot) {
-  const Mesh& rest = b.meshOf(slot).mesh;
-  double sum = 0;
-  for (const Face& face : rest.faces)
-    for (int k = 0; k < 3; ++k) {
-      const int i = face[k], j = face[(k + 1) % 3];
-      if (i > j) continue;
-      const double length = norm(b.vertex(slot, i) - b.vertex(slot, j));
-      const double off = length - b.restScale[slot] * norm(rest.vertices[i] - rest.vertices[j]);
-      sum += off * off;
-    }
-  return 0.5 * b.parameters.membrane.stiffness * sum;
-}
-
-double fluidEnergy(const Bodies& b, int slot) {
-  const double k = b.pressureConstant[slot], outside = b.parameters.pressure.outside;
-  if (k == 0) return outside * b.volume[slot];
-  const double r = outside * b.volume[slot] / k;
-  return k * (r - 1 - naturalLog(r));
-}
 
 }  // namespace
 
@@ -78,13 +57,6 @@ double measureKineticEnergy(const Bodies& b, int slot) {
   return 0.5 * b.vertexMass[slot] * sum;
 }
 
-double measureEnergy(const Bodies& b) {
-  double sum = 0;
-  for (int slot : b.slots)
-    sum += measureKineticEnergy(b, slot) + membraneEnergy(b, slot) + fluidEnergy(b, slot);
-  return sum;
-}
-
 Vector measureMomentum(const Bodies& b) {
   Vector sum;
   for (int slot : b.slots)
@@ -112,7 +84,8 @@ double measureOutermost(const Bodies& b, int slot) {
   const double radius = b.parameters.cell.radius * b.restScale[slot];
   if (b.areSpheres() && a[0] == a[1] && a[1] == a[2]) return (norm(b.vertex(slot, 0)) + radius) / a[0];
   double outermost = 0;
-  for (Point p : takeSurface(b, slot).vertices) {
+  const Mesh surface = takeSurface(b, slot);
+  for (Point p : b.areSpheres() ? surface.vertices : measureHeldPoints(surface, *b.parameters.shell)) {
     if (b.areSpheres()) {  // in the same direction, on the ball
       const Point centre = b.vertex(slot, 0);
       const Vector way = p - centre;
@@ -128,8 +101,10 @@ double measureExtent(const Bodies& b) {
   double extent = 0;
   for (int slot : b.slots) {
     const double around = b.areSpheres() ? b.parameters.cell.radius * b.restScale[slot] : 0;
+    std::vector<Point> held;
+    if (b.held.size() > 0) held = measureHeldPoints(takeSurface(b, slot), *b.parameters.shell);
     for (int v = 0; v < b.vertexCount(slot); ++v) {
-      const double here = norm(b.vertex(slot, v)) + around;
+      const double here = norm(held.empty() ? b.vertex(slot, v) : held[v]) + around;
       if (std::isnan(here)) return here;  // std::max would pass over it
       extent = std::max(extent, here);
     }
@@ -151,23 +126,24 @@ double measureInvertedShare(const BodyShape& shape) {
 }
 
 double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
-  constexpr double within =
-      1e-6;  // the shell puts vertices onto itself to rounding, that of single precision too
+  constexpr double within = 1e-6;  // the shell puts points onto itself to rounding, of single precision too
   if (shape.isBall) return 0;
   const double* a = shell.semiAxes;
-  const auto isOnShell = [&](const Point& p) {
-    if (shell.mesh) return measureReach(shell.mesh->planes, p) > 1 - within;
-    const Vector q{p.x / a[0], p.y / a[1], p.z / a[2]};
+  const std::vector<Point>& vertices = shape.surface.vertices;
+  const std::vector<Face>& faces = shape.surface.faces;
+  const std::vector<Point> held = measureHeldPoints(shape.surface, shell);
+  const auto isOnShell = [&](int v) {
+    if (shell.mesh) return measureReach(shell.mesh->planes, vertices[v]) > 1 - within;
+    const Vector q{held[v].x / a[0], held[v].y / a[1], held[v].z / a[2]};
     return std::sqrt(dot(q, q)) > 1 - within;
   };
   double all = 0, onShell = 0;
-  for (const Face& face : shape.surface.faces) {
-    const Point& corner = shape.surface.vertices[face[0]];
-    const double twice =
-        norm(cross(shape.surface.vertices[face[1]] - corner, shape.surface.vertices[face[2]] - corner));
+  for (const Face& face : faces) {
+    const Point& corner = vertices[face[0]];
+    const double twice = norm(cross(vertices[face[1]] - corner, vertices[face[2]] - corner));
     all += twice;
-    for (int vertex : face)
-      if (isOnShell(shape.surface.vertices[vertex])) onShell += twice / 3;
+    for (int v : face)
+      if (isOnShell(v)) onShell += twice / 3;
   }
   return all > 0 ? onShell / all : 0;
 }

@@ -15,23 +15,22 @@ double measureRestVolume(const Bodies& bodies, int slot);
 
 /// [force·length] ½ Σ m v² over a cell's vertices.
 double measureKineticEnergy(const Bodies& bodies, int slot);
-/// [force·length] Of all cells: ½mv², ½k_s(l−l₀)² of every edge, and of the fluid k_p (r − 1 − ln r) with
-/// r = P₀V/k_p: nothing where they are at rest. Not what contacts hold, nor connections.
-double measureEnergy(const Bodies& bodies);
 /// [mass·length/time] Of all cells.
 Vector measureMomentum(const Bodies& bodies);
 
 /// [shell radii] How far out a cell reaches: 1 on the shell, which there must be. A sphere's is that of the
-/// ball itself: the mesh that it is drawn with holds its volume, so that its vertices stand farther out.
+/// ball itself: the mesh that it is drawn with holds its volume, so that its vertices stand farther out. So do
+/// those of a mesh in a shell that holds surfaces: what counts there is what it holds (physics/shell_surface.h).
 double measureOutermost(const Bodies& bodies, int slot);
-/// [length] The farthest that a vertex, or a ball's surface, is from the origin. NaN if a place is no number.
+/// [length] The farthest that a vertex, or a ball's surface, or what a shell holds, is from the origin. NaN if a place
+/// is no number.
 double measureExtent(const Bodies& bodies);
 
 /// [1] Share of a surface's area whose outer side is turned to the mean of its vertices.
 double measureInvertedShare(const BodyShape& shape);
 
-/// [1] The share of a surface that lies on the shell, to a millionth of its size: a vertex there stands for a third of
-/// the area of its faces. 0 of a ball, which touches it in a point.
+/// [1] The share of a surface that lies on the shell (where it holds surfaces: physics/shell_surface.h), to a millionth
+/// of its size: a vertex there stands for a third of the area of its faces. 0 of a ball, which touches it in a point.
 double measureShellShare(const BodyShape& shape, const ShellParameters& shell);
 
 /// [length³] What the scene's shell encloses.

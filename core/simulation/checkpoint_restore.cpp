@@ -210,11 +210,10 @@ void restoreContacts(const SavedContacts& s, World& world) {
   sortByAdhesion(world);
   if (b.count > 0) {
     setInfluenceRadii(c, b, s.listIsValid ? s.radius : s.snapshotRadius);
-    const Reals position = b.position, acceleration = b.acceleration;
+    const Reals acceleration = b.acceleration;
     const AlignedVector<double> volume = b.volume;
-    writeVectors(s.reference, b, b.position);
+    writeVectors(s.reference, b, c.list.reference);
     buildNeighbourList(c.list, b, c.radius, world.execution.threads);
-    b.position = position;
     takeSnapshots(world);
     b.acceleration = acceleration;
     b.volume = volume;

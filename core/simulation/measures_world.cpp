@@ -3,6 +3,7 @@
 
 #include "contacts/contacts.h"
 #include "simulation/body_measures.h"
+#include "simulation/energy.h"
 #include "simulation/measures.h"
 #include "simulation/organism_measures.h"
 
@@ -56,10 +57,31 @@ constexpr WorldMeasure ofWorld[] = {
      .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureExtent(bodiesOf(now)); }},
     {.name = "energy", .unit = "force·length",
-     .meaning = "Of motion ½mv², membranes ½k_s(l−l₀)² and contents k_p (r−1−ln r), r = P₀V/k_p: 0 at rest; not what "
-                "contacts and connections hold",
+     .meaning = "The sum of kinetic_energy, membrane_energy, contents_energy, connection_energy, contact_energy and "
+                "adhesion_energy: constant but for the time step's error where nothing takes or gives any",
      .taken = Taken::onDemand,
-     .get = [](Now now) -> Value { return measureEnergy(bodiesOf(now)); }},
+     .get = [](Now now) -> Value { return measureEnergy(now.world).total(); }},
+    {.name = "membrane_energy", .unit = "force·length", .meaning = "½ k_s (l − l₀)² of every edge [Nilsson 2008, eq. 4.2]",
+     .taken = Taken::onDemand, .get = [](Now now) -> Value { return measureEnergy(now.world).membrane; }},
+    {.name = "contents_energy", .unit = "force·length",
+     .meaning = "k_p (r − 1 − ln r) with r = P₀V/k_p, of every cell: 0 at rest [Nilsson 2008, eq. 4.3]",
+     .taken = Taken::onDemand, .get = [](Now now) -> Value { return measureEnergy(now.world).contents; }},
+    {.name = "connection_energy", .unit = "force·length",
+     .meaning = "k_c times the length of every connection [Nilsson 2008, eq. 4.9], or of a spring ½ k (d − rest)²",
+     .taken = Taken::onDemand, .get = [](Now now) -> Value { return measureEnergy(now.world).connections; }},
+    {.name = "contact_energy", .unit = "force·length",
+     .meaning = "What overlaps hold: s ½ K D² u² (1 + 6 κD² + 100 κ²D⁴) of every pair of vertices (core/contacts/energy_law_kernel.h); 0 with the "
+                "other laws, whose forces have no energy",
+     .needs = Needs::contact, .taken = Taken::onDemand,
+     .get = [](Now now) -> Value { return measureEnergy(now.world).contact; }},
+    {.name = "adhesion_energy", .unit = "force·length",
+     .meaning = "Less than nothing: what it would take to part cells that stick, −W per area of flat contact",
+     .needs = Needs::contact, .taken = Taken::onDemand,
+     .get = [](Now now) -> Value { return measureEnergy(now.world).adhesion; }},
+    {.name = "dissipated_power", .unit = "force·length/time",
+     .meaning = "What drag, the membranes' damping, and the damping and friction of contacts take from energy now; not what "
+                "the shell takes from cells that hit it",
+     .taken = Taken::onDemand, .get = [](Now now) -> Value { return measureDissipation(now.world); }},
     {.name = "momentum_x", .unit = "mass·length/time",
      .meaning = "Σ m v over the vertices of all cells, along x",
      .taken = Taken::onDemand,

@@ -77,8 +77,9 @@ void addPart(Hasher& h, const PhysicsParameters& physics) {
   if (autoShare != 1) h.field("share of the automatic time step").add(autoShare);
   const auto& [radius, mass, model] = cell;
   h.field("cell").add(number(model)).add(radius).add(mass);
-  const auto& [stiffness, damping, areaFactor] = membrane;
+  const auto& [stiffness, damping, areaFactor, springs] = membrane;
   h.field("membrane").add(stiffness).add(damping).add(areaFactor);
+  if (springs != Springs::equal) h.field("springs").add(number(springs));
   if (kindOf(model).hasRestShape) {
     const auto& [pull, linear, resistance] = shapeMatching;
     h.field("shape matching").add(pull).add(linear).add(resistance);
@@ -90,9 +91,10 @@ void addPart(Hasher& h, const PhysicsParameters& physics) {
   if (until) h.field("until").add(*until);
   h.field("shell").add(shell.has_value());
   if (shell) {
-    const auto& [semiAxes, mesh] = *shell;
+    const auto& [semiAxes, mesh, holds] = *shell;
     h.add(std::span<const double>(semiAxes));
     if (mesh) addMesh(h.field("shell mesh"), mesh->mesh);
+    if (holds != Held::vertices) h.field("shell holds").add(number(holds));
   }
   if (motility) {
     const auto& [speed, persistence] = *motility;

@@ -61,20 +61,30 @@ double connectionLimit(const World& world, double stiffness, int slot) {
   return kind.oscillatorLimit(stiffness, kind.needsDrag ? p.drag * m : 0, m);
 }
 
+// [1] With the energy law membranes that stick fold, and where one-rings fold normals turn fast. Three cells of 42
+// vertices that collide without any damping, stick with W = 1 and crumple change their energy by 0.75 % at twice the step
+// that this gives, and by 0.15 % at it.
+constexpr double foldedAdhesion = 320;
+
+/// [force/length] Of one pair of vertices. With the pair law it either pushes or draws, and the steeper slope counts.
+double contactStiffness(const Contacts& c, const Bodies& b) {
+  const double adhesion = adhesionStiffness(c, b);
+  return c.parameters.law == ContactLaw::energy && !b.areSpheres()
+             ? c.parameters.stiffness + foldedAdhesion * adhesion
+             : std::max(c.parameters.stiffness, adhesion);
+}
+
 /// The limits of the cell with the smallest combined one.
 Limit tightestLimit(const World& world, double& combined) {
   Limit tightest{INFINITY, INFINITY, INFINITY, INFINITY, 0};
   combined = INFINITY;
   const double held = connectionStiffness(world);
-  // A vertex is either pushed or drawn by another: of the two slopes the steeper one counts.
-  const double contact = world.contacts ? std::max(world.contacts->parameters.stiffness,
-                                                   adhesionStiffness(*world.contacts, *world.bodies))
-                                        : 0;
+  const double contact = world.contacts ? contactStiffness(*world.contacts, *world.bodies) : 0;
   for (int cell = 0; cell < world.bodies->count; ++cell) {
     const int slot = world.bodies->slots[cell];
     const StabilityLimits own = measureLimits(*world.bodies, slot);
     Limit l{own.spring, own.pressure, INFINITY, connectionLimit(world, held, slot), cell};
-    if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
+    if (world.contacts && world.contacts->parameters.law != ContactLaw::thesis)
       l.contact =
           contactLimit(world.bodies->parameters.integrator, contact, world.contacts->parameters.damping,
                        world.bodies->vertexMass[slot], world.bodies->parameters.drag);

@@ -80,6 +80,7 @@ void printSearch(const World& world, ContactSearch method, double skinShare, Isa
   NeighbourList list = makeNeighbourList(method, isa);
   list.skin = skinShare * *std::min_element(world.contacts->radius.begin(),
                                             world.contacts->radius.begin() + bodies.count);
+  list.reference = bodies.position;
   const auto search = [&] { buildNeighbourList(list, bodies, world.contacts->radius, 1); };
   const bool slow = method == ContactSearch::bruteForce;
   if (!slow) search();

@@ -9,7 +9,7 @@ set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 program=$1
 functions='takeSnapshot addPairForces buildNeighbourList refreshList addConnectionForces driftVelocityVerlet<(morula::ShellShape)1>
-  findTensions<true> addPressureForces<true> measureContactAreas morula::grow(
+  findTensions<true addPressureForces<true> measureContactAreas morula::grow(
   findPairStrengths addMotility'
 
 skip() {

@@ -64,8 +64,8 @@ inline auto fields(ShapeMatchingParameters& a) {
   return std::tie(stiffness, linear, damping);
 }
 inline auto fields(MembraneParameters& a) {
-  auto& [stiffness, damping, production] = a;
-  return std::tie(stiffness, damping, production);
+  auto& [stiffness, damping, production, springs] = a;
+  return std::tie(stiffness, damping, production, springs);
 }
 inline auto fields(PressureParameters& a) {
   auto& [constant, outside] = a;
@@ -88,8 +88,8 @@ inline auto fields(ConvexShell& a) {
   return std::tie(mesh, planes);
 }
 inline auto fields(ShellParameters& a) {
-  auto& [semiAxes, mesh] = a;
-  return std::tie(semiAxes[0], semiAxes[1], semiAxes[2], mesh);
+  auto& [semiAxes, mesh, holds] = a;
+  return std::tie(semiAxes[0], semiAxes[1], semiAxes[2], mesh, holds);
 }
 inline auto fields(PhysicsParameters& a) {
   auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,

@@ -42,6 +42,9 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
   if (!kindOf(mechanics.physics.cell.model).hasMembrane)
     found.push_back({true, "Bullet's cells are membranes around contents",
                      "use physics.cell.model: shell, or remove this"});
+  if (mechanics.physics.membrane.springs != Springs::equal)
+    found.push_back(
+        {true, "Bullet's links are all as stiff", "set physics.membrane.springs to equal, or remove this"});
   if (mechanics.connections)
     found.push_back({true, "Bullet's cells cannot be connected", "remove connections, or this"});
   if (mechanics.contact && mechanics.contact->friction > 0)
@@ -63,6 +66,9 @@ std::vector<Incompatibility> bulletIncompatibilities(const Scenario& scenario, B
     found.push_back({false, "b3 does not compute contact", "use b1, or remove physics.contact"});
   if (baseline == Baseline::b3 && mechanics.physics.shell)
     found.push_back({false, "b3 does not compute a shell", "use b1, or remove physics.shell"});
+  if (mechanics.physics.shell && mechanics.physics.shell->holds != Held::vertices)
+    found.push_back(
+        {true, "Bullet's shell holds vertices", "set physics.shell.holds to vertices, or remove this"});
   if (mechanics.physics.shell && mechanics.physics.shell->mesh)
     found.push_back(
         {false, "Bullet is not given a shell that is a mesh", "use an ellipsoid, or remove this"});

@@ -119,6 +119,18 @@ void checkShell(const Scenario& scenario, Reading& reading, const Node& root) {
                        "needs at most " + where);
 }
 
+void checkHeld(const PhysicsParameters& physics, Reading& reading, const Node& root) {
+  const std::string path = "physics.shell.holds";
+  if (!physics.shell || physics.shell->holds == Held::vertices) return;
+  if (!kindOf(physics.cell.model).hasMesh)
+    reading.problems.add(placeOf(root, path), path,
+                         "balls have no vertices: a shell holds their surfaces anyway", "remove this");
+  else if (physics.shell->mesh)
+    reading.problems.add(placeOf(root, path), path,
+                         "is for spheres and ellipsoids: faces between vertices on a flat wall lie in it",
+                         "remove this");
+}
+
 void checkStartCells(const Scenario& scenario, Reading& reading) {
   constexpr double rounding = 1e-9;
   const MechanicsScene& mechanics = *scenario.scene.mechanics;
@@ -319,10 +331,11 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
       checkFill(scenario, reading, root);
     else if (scenario.scene.cells.empty()) checkShell(scenario, reading, root);
     else checkStartCells(scenario, reading);
+    checkHeld(mechanics->physics, reading, root);
     checkEnergy(scenario, reading, root);
     checkCoarsening(scenario, reading, root);
     checkModel(scenario, reading, root);
-    checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law == ContactLaw::pair,
+    checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law != ContactLaw::thesis,
                     reading, root);
     checkSpheres(scenario, reading, root);
     checkDivision(scenario, reading, root);

@@ -25,6 +25,11 @@ Parameter refines(const char* key, Parameter p) {
   return p;
 }
 
+Parameter beside(Parameter p) {
+  p.beside = true;
+  return p;
+}
+
 Parameter presentation(Parameter p) {
   p.decides = Decides::presentation;
   return p;
@@ -105,6 +110,7 @@ std::vector<Parameter> parameters() {
       real("physics.membrane.production", "", positive,
            "Membrane of both daughters over their mother's; 1.26 keeps a sphere's tension",
            PHYSICS(membrane.areaFactor)),
+      later(choice("physics.membrane.springs", PHYSICS(membrane.springs))),
 
       real("physics.pressure.constant", "force·length", notNegative,
            "k_p of the egg; daughters share it by volume", PHYSICS(pressure.constant)),
@@ -131,6 +137,8 @@ std::vector<Parameter> parameters() {
       shellEllipsoid(),
       shellMesh(),
       shellFill(),
+      later(beside(of("What of a cell with a mesh stays inside a sphere or an ellipsoid",
+                      choice("physics.shell.holds", PHYSICS(shell->holds))))),
 
       real("physics.motility.speed", "length/time", positive, "Of a cell alone in the medium",
            PHYSICS(motility->speed)),
@@ -138,11 +146,11 @@ std::vector<Parameter> parameters() {
            PHYSICS(motility->persistence)),
 
       choice("physics.contact.law", MECHANICS(contact->law)),
-      real("physics.contact.stiffness", "force/length", positive, "K of a vertex pair; law pair only",
+      real("physics.contact.stiffness", "force/length", positive, "K of a vertex pair; not of law thesis",
            MECHANICS(contact->stiffness)),
-      real("physics.contact.damping", "force·time/length", notNegative, "C against approach; law pair only",
+      real("physics.contact.damping", "force·time/length", notNegative, "C against approach; not of law thesis",
            MECHANICS(contact->damping)),
-      real("physics.contact.friction", "", notNegative, "Coulomb's coefficient; law pair only",
+      real("physics.contact.friction", "", notNegative, "Coulomb's coefficient; not of law thesis",
            MECHANICS(contact->friction)),
       real("physics.contact.slip-speed", "length/time", positive,
            "Friction grows in proportion to slip up to this speed", MECHANICS(contact->slipSpeed)),

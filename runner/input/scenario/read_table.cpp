@@ -19,11 +19,11 @@ std::vector<std::string> keysOf(const std::string& section) {
   return keys;
 }
 
-/// Whether a key refines another of its section instead of standing for itself.
+/// Whether a key refines another of its section, or any, instead of standing for itself.
 bool refines(const std::string& section, const std::string& key) {
   const auto parameters = parameterTable().parametersOf(section);
   return std::any_of(parameters.begin(), parameters.end(),
-                     [&](const Parameter* p) { return p->key() == key && !p->needs.empty(); });
+                     [&](const Parameter* p) { return p->key() == key && (!p->needs.empty() || p->beside); });
 }
 
 /// What an unknown key was probably meant to be: a key of this section, or one of another.

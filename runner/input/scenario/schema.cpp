@@ -50,7 +50,7 @@ Json sectionSchema(const Section& section, const Scenario& defaults) {
     schema["oneOf"] = Json::array();
     Json others = Json::array();
     for (const auto* p : table.parametersOf(section.path))
-      if (p->needs.empty() && !p->joins) others.push_back({{"required", {p->key()}}});
+      if (p->needs.empty() && !p->joins && !p->beside) others.push_back({{"required", {p->key()}}});
     schema["oneOf"] = others;
     for (const auto* p : table.parametersOf(section.path))
       if (p->joins) schema["oneOf"].push_back({{"required", {p->key()}}, {"not", {{"anyOf", others}}}});

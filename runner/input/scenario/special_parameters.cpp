@@ -154,7 +154,8 @@ Parameter shellEllipsoid() {
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     const auto axes = readTriple(node, positive, path, allowed, reading.problems);
     if (!axes) return;
-    s.scene.mechanics->physics.shell = ShellParameters{{axes->x, axes->y, axes->z}};
+    double* shell = s.scene.mechanics->physics.shell->semiAxes;
+    shell[0] = axes->x, shell[1] = axes->y, shell[2] = axes->z;
   };
   p.write = [](const Scenario& s) {
     const auto& axes = s.scene.mechanics->physics.shell->semiAxes;

@@ -69,6 +69,7 @@ struct Parameter {
   std::string absent{};  // for people: what holds if an optional value is not given
   std::string needs{};   // the key of a neighbour that it refines and makes no sense without
   bool joins = false;    // where exactly one of its section is wanted, it may stand beside that one, or alone
+  bool beside = false;   // where exactly one of its section is wanted, it is none, and may stand beside any
   bool later = false;    // joined when there were goldens: at its default it is no part of the meaning
   std::function<void(Scenario&, const Node&, Reading&)> read{};
   std::function<Json(const Scenario&)> write{};  // null: not given

@@ -106,7 +106,7 @@ Parameter adhesion() {
       "substances "
       "(the first pair that fits counts; a name may be the beginning of some and '*'), and default for the "
       "rest; "
-      "at most a tenth of stiffness and a fifth of membrane.stiffness; law pair only";
+      "at most a tenth of stiffness and a fifth of membrane.stiffness; not of law thesis";
   p.absent = "cells do not stick to each other";
   const Json strength = numberSchema(notNegative);
   p.schema = {{"oneOf", Json::array({strength,

@@ -192,7 +192,7 @@ class Experiment {
         s.precision = s.precision == Precision::binary64 ? Precision::binary32 : Precision::binary64;
       });
     if (options_.otherLaw && usual_.law)
-      vary([](Setting& s) { s.law = s.law == ContactLaw::pair ? ContactLaw::thesis : ContactLaw::pair; });
+      vary([](Setting& s) { s.law = s.law == ContactLaw::thesis ? ContactLaw::pair : ContactLaw::thesis; });
     if (options_.cheaperModels) addModels(list);
     return list;
   }

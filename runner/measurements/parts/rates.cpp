@@ -149,7 +149,7 @@ void measureContact(World& world, StepRates& rates) {
   const double alone = timing.ofStep(keepAlone), perVertex = double(own.list.pairs) / vertices(world);
   const double evaluations = 1 + double(world.stages.furtherDrifts.size());  // of the forces in a step
   const double all = timing.ofStep([](World& w) { w.connections.reset(); }) - alone;
-  const bool rubs = own.parameters.law == ContactLaw::pair && own.parameters.friction > 0;
+  const bool rubs = own.parameters.law != ContactLaw::thesis && own.parameters.friction > 0;
   const double friction = rubs ? std::clamp(all + alone - timing.ofStep(smooth), 0.0, std::max(all, 0.0)) : 0;
   const double snapshots = contactWork(0, false).operations / contactWork(perVertex, false).operations;
   rates.frictionOfPair = friction / (evaluations * perVertex);

@@ -9,6 +9,7 @@
 #include "contacts/contacts.h"
 #include "mesh/measures.h"
 #include "simulation/body_measures.h"
+#include "simulation/energy.h"
 #include "simulation/sanity.h"
 #include "yaml/numbers.h"
 
@@ -45,15 +46,21 @@ bool mayTouch(const World& world) {
   return false;
 }
 
-/// True if measureEnergy sees all that there is at the start, and nothing adds to it: contacts, adhesion,
-/// connections and growth hold energy that it does not count, crawling adds some, and a shell moves what it
-/// stops.
+/// False where cells may touch by a law whose forces have no energy, or stick, which leaves less than nothing.
+bool keepsEnergy(const World& world) {
+  if (!world.contacts || world.bodies->areSpheres()) return !mayTouch(world);
+  const ContactParameters& p = world.contacts->parameters;
+  return !p.adhesion && (p.law == ContactLaw::energy || !mayTouch(world));
+}
+
+/// True if measureEnergy sees all that there is at the start, and nothing adds to it: growth, crawling and what connects
+/// later add energy, and a shell moves what it stops.
 bool isClosed(const World& start) {
   if (!start.bodies) return false;
   const PhysicsParameters& p = start.bodies->parameters;
   const bool boundless = p.pressure.outside == 0 && p.pressure.constant > 0;  // contents without a rest
   return start.bodies->model().hasMembrane && !p.shell && !p.growth && !boundless && !start.connections &&
-         !p.motility && !(start.contacts && start.contacts->parameters.adhesion) && !mayTouch(start);
+         !p.motility && keepsEnergy(start);
 }
 
 std::string nameOf(const CellPath& cell) { return cell.isEgg() ? "the egg" : "cell " + cell.text(); }
@@ -141,7 +148,7 @@ CheckResult needlessExcuse(const CheckParameters& check) {
 SanityCheck::SanityCheck(const World& start) : cells_(start.cells.path) {
   if (!isClosed(start)) return;
   const Bodies& b = *start.bodies;
-  energy_ = measureEnergy(b);
+  energy_ = measureEnergy(start).total();
   for (int slot : b.slots) energyScale_ += b.parameters.pressure.outside * measureRestVolume(b, slot);
 }
 
@@ -152,7 +159,7 @@ std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParam
   if (energy_ && finite && end.cells.path == cells_) {
     const double noise = energyNoise * energyScale_;
     measures.push_back({"energy",
-                        (measureEnergy(*end.bodies) - noise) / std::max(*energy_, noise),
+                        (measureEnergy(end).total() - noise) / std::max(*energy_, noise),
                         -INFINITY,
                         mostEnergy,
                         {},

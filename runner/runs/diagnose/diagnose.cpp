@@ -146,7 +146,7 @@ std::string describeLimit(const World& world, const CellPath& cell) {
   std::vector<Limit> limits{{b.model().hasMembrane ? "its springs" : "its shape", own.spring},
                             {"its pressure", own.pressure},
                             {"drag", dragLimit(p.integrator, p.drag)}};
-  if (world.contacts && world.contacts->parameters.law == ContactLaw::pair)
+  if (world.contacts && world.contacts->parameters.law != ContactLaw::thesis)
     limits.push_back(
         {"contacts", contactLimit(p.integrator, world.contacts->parameters.stiffness,
                                   world.contacts->parameters.damping, b.vertexMass[slot], p.drag)});

@@ -29,7 +29,7 @@ void addTimeSteps(std::vector<Remedy>& remedies, const World& world, double advi
 void addContact(std::vector<Remedy>& remedies, const World& world) {
   if (!world.contacts) return;
   const ContactParameters& p = world.contacts->parameters;
-  if (p.law == ContactLaw::pair)
+  if (p.law != ContactLaw::thesis)
     for (const double factor : {4.0, 16.0}) {
       const double stiffness = rounded(factor * p.stiffness);
       add(remedies, "physics.contact.stiffness", stiffness,

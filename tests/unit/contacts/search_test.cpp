@@ -51,6 +51,7 @@ struct Expected {
 NeighbourList searched(ContactSearch search, Isa isa, const Crowd& crowd, int threads = 1) {
   NeighbourList list = makeNeighbourList(search, isa);
   list.skin = crowd.contacts.list.skin;
+  list.reference = crowd.lab.bodies.position;
   buildNeighbourList(list, crowd.lab.bodies, crowd.contacts.radius, threads);
   return list;
 }
@@ -222,6 +223,7 @@ TEST_CASE("Pairs a hair within their reach and a hair beyond it, anywhere and in
       setBodies(bodies, cells);
       for (NeighbourList& list : lists) {
         list.skin = probe.contacts.list.skin;
+        list.reference = bodies.position;
         buildNeighbourList(list, bodies, probe.contacts.radius, 1);
         wrong += list.pairs != (hair < 0 ? 7u * 2 * 8 * 8 : 0);
       }
@@ -244,6 +246,7 @@ TEST_CASE("Cells on the move: trees that are refitted stay right, and are not bu
     crowd.step(0x1p-8);
     for (NeighbourList& list : lists) {
       list.skin = crowd.contacts.list.skin;
+      list.reference = crowd.lab.bodies.position;
       buildNeighbourList(list, crowd.lab.bodies, crowd.contacts.radius, 1);
       different += list.indices != lists[0].indices || list.pairs != lists[0].pairs;
     }
@@ -262,6 +265,7 @@ TEST_CASE("A list serves crowds that grow and shrink, and another mesh") {
       for (int count : {9, 2, 17, 1}) {
         const Crowd crowd(limp(), {}, ball, heap(ball, count, 1.0, 0));
         list.skin = crowd.contacts.list.skin;
+        list.reference = crowd.lab.bodies.position;
         buildNeighbourList(list, crowd.lab.bodies, crowd.contacts.radius, 1);
         CAPTURE(nameOf(search), ball.vertices.size(), count);
         CHECK((listsOf(list, crowd.lab.bodies) == bruteForce(crowd)));

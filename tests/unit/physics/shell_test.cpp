@@ -1,6 +1,7 @@
 // The egg shell holds every vertex, lets it slide, and leaves the others alone.
 #include "catch.h"
 #include "lab.h"
+#include "round_shell.h"
 
 using namespace morula;
 
@@ -10,31 +11,6 @@ PhysicsParameters inShell(double a, double b, double c) {
   PhysicsParameters p = softCell();
   p.shell = ShellParameters{{a, b, c}};
   return p;
-}
-
-double quadric(const Point& x, const ShellParameters& shell) {
-  const double* a = shell.semiAxes;
-  const Vector q{x.x / a[0], x.y / a[1], x.z / a[2]};
-  return std::sqrt(dot(q, q));
-}
-
-Vector outward(const Point& x, const ShellParameters& shell) {
-  const double* a = shell.semiAxes;
-  const Vector g{x.x / (a[0] * a[0]), x.y / (a[1] * a[1]), x.z / (a[2] * a[2])};
-  return g / norm(g);
-}
-
-/// The nearest point of the ellipsoid to a point outside: x_i = p_i a_i²/(a_i² + t) with the t that puts x on
-/// it, by bisection [Eberly 2013].
-Point nearestOnShell(const Point& p, const ShellParameters& shell) {
-  const double* a = shell.semiAxes;
-  const auto at = [&](double t) {
-    return Point{p.x * a[0] * a[0] / (a[0] * a[0] + t), p.y * a[1] * a[1] / (a[1] * a[1] + t),
-                 p.z * a[2] * a[2] / (a[2] * a[2] + t)};
-  };
-  double low = 0, high = 1e6;
-  for (int i = 0; i < 200; ++i) (quadric(at((low + high) / 2), shell) > 1 ? low : high) = (low + high) / 2;
-  return at(high);
 }
 
 const std::vector<ShellParameters> shells{{{1, 1, 1}}, {{2.5, 2.5, 2.5}}, {{1.25, 1, 0.8}}, {{27, 15, 11}}};

@@ -39,10 +39,10 @@ physics:
   drag: 0.25
   mesh: {icosphere: 3, coarsen: 0.5}
   cell: {model: shell, radius: 0.5, mass: 2}
-  membrane: {stiffness: 41, damping: 0.5, production: 1.2}
+  membrane: {stiffness: 41, damping: 0.5, production: 1.2, springs: dual}
   pressure: {constant: 5, outside: 1.25}
   growth: {rate: 0.2, until: 1.5}
-  shell: {ellipsoid: [3, 2, 1], fill: 0.020833333333333332}
+  shell: {ellipsoid: [3, 2, 1], fill: 0.020833333333333332, holds: surface}
   contact: {law: thesis, stiffness: 30, damping: 0.1, friction: 0.3, slip-speed: 0.02, radius: 1.1}
 division:
   plane: {axis: [0, 1, -1]}

@@ -43,6 +43,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(physics.membrane.stiffness == 41);
   CHECK(physics.membrane.damping == 0.5);
   CHECK(physics.membrane.areaFactor == 1.2);
+  CHECK(physics.membrane.springs == Springs::dual);
   CHECK(physics.pressure.constant == 5);
   CHECK(physics.pressure.outside == 1.25);
   REQUIRE(physics.growth);
@@ -52,6 +53,7 @@ TEST_CASE("every key arrives in its field") {
   CHECK(physics.shell->semiAxes[0] == 3);
   CHECK(physics.shell->semiAxes[1] == 2);
   CHECK(physics.shell->semiAxes[2] == 1);
+  CHECK(physics.shell->holds == Held::surface);
   REQUIRE(scene.mechanics->contact);
   CHECK(scene.mechanics->contact->law == ContactLaw::thesis);
   CHECK(scene.mechanics->contact->stiffness == 30);
@@ -129,6 +131,7 @@ TEST_CASE("what is not said has the defaults of the structs") {
   CHECK(m.physics.membrane.stiffness == physics.membrane.stiffness);
   CHECK(m.physics.membrane.damping == physics.membrane.damping);
   CHECK(m.physics.membrane.areaFactor == physics.membrane.areaFactor);
+  CHECK(m.physics.membrane.springs == physics.membrane.springs);
   CHECK(m.physics.pressure.constant == physics.pressure.constant);
   CHECK(m.physics.pressure.outside == physics.pressure.outside);
   CHECK(m.physics.growth->rate == GrowthParameters{}.rate);

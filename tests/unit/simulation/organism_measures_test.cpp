@@ -236,6 +236,18 @@ TEST_CASE("The share on the shell: of a tetrahedron one corner, then all") {
   CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(0.25).epsilon(1e-3));
 }
 
+TEST_CASE("The share on a shell that holds surfaces: they lie below the corners of a tetrahedron") {
+  const std::vector<Point> corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  BodyShape shape{{corners, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}}, {}, 1, 1, {}, false};
+  const double far = std::sqrt(3.0), out = far - 1 / far;  // edges of l² = 8: l²/8far below a corner
+  const ShellParameters shell{{out, out, out}, {}, Held::surface};
+  CHECK(measureShellShare(shape, shell) == Approx(1));
+  CHECK(measureShellShare(shape, ShellParameters{{far, far, far}, {}, Held::surface}) == 0);
+  for (std::size_t i = 1; i < 4; ++i)
+    shape.surface.vertices[i] *= 0.97;  // three faces lose their other corners
+  CHECK(measureShellShare(shape, shell) == Approx(0.25).epsilon(0.02));
+}
+
 TEST_CASE("Displacement: a cell is moved by (3, 4, 0), and so is 5 away from where it was born") {
   Scene scene = scenes::withBodies(scenes::everybodyDivides, 9, makeIcosphere(1));
   scene.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};

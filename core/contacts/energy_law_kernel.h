@@ -1,0 +1,117 @@
+#pragma once
+// Contact and adhesion of cells: an energy of each pair of vertices i, j of two cells, and its exact gradient.
+//
+//   y     where the surface stands at a vertex, n its outward normal (surface_kernel.h);  a = y_i − y_j
+//   κ     1/R², the mean of both vertices' (R: influence radius, one mean edge at rest)
+//   u     max(0, 1 − κ a²)                        fades with the distance, 0 from R on
+//   h     (n_j − n_i)/2                           from j's cell to i's; 1 long face to face
+//   D     max(0, −a·h)                            overlap: by how much the planes half-way between i and j overlap
+//   s     m² (3 − m)/4,  m = 1 − n_i·n_j          1 face to face, 0 for parallel normals: a thin cell's far side
+//   B     κ D²                                    how deep, over the reach
+//
+//   E = s [ ½ K D² u² (1 + β₁ B + β₂ B²)  −  T/6 u³ ],   β₁ = 6, β₂ = 100                                    [energy]
+//
+// The first part repels: K [force/length]. β₁ and β₂ make up for the fade of u with depth, and harden: pressed together
+// face to face, the energy rises until D = 0.7 R, where it is 1.8 times what ½ K D² without any fade is at D = R.
+// With half of it cells pass through each other where a shell crushes them. The second part holds: over flat surfaces that
+// touch it sums up to the work of separation W per area, whatever the mesh; T [energy] follows from W (adhesion.h).
+//
+// y and n depend on the vertices' one-rings, and so do forces: that is what makes them the gradient of an energy. With
+//
+//   E_D = s K D u² (1 + 2β₁ B + 3β₂ B²)                   ∂E/∂D
+//   E_u = s [K D² u (1 + β₁ B + β₂ B²) − T/2 u²]          ∂E/∂u
+//   E_s = ½ K D² u² (1 + β₁ B + β₂ B²) − T/6 u³           ∂E/∂s
+//
+// the pair gives i
+//
+//   f = E_D h + 2κ E_u a                           −∂E/∂y_i
+//   q = −½ E_D a + ¾ m (2 − m) E_s n_j             −∂E/∂n_i
+//
+// and surface_kernel.h hands f and q on to the vertices. Exchanging i and j negates f and gives the other q: momentum
+// and, E being the same wherever both surfaces are turned together, angular momentum are kept to rounding.
+//
+// Damping adds s C u² ḋ to E_D, with ḋ = −(v_i − v_j)·h how fast the surfaces close, where the sum pushes: it acts
+// along the gradient of D, with its couple, so it keeps both momenta. ḋ leaves out how fast normals turn, which in the
+// sum over a surface cancels: damping takes energy from surfaces, though a single pair may give some. It may push a
+// little before surfaces overlap, so that no force jumps.
+//
+// Friction acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face, and v_t the
+// speed along the surface. A central force of the pair keeps both momenta and only takes energy; over a surface, where neighbours stand
+// around a vertex on all sides, half of it acts along the slip: hence the 2.
+// Where vertices stand face to face it has no lever: the cone is kept in the mean over how meshes lie. c_max keeps it from reversing the slip
+// within a step (contacts.cpp).
+//
+// The gap by mean normals and forces that follow from a potential through the normals are those of convergent contact
+// potentials [Li et al. 2020; Li et al. 2023]; here vertices see vertices, so that forces are only gathered.
+#include "contacts/surface_kernel.h"
+
+namespace morula::MORULA_ISA {
+
+template <bool withFriction, bool withAdhesion>
+struct EnergyLaw {
+  MORULA_INLINE explicit EnergyLaw(const ContactConstants& c)
+      : stiffness(c.stiffness),
+        damping(c.damping),
+        friction(4 * c.friction),  // 2 μ E_D = 4 μ E_D/2
+        slipSpeed(c.slipSpeed),
+        strongestGrip(c.strongestGrip) {}
+
+  /// Adds what j does to i. `adhesion`: T [energy].
+  MORULA_INLINE void add(const SurfaceRows& i, const SurfaceRows& j, Lanes adhesion, SurfaceForce& sum) const {
+    const Vec a = i.x - j.x, relative = i.v - j.v, facing = j.n - i.n;  // 2h
+    const Lanes square = dot(a, a);
+    const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);  // κ
+    const Lanes nearness = curvature * square;
+    const Mask near = nearness < Lanes(1.0);
+    const Lanes u = select(near, 1.0 - nearness, 0.0);
+    const Lanes overlap = select(near, -0.5 * dot(a, facing), 0.0);  // D, or how far apart
+    const Lanes opening = 0.5 * dot(relative, facing);
+    const Lanes m = 1.0 - dot(i.n, j.n), facesAway = 0.25 * ((m * m) * (3.0 - m));  // s
+    const Lanes depth = max(overlap, Lanes(0.0));
+    const Lanes b = curvature * (depth * depth), su = facesAway * u;
+    const Lanes push = stiffness * overlap * (1.0 + b * (2 * hardening1 + (3 * hardening2) * b)) - damping * opening;
+    const Lanes half = 0.5 * ((su * u) * max(push, Lanes(0.0)));                                   // E_D/2
+    const Lanes barrier = (stiffness * (depth * depth)) * (1.0 + b * (hardening1 + hardening2 * b));  // K D² P
+    Lanes byFade = barrier * u, all = (0.5 * barrier) * (u * u);
+    if constexpr (withAdhesion) {
+      const Lanes held = adhesion * (u * u);
+      byFade -= 0.5 * held;
+      all -= (1.0 / 6) * (held * u);
+    }
+    sum.force += half * facing + (2.0 * (curvature * (facesAway * byFade))) * a;
+    sum.turn += ((0.75 * m) * ((2.0 - m) * all)) * j.n - half * a;
+    if constexpr (withFriction) {
+      const Lanes slipSquare = max(dot(relative, relative) - opening * opening, Lanes(0.0));
+      const Lanes slip = max(sqrt(slipSquare), slipSpeed);
+      const Lanes grip = min(friction * half, strongestGrip * slip);
+      sum.force -= (grip * dot(relative, a) / (slip * square + tiny)) * a;
+    }
+  }
+
+  Lanes stiffness, damping, friction, slipSpeed, strongestGrip;
+};
+
+/// [ContactKernels::addEnergyForces]
+template <bool withFriction, bool withAdhesion>
+inline void addEnergyForces(const BlockSlices& block, const std::int32_t* indices, const RowMemory* rows,
+                          const ContactConstants& c, RealPointer force) {
+  const EnergyLaw<withFriction, withAdhesion> law(c);
+  clearSurface(block);
+  for (std::int64_t s = 0; s < block.count; ++s) {
+    const NeighbourSlice& slice = block.slices[s];
+    prefetchNextBlock(block, s, rows, force);
+    for (int lane = 0; lane < blockLanes; lane += width) {
+      const SurfaceRows i = loadSurfaceRows(rows, slice.vertex + lane);
+      SurfaceForce sum;
+      const std::int32_t* index = indices + slice.start * blockLanes + lane;
+      for (int k = 0; k < slice.length; ++k, index += blockLanes) {
+        prefetchRows(rows, index);
+        law.add(i, loadSurfaceRows(rows, index), withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0), sum);
+      }
+      storeOnSurface(block, slice.vertex + lane, c.vertices, i, sum);
+    }
+  }
+  moveToVertices(block, force);
+}
+
+}  // namespace morula::MORULA_ISA

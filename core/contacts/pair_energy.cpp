@@ -1,0 +1,80 @@
+#include "contacts/pair_energy.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace morula {
+
+namespace {
+
+
+struct Point6 {
+  Point y;
+  Vector n;
+  double curvature;
+};
+
+Point6 read(const Contacts& c, const Bodies& b, VertexNumber g) {
+  const SurfaceRow r = readSurfaceRow(c.rows[g], b.parameters.precision);
+  return {{r.x, r.y, r.z}, {r.nx, r.ny, r.nz}, r.inverseRadiusSquared};
+}
+
+void add(const Point6& i, const Point6& j, double stiffness, double adhesion, PairSum& sum) {
+  const Vector a = i.y - j.y, h = 0.5 * (j.n - i.n);
+  const double curvature = 0.5 * (i.curvature + j.curvature), u = 1 - curvature * dot(a, a);
+  if (!(u > 0)) return;
+  const double m = 1 - dot(i.n, j.n), s = 0.25 * m * m * (3 - m);
+  const double depth = std::max(0.0, -dot(a, h)), b = curvature * depth * depth;
+  const double p = 1 + b * (hardening1 + hardening2 * b);
+  const double repulsion = 0.5 * stiffness * depth * depth * u * u * p;
+  const double held = adhesion * u * u;
+  const double byDepth = s * stiffness * depth * u * u * (1 + b * (2 * hardening1 + 3 * hardening2 * b));
+  const double byFade = s * (stiffness * depth * depth * p * u - 0.5 * held);
+  const Vector f = byDepth * h + (2 * curvature * byFade) * a;
+  sum.repulsion += 0.5 * s * repulsion;
+  sum.adhesion -= s * held * u / 12;
+  sum.force += f;
+  sum.turn += (0.75 * m * (2 - m) * (repulsion - held * u / 6)) * j.n - (0.5 * byDepth) * a;
+  if (depth > 0 && dot(h, h) > 0) sum.pressing += std::max(0.0, dot(f, h) / norm(h));
+}
+
+}  // namespace
+
+std::vector<PairSum> sumPairs(const Contacts& c, const Bodies& b) {
+  std::vector<int> slotOfLine(b.lineCount());  // [line] its block's first slot
+  for (int block = 0; block < b.blockCount(); ++block)
+    std::fill_n(slotOfLine.begin() + b.blocks[block].firstLine, b.verticesPerLane(block), block * blockLanes);
+  const auto slotOf = [&](VertexNumber g) { return slotOfLine[g / blockLanes] + g % blockLanes; };
+  const auto far = static_cast<VertexNumber>(c.rows.size() - 1);
+  std::vector<PairSum> sums;
+  std::vector<PairSum> own;  // of one vertex
+  for (const NeighbourSlice& slice : c.list.slices)
+    for (int lane = 0; lane < blockLanes; ++lane) {
+      const VertexNumber g = slice.vertex[lane];
+      if (g == far) continue;
+      const Point6 i = read(c, b, g);
+      own.clear();
+      for (int k = 0; k < slice.length; ++k) {
+        const std::size_t at = (slice.start + k) * blockLanes + lane;
+        const VertexNumber j = c.list.indices[at];
+        if (j == far) break;
+        const int other = slotOf(j);
+        auto sum = std::find_if(own.begin(), own.end(), [&](const PairSum& p) { return p.other == other; });
+        if (sum == own.end()) sum = own.insert(own.end(), {.vertex = g, .slot = slotOf(g), .other = other, .force = {}, .turn = {}});
+        add(i, read(c, b, j), c.parameters.stiffness,
+            c.parameters.adhesion ? c.adhesion.ofPairs[at] : 0.0, *sum);
+      }
+      sums.insert(sums.end(), own.begin(), own.end());
+    }
+  // One order for the sums of who reads them, whatever the order of the slices, which hangs on when the list was built.
+  std::vector<int> cellOf(b.blocks.size() * blockLanes);
+  for (int cell = 0; cell < b.count; ++cell) cellOf[b.slots[cell]] = cell;
+  const auto key = [&](const PairSum& p) {
+    const auto [first, second] = std::minmax(cellOf[p.slot], cellOf[p.other]);
+    return std::tuple(first, second, p.vertex);
+  };
+  std::sort(sums.begin(), sums.end(), [&](const PairSum& p, const PairSum& q) { return key(p) < key(q); });
+  return sums;
+}
+
+}  // namespace morula

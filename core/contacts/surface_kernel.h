@@ -1,0 +1,141 @@
+#pragma once
+// The surface that contacts act on, and what its forces are to the vertices.
+//
+//   U = mean of the ring − x           the vertex' distance from its one-ring
+//   y = x + γ U,  γ = 1/8              where the surface stands. Faces cut across a curved surface: the one that holds
+//                                      the cell's volume lies δ = −¼ U·n inside each vertex (l² H/8 for edges l and mean
+//                                      curvature H). Two surfaces that touch at vertices share it: half of δ each.
+//   n = ν G/√(G² + ε² R⁴),  ε = 2      normal, with G = 6∇V of the one-ring (physics/ring_kernel.h). Of six equal
+//                                      triangles G² = 27 R⁴ and n is 1 long, by ν² = 1 + ε²/27; where a ring folds n
+//                                      fades to 0 smoothly, and turns no faster than a ring of size R does.
+//
+// A force f on y and q = −∂E/∂n are, to the vertices (n_v neighbours around v; k runs over its ring, counter-clockwise):
+//
+//   t   = (q − n (n·q)/ν²) ν/√(G² + ε² R⁴)                   −∂E/∂G; 1/√… = √(1 − n²/ν²)/(ε R²)
+//   F_v = (1 − γ) f_v + Σ_k γ f_k/n_k + Σ_k (x_{k−1} − x_{k+1}) × t_k
+//
+// for G_k does not depend on x_k, and changes by (x_{k+1}' − x_{k−1}') × of k's own ring, which are the neighbours that v
+// and k share. The sums over all vertices of these forces and of their couples about any point are those of f and q.
+#include "contacts/rows_kernel.h"
+
+namespace morula::MORULA_ISA {
+
+
+/// SurfaceRow, `width` of them.
+struct SurfaceRows {
+  Vec x, n, v;
+  Lanes inverseRadiusSquared;
+};
+
+MORULA_INLINE SurfaceRows loadSurfaceRows(const RowMemory* rows, const VertexNumber* index) {
+  Lanes c[rowColumns];
+  loadRows(numbersOf(rows), index, c);
+#if defined(MORULA_SINGLE)
+  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, c[9]};
+#else
+  SurfaceRows r{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {}, {}};
+  unpackFloats(c[6], r.v.x, r.v.y);
+  unpackFloats(c[7], r.v.z, r.inverseRadiusSquared);
+  return r;
+#endif
+}
+
+/// `width` consecutive ones. With the names of a snapshot row: its velocity's place holds the normal, and the other
+/// way round.
+MORULA_INLINE void storeSurfaceRows(RowMemory* rows, const SurfaceRows& r) {
+  storeRows(rows, Rows{r.x, r.n, r.v, r.inverseRadiusSquared});
+}
+
+/// What the pairs of a vertex sum up to.
+struct SurfaceForce {
+  Vec force{Lanes(0.0), Lanes(0.0), Lanes(0.0)};  // −∂E/∂y, with damping and friction
+  Vec turn{Lanes(0.0), Lanes(0.0), Lanes(0.0)};   // −∂E/∂n
+};
+
+/// [ContactKernels::takeSnapshot] of the surface.
+inline double takeSurface(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
+                          RealPointer reference, RowMemory* rows) {
+  Lanes farthest = 0.0;
+  const Lanes normalScale = __builtin_sqrt(normalScaleSquared);
+  const Real* position = b.position;
+  for (int v = 0; v < mesh.vertexCount; ++v) {
+    const RingStep* ring = mesh.ring + mesh.ringStart[v];
+    const int neighbours = mesh.neighbours(v);
+    const Lanes share = retreat / neighbours;
+    for (int lane = 0; lane < b.liveLanes; lane += width) {
+      const Vec x = loadVec(b.position, v, lane), w = loadVec(b.predicted, v, lane),
+                g = loadVec(b.gradient, v, lane);
+      Vec around = loadVec(position + ring[0].vertexOffset + lane);
+      for (int k = 1; k < neighbours; ++k) around += loadVec(position + ring[k].vertexOffset + lane);
+      const Vec y = (1.0 - retreat) * x + share * around;
+      const Lanes curvature = load(inverseRadiusSquared + lane), fold = foldedNormal / curvature;
+      const Vec n = (normalScale / sqrt(dot(g, g) + fold * fold)) * g;
+      storeSurfaceRows(rows + std::int64_t(v) * blockLanes + lane, {y, n, w, curvature});
+      const Vec moved = y - loadVec(reference, v, lane);
+      // A lane without a cell has curvature 0; the list's points do not know it.
+      farthest = max(select(curvature > Lanes(0.0), dot(moved, moved), 0.0), farthest);
+    }
+  }
+  return largestOf(farthest);
+}
+
+/// Zeros in the scratch of a block's surface.
+MORULA_INLINE void clearSurface(const BlockSlices& block) {
+  const std::size_t bytes = std::size_t(block.mesh.vertexCount) * vertexStride * sizeof(Real);
+  __builtin_memset(static_cast<Real*>(block.surfaceForce), 0, bytes);
+  __builtin_memset(static_cast<Real*>(block.surfaceTurn), 0, bytes);
+}
+
+/// f and t of `width` vertices, lane by lane; the far row (number `vertices`) has no place.
+MORULA_INLINE void storeOnSurface(const BlockSlices& block, const VertexNumber* vertex, std::int32_t vertices,
+                                  const SurfaceRows& row, const SurfaceForce& sum) {
+  const Lanes left = max(normalScaleSquared - dot(row.n, row.n), Lanes(0.0));  // ν² (1 − n²/ν²)
+  const Lanes inverse = sqrt(left) * (row.inverseRadiusSquared * (1 / foldedNormal));  // ν/√…
+  const Vec turn = inverse * (sum.turn - (1 / normalScaleSquared) * dot(row.n, sum.turn) * row.n);
+  Real f[3][width], t[3][width];
+  store(f[0], sum.force.x), store(f[1], sum.force.y), store(f[2], sum.force.z);
+  store(t[0], turn.x), store(t[1], turn.y), store(t[2], turn.z);
+  for (int i = 0; i < width; ++i) {
+    if (vertex[i] >= vertices) continue;
+    const auto v = static_cast<std::uint32_t>(vertex[i] - block.firstVertex);  // dividing it by eight is a shift
+    const std::size_t at = std::size_t(v / blockLanes) * vertexStride + v % blockLanes;
+    Real *force = static_cast<Real*>(block.surfaceForce) + at, *couple = static_cast<Real*>(block.surfaceTurn) + at;
+    for (int c = 0; c < 3; ++c) force[c * blockLanes] = f[c][i], couple[c * blockLanes] = t[c][i];
+  }
+}
+
+template <int fixedSteps>
+MORULA_INLINE Vec ringForce(const Real* position, const Real* forces, const Real* turns, const RingStep* ring,
+                            const double* share, int steps) {
+  if constexpr (fixedSteps > 0) steps = fixedSteps;
+  Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)}, fromRing = sum;
+  Vec before = loadVec(position + ring[steps - 1].vertexOffset), here = loadVec(position + ring[0].vertexOffset);
+  for (int k = 0; k < steps; ++k) {
+    const int offset = ring[k].vertexOffset;
+    const Vec next = loadVec(position + ring[k + 1 < steps ? k + 1 : 0].vertexOffset);
+    fromRing += Lanes(share[k]) * loadVec(forces + offset);
+    sum += cross(before - next, loadVec(turns + offset));
+    before = here;
+    here = next;
+  }
+  return sum + Lanes(retreat) * fromRing;
+}
+
+/// Adds the vertices' forces F to `force` [all blocks].
+MORULA_INLINE void moveToVertices(const BlockSlices& block, Real* force) {
+  const TemplateView& mesh = block.mesh;
+  const Real *position = block.position, *forces = block.surfaceForce, *turns = block.surfaceTurn;
+  force += std::size_t(block.firstVertex / blockLanes) * vertexStride;
+  for (int v = 0; v < mesh.vertexCount; ++v) {
+    const int first = mesh.ringStart[v], steps = mesh.ringStart[v + 1] - first;
+    for (int lane = 0; lane < block.liveLanes; lane += width) {
+      const Vec around = steps == 6 ? ringForce<6>(position + lane, forces + lane, turns + lane, mesh.ring + first,
+                                                   mesh.ringShare + first, 6)
+                                    : ringForce<0>(position + lane, forces + lane, turns + lane, mesh.ring + first,
+                                                   mesh.ringShare + first, steps);
+      storeVec(force, v, lane, loadVec(force, v, lane) + ((1.0 - retreat) * loadVec(forces, v, lane) + around));
+    }
+  }
+}
+
+}  // namespace morula::MORULA_ISA

@@ -1,0 +1,108 @@
+#include "simulation/energy.h"
+
+#include "base/maths.h"
+#include "contacts/pair_energy.h"
+#include "simulation/body_measures.h"
+
+namespace morula {
+
+namespace {
+
+/// Calls visit(d, rate, rest, weight) for every edge of a cell once: its vector, how that changes, its length at rest,
+/// and the weight of its spring (MembraneParameters::springs).
+template <class Visit>
+void forEachEdge(const Bodies& b, int slot, Visit&& visit) {
+  const MeshTemplate& mesh = b.meshOf(slot);
+  const auto visitEdge = [&](int i, int j, double weight) {
+    visit(b.vertex(slot, j) - b.vertex(slot, i),
+          b.read(b.velocity, slot, j) - b.read(b.velocity, slot, i),
+          b.restScale[slot] * norm(mesh.mesh.vertices[i] - mesh.mesh.vertices[j]), weight);
+  };
+  for (std::size_t e = 0; e < mesh.springWeights.size(); ++e)
+    visitEdge(mesh.edges[2 * e], mesh.edges[2 * e + 1], mesh.springWeights[e]);
+  if (!mesh.springWeights.empty()) return;
+  for (const Face& face : mesh.mesh.faces)
+    for (int k = 0; k < 3; ++k) {
+      const int i = face[k], j = face[(k + 1) % 3];
+      if (i < j) visitEdge(i, j, 1);  // in one of its two faces an edge runs upwards
+    }
+}
+
+double membraneEnergy(const Bodies& b, int slot) {
+  double sum = 0;
+  forEachEdge(b, slot, [&](const Vector& d, const Vector&, double rest, double weight) {
+    const double off = norm(d) - rest;
+    sum += weight * (off * off);
+  });
+  return 0.5 * b.parameters.membrane.stiffness * sum;
+}
+
+double contentsEnergy(const Bodies& b, int slot) {
+  const double k = b.pressureConstant[slot], outside = b.parameters.pressure.outside;
+  if (k == 0) return outside * b.volume[slot];
+  const double r = outside * b.volume[slot] / k;
+  return k * (r - 1 - naturalLog(r));
+}
+
+double membranePower(const Bodies& b, int slot) {
+  double sum = 0;
+  forEachEdge(b, slot, [&](const Vector& d, const Vector& rate, double, double weight) {
+    const double square = dot(d, d), along = dot(rate, d);
+    if (square > 0) sum += weight * (along * along / square);
+  });
+  return b.parameters.membrane.damping * sum;
+}
+
+/// −Σ F·v of what damping and friction add to the forces of contact.
+double contactPower(const World& world) {
+  if (!world.contacts || world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::energy) return 0;
+  Bodies b = *world.bodies;
+  const auto powerOf = [&](double damping, double friction) {
+    Contacts c = *world.contacts;
+    c.parameters.damping = damping;
+    c.parameters.friction = friction;
+    b.acceleration.assign(b.acceleration.size(), 0);
+    for (int block = 0; block < b.blockCount(); ++block) addContactForces(c, b, block, world.clock.timeStep);
+    double power = 0;
+    for (int slot : b.slots)
+      for (int v = 0; v < b.vertexCount(slot); ++v)
+        power += dot(b.read(b.acceleration, slot, v), b.read(b.velocity, slot, v));
+    return power;
+  };
+  const ContactParameters& p = world.contacts->parameters;
+  return p.damping > 0 || p.friction > 0 ? powerOf(0, 0) - powerOf(p.damping, p.friction) : 0;
+}
+
+}  // namespace
+
+Energy measureEnergy(const Bodies& b) {
+  Energy e;
+  for (int slot : b.slots) {
+    e.kinetic += measureKineticEnergy(b, slot);
+    e.membrane += membraneEnergy(b, slot);
+    e.contents += contentsEnergy(b, slot);
+  }
+  return e;
+}
+
+Energy measureEnergy(const World& world) {
+  const Bodies& b = *world.bodies;
+  Energy e = measureEnergy(b);
+  if (world.connections) e.connections = measureConnectionEnergy(*world.connections, world.cells.path, b);
+  if (world.contacts && !b.areSpheres() && world.contacts->parameters.law == ContactLaw::energy)
+    for (const PairSum& pair : sumPairs(*world.contacts, b))
+      e.contact += pair.repulsion, e.adhesion += pair.adhesion;
+  return e;
+}
+
+double measureDissipation(const World& world) {
+  const Bodies& b = *world.bodies;
+  double power = contactPower(world);
+  for (int slot : b.slots) {
+    power += 2 * b.parameters.drag * measureKineticEnergy(b, slot);
+    if (b.model().hasMembrane) power += membranePower(b, slot);
+  }
+  return power;
+}
+
+}  // namespace morula

@@ -1,0 +1,276 @@
+// Adhesion against what it stands for: work per area, whatever the mesh and the cells' sizes. The law's equations:
+// pair_law_test.cpp.
+#include <array>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+#include "catch.h"
+#include "contacts/pair_energy.h"
+#include "unit/contact_energy/crowd.h"
+
+using namespace morula;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+ContactParameters sticky(double work, double friction = 0, double radius = 1) {
+  ContactParameters c{ContactLaw::energy, 40, 0.05, friction, 0.01, radius};
+  c.adhesion = AdhesionParameters{work, {}};
+  return c;
+}
+
+/// [length²] At rest, of each of the cell's vertices in the mean, from the mesh alone.
+double restArea(const Bodies& b, int slot) {
+  return measureArea(b.mesh.mesh.vertices, b.mesh.mesh.faces) * b.restScale[slot] * b.restScale[slot] /
+         b.vertexCount();
+}
+
+/// [force·length] Between all cells.
+double adhesionEnergy(const Crowd& crowd) {
+  double sum = 0;
+  for (const PairSum& p : sumPairs(crowd.contacts, crowd.lab.bodies)) sum += p.adhesion;
+  return sum;
+}
+
+/// The same with what overlaps hold: slopes at the border of surfaces that touch.
+double contactEnergy(const Crowd& crowd) {
+  double sum = adhesionEnergy(crowd);
+  for (const PairSum& p : sumPairs(crowd.contacts, crowd.lab.bodies)) sum += p.repulsion;
+  return sum;
+}
+
+constexpr int across = 28;             // edges of a cushion
+constexpr double halfThickness = 0.6;  // beyond the reach of what lies on its other side
+
+/// Two flat sheets of one lattice, at x = ±halfThickness, sewn together at their border, where faces slope and are as
+/// large as the others.
+Mesh cushion(const Vector& e, const Vector& f) {
+  Mesh m;
+  const auto along = [&](int i, const Vector& other) {  // from the middle, in steps
+    const double row = norm(cross(e, f)) / norm(other),
+                 sloping = 1 - halfThickness * halfThickness / (row * row);
+    const double inwards = 1 - std::sqrt(sloping);
+    return (i == 0 ? inwards : i == across ? across - inwards : i) - across / 2.0;
+  };
+  std::map<std::tuple<int, int, int>, int> numbers;
+  const auto number = [&](int side, int i, int j) {
+    if (i == 0 || j == 0 || i == across || j == across) side = 0;
+    const auto [it, isNew] = numbers.try_emplace({side, i, j}, static_cast<int>(m.vertices.size()));
+    if (isNew) m.vertices.push_back(Vector{side * halfThickness, 0, 0} + along(i, f) * e + along(j, e) * f);
+    return it->second;
+  };
+  for (int side : {-1, 1})
+    for (int i = 0; i < across; ++i)
+      for (int j = 0; j < across; ++j) {
+        // Corners would else have a face of three border vertices on both sides.
+        const bool other = (i == 0 && j == across - 1) || (i == across - 1 && j == 0);
+        const int a = number(side, i, j), b = number(side, i + 1, j), c = number(side, i + 1, j + 1),
+                  d = number(side, i, j + 1);
+        for (const Face& t : other ? std::array<Face, 2>{Face{a, b, d}, Face{b, c, d}}
+                                   : std::array<Face, 2>{Face{a, b, c}, Face{a, c, d}})
+          m.faces.push_back(side > 0 ? t : Face{t[0], t[2], t[1]});
+      }
+  return m;
+}
+
+const double third = 2 * pi / 3;
+struct Lattice {
+  const char* name;
+  Vector e, f;
+};
+const std::vector<Lattice> lattices{{"squares", {0, 1, 0}, {0, 0, 1}},
+                                    {"triangles", {0, 1, 0}, {0, std::cos(third / 2), std::sin(third / 2)}},
+                                    {"stretched", {0, 1, 0}, {0, 0, 0.7}}};
+
+/// Two cushions, the right one of a size, with a gap and shifted along.
+Crowd faceToFace(const Mesh& mesh, double work, double gap, double size = 1, const Vector& shift = {}) {
+  Body left = shakenBody(mesh, 0, 0), right = left;
+  for (Point& x : right.position) x = size * x + Vector{halfThickness * (1 + size) + gap, 0, 0} + shift;
+  right.restScale = size;
+  return {limp(), sticky(work), mesh, {left, right}};
+}
+
+/// [force/length] The energy that the middle of the left one's right face holds per area, in the mean over shifts: how
+/// vertices happen to face each other is left out.
+double energyPerArea(const Vector& e, const Vector& f, double gap, double size) {
+  const Mesh mesh = cushion(e, f);
+  constexpr int shifts = 4;
+  double energy = 0;
+  int vertices = 0;
+  for (int a = 0; a < shifts; ++a)
+    for (int b = 0; b < shifts; ++b) {
+      const Vector shift = (a + 0.3) / shifts * e + (b + 0.3) / shifts * f;
+      const Crowd crowd = faceToFace(mesh, 1, gap, size, size * shift);
+      const Bodies& bodies = crowd.lab.bodies;
+      for (int v = 0; v < bodies.vertexCount(); ++v) {
+        const Point x = bodies.vertex(0, v);
+        vertices += x.x > 0 && std::abs(x.y) < 2.6 && std::abs(x.z) < 2.6;
+      }
+      for (const PairSum& p : sumPairs(crowd.contacts, bodies)) {
+        const Point x = bodies.vertex(p.slot, p.vertex / blockLanes);
+        if (p.slot == 0 && x.x > 0 && std::abs(x.y) < 2.6 && std::abs(x.z) < 2.6) energy += 2 * p.adhesion;
+      }
+    }
+  return energy / (vertices * norm(cross(e, f)));
+}
+
+/// [force·length] Of two balls whose surfaces touch in a point, or have a gap, in the mean over turns.
+double energyOfBalls(const Mesh& ball, double gap, double size = 1, double other = 1) {
+  double surface = 0;  // where it stands, within the corners
+  const Rings rings(ball);
+  for (std::size_t v = 0; v < ball.vertices.size(); ++v)
+    surface +=
+        norm(rings.see(ball.vertices, static_cast<int>(v), 1).y) / static_cast<double>(ball.vertices.size());
+  constexpr std::uint32_t turns = 24;
+  double sum = 0;
+  for (std::uint32_t key = 0; key < turns; ++key) {
+    const double distance = surface * (size + other) + gap;
+    const Crowd crowd(limp(), sticky(1), ball,
+                      {turnedBody(ball, key, size), turnedBody(ball, key + 100, other, {distance, 0, 0})});
+    sum += adhesionEnergy(crowd);
+  }
+  return sum / turns;
+}
+
+}  // namespace
+
+TEST_CASE("Flat surfaces hold W (1 - g²/R²)⁴ per area over a gap g, whatever the mesh and their sizes") {
+  for (const auto& [name, e, f] : lattices)
+    for (const double size : {1.0, 0.6}) {
+      const double radius = meanEdge(cushion(e, f)), reach = radius / std::sqrt((1 + 1 / (size * size)) / 2);
+      for (const double gap : {0.0, 0.3, 0.6}) {
+        const double share = 1 - gap * gap;
+        CAPTURE(name, size, gap);
+        CHECK(std::abs(energyPerArea(e, f, gap * reach, size) + share * share * share * share) < 0.01);
+      }
+    }
+}
+
+TEST_CASE("The work that parts two surfaces is the energy they held, and goes with W") {
+  for (const auto& [name, e, f] : lattices) {
+    const Mesh mesh = cushion(e, f);
+    const double reach = 1.01 * meanEdge(mesh);
+    constexpr int steps = 40;
+    double work = 0;
+    for (int k = 0; k <= steps; ++k) {  // [Simpson]
+      Crowd crowd = faceToFace(mesh, 2, k * reach / steps);
+      crowd.evaluateForces();
+      work += (k == 0 || k == steps ? 1 : k % 2 ? 4 : 2) * forceOn(crowd, 0).x * reach / steps / 3;
+    }
+    CAPTURE(name);
+    CHECK(work == Approx(-contactEnergy(faceToFace(mesh, 2, 0))).epsilon(1e-4));
+    CHECK(adhesionEnergy(faceToFace(mesh, 2, 0)) == Approx(2 * adhesionEnergy(faceToFace(mesh, 1, 0))));
+  }
+}
+
+TEST_CASE("Balls hold what spheres do by Derjaguin") {
+  // [Derjaguin 1934] E(D) = −2πR* ∫ W (1 − g²/R²)⁴ dg from D on, R* = ½ for two balls of radius 1; from 0 on that
+  // integral is 128/315 W R.
+  const auto expected = [](double star, double reach) { return -2 * pi * star * 128 / 315 * reach; };
+  for (const auto& [level, tolerance] : {std::pair{2, 0.07}, {3, 0.03}, {4, 0.02}}) {
+    const Mesh ball = makeIcosphere(level);
+    const double reach = meanEdge(ball);
+    CAPTURE(level, reach);
+    CHECK(energyOfBalls(ball, 0) == Approx(expected(0.5, reach)).epsilon(tolerance));
+    CHECK(energyOfBalls(ball, 0, 0.5, 0.5) == Approx(expected(0.25, reach / 2)).epsilon(tolerance));
+    CHECK(energyOfBalls(ball, 0, 1, 0.5) ==
+          Approx(expected(1.0 / 3, reach * std::sqrt(2.0 / 5))).epsilon(tolerance));
+  }
+}
+
+TEST_CASE("Surfaces that come near draw each other from R on, most at 0.38 R") {
+  const Mesh mesh = cushion(lattices[1].e, lattices[1].f);
+  const double reach = meanEdge(mesh);
+  const auto pull = [&](double gap) {
+    Crowd crowd = faceToFace(mesh, 1, gap * reach);
+    crowd.evaluateForces();
+    return forceOn(crowd, 0).x;
+  };
+  CHECK(pull(1.01) == 0);
+  CHECK(pull(0.38) > 1.1 * pull(0.2));
+  CHECK(pull(0.38) > 1.1 * pull(0.6));
+}
+
+TEST_CASE("A pair's two strengths in the list are the same to the bit, and those of its cells' kinds") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), sticky(3), ball, heap(ball, 9, 1.9, 0.5));
+  Contacts& c = crowd.contacts;
+  AdhesionKinds kinds{{}, 2, {1, 2, 2, 5}};
+  for (int slot = 0; slot < 16; ++slot) kinds.ofSlot.push_back(slot / 3 % 2);  // row by row
+  setAdhesionKinds(c, kinds);
+  crowd.evaluateForces();
+  const VertexNumber far = crowd.lab.bodies.lineCount() * blockLanes;
+  const int vertices = static_cast<int>(ball.vertices.size());
+  const auto slotOf = [&](VertexNumber g) { return g / blockLanes / vertices * blockLanes + g % blockLanes; };
+  std::map<std::pair<VertexNumber, VertexNumber>, double> strength;
+  for (const NeighbourSlice& slice : c.list.slices)
+    for (int lane = 0; lane < blockLanes; ++lane)
+      for (int k = 0; k < slice.length; ++k) {
+        const std::int64_t at = (slice.start + k) * blockLanes + lane;
+        if (c.list.indices[at] == far) CHECK(c.adhesion.ofPairs[at] == 0);
+        else strength[{slice.vertex[lane], c.list.indices[at]}] = c.adhesion.ofPairs[at];
+      }
+  CHECK(strength.size() > 100);
+  bool same = true;
+  Worst error;
+  std::set<double> works;
+  for (const auto& [pair, s] : strength) {
+    same = same && strength.at({pair.second, pair.first}) == s;
+    const int i = slotOf(pair.first), j = slotOf(pair.second);
+    const double work = kinds.work[kinds.ofSlot[i] * 2 + kinds.ofSlot[j]];
+    works.insert(work);
+    const double x = 1 / (c.radius[i] * c.radius[i]), y = 1 / (c.radius[j] * c.radius[j]);
+    const double mean = (x + y) / 2;
+    // With s of flat meshes face to face, whose normals are as long as G = 6a has them.
+    const double g = 6 * restArea(crowd.lab.bodies, 0) / (c.radius[0] * c.radius[0]);
+    const double m = 1 + (1 + 4.0 / 27) * g * g / (g * g + 4);
+    error.see(std::abs(s - 24 / pi * work * restArea(crowd.lab.bodies, i) * restArea(crowd.lab.bodies, j) *
+                               mean / (m * m * (3 - m) / 4)));
+  }
+  CHECK(same);
+  CHECK(error < 1e-12);
+  CHECK(works == std::set<double>{1, 2, 5});
+}
+
+TEST_CASE("The steepest adhesion counts against the time step; without adhesion there is none") {
+  const Mesh ball = makeIcosphere(2);
+  ContactParameters plain = sticky(2), pairs = sticky(2);
+  plain.adhesion.reset();
+  pairs.adhesion->pairs.push_back({"a", "b", 4});
+  const auto of = [&](const ContactParameters& law, double smaller) {
+    Body one = shakenBody(ball, 0, 0), other = one;
+    other.restScale = smaller;
+    const Crowd crowd(limp(), law, ball, {one, other});
+    return adhesionStiffness(crowd.contacts, crowd.lab.bodies);
+  };
+  // T/R² for W = 1, with n = 1 to a hundredth: 24/π (a/R²)²
+  const double share = measureArea(ball.vertices, ball.faces) / static_cast<double>(ball.vertices.size()) /
+                       (meanEdge(ball) * meanEdge(ball));
+  const double one = 24 / pi * share * share;
+  CHECK(of(plain, 1) == 0);
+  CHECK(of(sticky(2), 1) == Approx(2 * one).epsilon(0.03));
+  CHECK(of(pairs, 1) == Approx(4 * one).epsilon(0.03));
+  CHECK(of(sticky(2), 0.5) == Approx(of(sticky(2), 1) * 25 / 16).epsilon(1e-6));
+}
+
+TEST_CASE("Two cells stick with the mean of their own factors") {
+  const Mesh ball = makeIcosphere(2);
+  Body one = shakenBody(ball, 0, 0), other = one;
+  for (Point& x : other.position) x += Vector{2.05, 0, 0};
+  const auto pullWith = [&](std::vector<double> factor) {
+    Crowd crowd(limp(), sticky(2), ball, {one, other});
+    AdhesionKinds kinds{std::vector<int>(8, 0), 1, {2}, std::move(factor)};
+    setAdhesionKinds(crowd.contacts, kinds);
+    crowd.evaluateForces();
+    Vector sum;
+    for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) sum += crowd.lab.force(0, v);
+    return sum.x;
+  };
+  const double plain = pullWith({});
+  CHECK(plain > 0.1);
+  CHECK(pullWith(std::vector<double>(8, 1)) == plain);
+  CHECK(pullWith({1.5, 0.9, 1, 1, 1, 1, 1, 1}) == Approx(1.2 * plain));
+}

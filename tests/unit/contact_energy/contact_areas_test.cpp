@@ -1,0 +1,147 @@
+// Who touches whom, and over which area.
+#include <map>
+#include <numbers>
+
+#include "catch.h"
+#include "unit/contact_energy/energy_oracle.h"
+
+using namespace morula;
+
+namespace {
+
+std::vector<ContactArea> areas(const std::vector<Body>& cells, const Mesh& mesh) {
+  Crowd crowd(limp(), {ContactLaw::energy}, mesh, cells);
+  return measureContactAreas(crowd.contacts, crowd.lab.bodies);
+}
+
+Body at(const Mesh& mesh, const Vector& place) { return shakenBody(zoo::moved(mesh, place), 0, 0); }
+
+}  // namespace
+
+TEST_CASE("Balls side by side touch, balls apart do not") {
+  const Mesh ball = makeIcosphere(2);
+  CHECK(areas({at(ball, {})}, ball).empty());
+  CHECK(areas({at(ball, {}), at(ball, {2.2, 0, 0})}, ball).empty());
+  const auto touching = areas({at(ball, {}), at(ball, {1.9, 0, 0})}, ball);
+  REQUIRE(touching.size() == 1);
+  CHECK(touching[0].a == 0);
+  CHECK(touching[0].b == 1);
+}
+
+TEST_CASE(
+    "Two balls cut flat that press each other touch over force over pressure: over the disc of the cut") {
+  for (int level : {2, 3, 4}) {
+    const Mesh ball = makeIcosphere(level);
+    const double reach = meanEdge(ball);
+    for (double height : {0.8, 0.6, 0.4}) {  // of the plane over the centre
+      const double overlap = 0.05 * reach;
+      Body left = at(ball, {}), right = at(ball, {2 * height, 0, 0});
+      for (Point& x : left.position) x.x = std::min(x.x, height);
+      for (Point& x : right.position) x.x = std::max(x.x, height) - overlap;
+      Crowd limpOnes(limp(), {ContactLaw::energy}, ball, {left, right});
+      limpOnes.evaluateForces();
+      const double force = forceOn(limpOnes, 1).x, disc = std::numbers::pi * (1 - height * height);
+      const double pressure = force / disc;
+      const auto areaAt = [&](double share) {  // of that pressure
+        for (Body* b : {&left, &right})
+          b->pressureConstant = share * pressure * measureVolume(b->position, ball.faces);
+        const auto pairs = areas({left, right}, ball);
+        REQUIRE(pairs.size() == 1);
+        return pairs[0].area;
+      };
+      CAPTURE(level, height, disc, pressure);
+      // On the rim pairs are tilted: of the coarsest disc's force they bear 5.1 % aside.
+      const double tilted = level == 2 ? 0.06 : 0.05;
+      CHECK(areaAt(1) == Approx(disc).epsilon(tilted));
+      CHECK(areaAt(2) == Approx(disc / 2).epsilon(tilted));
+      // However little they resist, it is no more than twice that of the vertices that are pressed.
+      const double rim = std::sqrt(1 - height * height) + 1.5 * reach;
+      CHECK(areaAt(1e-6) < 2 * std::numbers::pi * rim * rim);
+      CHECK(areaAt(1e-6) > 1.5 * disc);
+    }
+  }
+}
+
+TEST_CASE("A row of balls touches pair by pair, in order, whatever the slots") {
+  const Mesh ball = makeIcosphere(2);
+  std::vector<Body> row;
+  for (int i = 0; i < 10; ++i) row.push_back(at(ball, {1.9 * i, 0, 0}));
+  const auto pairs = areas(row, ball);
+  REQUIRE(pairs.size() == 9);
+  for (int i = 0; i < 9; ++i) {
+    CHECK(pairs[i].a == i);
+    CHECK(pairs[i].b == i + 1);
+    CHECK(pairs[i].area > 0);
+  }
+}
+
+TEST_CASE("Areas do not depend on when the list was built") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), {ContactLaw::energy}, ball, heap(ball, 9, 1.8, 1));
+  crowd.step(0x1p-8);
+  const auto lazy = measureContactAreas(crowd.contacts, crowd.lab.bodies);
+  crowd.contacts.listIsValid = false;
+  refreshList(crowd.contacts, crowd.lab.bodies, 1);
+  const auto fresh = measureContactAreas(crowd.contacts, crowd.lab.bodies);
+  REQUIRE(lazy.size() == fresh.size());
+  CHECK(lazy.size() > 5);
+  for (std::size_t i = 0; i < lazy.size(); ++i) {
+    CHECK(lazy[i].a == fresh[i].a);
+    CHECK(lazy[i].b == fresh[i].b);
+    CHECK(lazy[i].area == fresh[i].area);
+  }
+}
+
+namespace {
+
+/// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area.
+std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& law) {
+  std::map<std::pair<int, int>, double> areas;
+  ContactParameters still = law;
+  still.damping = still.friction = 0;
+  const EnergyOracle oracle(b, still);
+  for (const SeenVertex& i : oracle.all) {
+    double around = 0;
+    for (const auto& [v, j, k] : oracle.rings.faces[i.v])
+      around +=
+          norm(cross(b.vertex(i.slot, j) - b.vertex(i.slot, v), b.vertex(i.slot, k) - b.vertex(i.slot, v))) /
+          6;
+    for (int other = 0; other < b.count; ++other) {
+      double pressing = 0;
+      for (const SeenVertex& j : oracle.all) {
+        const Vector h = (j.normal - i.normal) / 2.0;
+        if (j.slot == other && other != i.slot && dot(i.x - j.x, h) < 0)
+          pressing += std::max(0.0, dot(oracle.pushOf(i, j).force, h) / norm(h));
+      }
+      const double least = law.stiffness / 5000 / std::sqrt(i.inverseRadiusSquared) / around;
+      const double pressure = std::max((b.pressure[i.slot] + b.pressure[other]) / 2, least);
+      if (pressing > 0) areas[std::minmax(i.slot, other)] += std::min(pressing / pressure, 2 * around) / 2;
+    }
+  }
+  return areas;
+}
+
+}  // namespace
+
+TEST_CASE("Areas are those of the definition, vertex by vertex, with friction and adhesion too") {
+  const Mesh ball = makeIcosphere(2);
+  int pairs = 0;
+  ContactParameters plain{ContactLaw::energy}, sticky{ContactLaw::energy, 40, 0.05, 0.3};
+  sticky.adhesion = AdhesionParameters{2, {}};
+  for (const ContactParameters& law : {plain, sticky})
+    for (std::uint32_t key = 0; key < 4; ++key) {
+      auto cells = heap(ball, 9, 1.85, 0, key);
+      for (std::size_t c = 0; c < cells.size(); ++c)
+        cells[c].pressureConstant = 0.5 * static_cast<double>(c % 3);
+      Crowd crowd(limp(), law, ball, cells);
+      const auto expected = bruteForce(crowd.lab.bodies, law);
+      const auto areas = measureContactAreas(crowd.contacts, crowd.lab.bodies);
+      REQUIRE(areas.size() == expected.size());
+      for (const ContactArea& p : areas) {
+        REQUIRE(expected.contains({p.a, p.b}));
+        CHECK(p.area == Approx(expected.at({p.a, p.b})).epsilon(1e-5));
+        ++pairs;
+      }
+    }
+  CHECK(pairs > 60);
+}

@@ -1,0 +1,176 @@
+#pragma once
+// Cells that touch, without world: moved by hand, one evaluation at a time.
+#include <optional>
+
+#include "contacts/contacts.h"
+#include "unit/physics/lab.h"
+
+namespace morula {
+
+struct Crowd {
+  Lab lab;
+  Contacts contacts;
+
+  Crowd(const PhysicsParameters& p, const ContactParameters& c, const Mesh& mesh,
+        const std::vector<Body>& cells, Isa isa = Isa::scalar)
+      : lab(p, mesh, cells, isa), contacts(makeContacts(c, isa, {}, p.precision)) {
+    resetContacts(contacts, lab.bodies);
+    step(0);
+  }
+
+  void step(double timeStep) {
+    Bodies& b = lab.bodies;
+    advanceAndSnapshot(timeStep);
+    refreshList(contacts, b, 1);
+    for (int i = 0; i < b.blockCount(); ++i) addContactForces(contacts, b, i, lawTimeStep);
+    lab.endEvaluation(timeStep);
+  }
+
+  /// Leaves the forces of contact and bodies in the accelerations' place: lab.force(slot, v).
+  void evaluateForces() {
+    Bodies& b = lab.bodies;
+    advanceAndSnapshot(0);
+    refreshList(contacts, b, 1);
+    for (int i = 0; i < b.blockCount(); ++i) addContactForces(contacts, b, i, lawTimeStep);
+  }
+
+  /// The same of contact alone.
+  void evaluateContacts() {
+    Bodies& b = lab.bodies;
+    advanceAndSnapshot(0);
+    refreshList(contacts, b, 1);
+    b.acceleration.assign(b.acceleration.size(), 0);
+    for (int i = 0; i < b.blockCount(); ++i) addContactForces(contacts, b, i, lawTimeStep);
+  }
+
+  void advanceAndSnapshot(double timeStep) {
+    Bodies& b = lab.bodies;
+    for (int i = 0; i < b.blockCount(); ++i) {
+      advance(lab.stages, b, b.block(i, 0), timeStep);
+      takeSnapshot(contacts, b, b.block(i, 0), i);
+    }
+  }
+
+  double lawTimeStep = 0x1p-9;  // what the thesis' law is told
+};
+
+/// Mechanics of which only contact is left: a mesh without stiffness and gas.
+inline PhysicsParameters limp() {
+  PhysicsParameters p = softCell();
+  p.membrane = {0, 0, 1};
+  p.pressure = {0, 0};
+  return p;
+}
+
+/// Crumpled balls of different sizes, in motion, piled up in cubes of 3 × 3 × 3 with their centres `spacing`
+/// apart: they touch from 2 downwards.
+inline std::vector<Body> heap(const Mesh& ball, int count, double spacing, double speed,
+                              std::uint32_t key = 0) {
+  std::vector<Body> cells;
+  for (int i = 0; i < count; ++i) {
+    const std::uint32_t k = 100 * key + static_cast<std::uint32_t>(i);
+    const double size = 1 + 0.1 * noise(0, k);
+    Body b = shakenBody(ball, 0.02, speed, k);
+    b.restScale = size;
+    b.mass = size * size * size;
+    const Vector place{double(i % 3), double(i / 3 % 3), double(i / 9)};
+    for (Point& x : b.position) x = size * x + spacing * (place + 0.05 * noiseVector(1, k));
+    cells.push_back(b);
+  }
+  return cells;
+}
+
+inline VertexNumber numberOf(const Bodies& b, int slot, int v) {
+  return (slot / blockLanes * b.vertexCount() + v) * blockLanes + slot % blockLanes;
+}
+
+/// A body of the mesh at rest, turned at random, of a size, at a place.
+inline Body turnedBody(const Mesh& mesh, std::uint32_t key, double size = 1, const Vector& place = {}) {
+  const Vector q = noiseVector(7, key);  // a quaternion with 1/2
+  const double w = 0.5, square = w * w + dot(q, q);
+  Body b = shakenBody(mesh, 0, 0);
+  b.restScale = size, b.mass = size * size * size;
+  for (Point& x : b.position)
+    x = size / square * ((w * w - dot(q, q)) * x + 2 * dot(q, x) * q + 2 * w * cross(q, x)) + place;
+  return b;
+}
+
+/// [force] On a cell as a whole.
+inline Vector forceOn(const Crowd& crowd, int slot) {
+  Vector sum;
+  for (int v = 0; v < crowd.lab.bodies.vertexCount(slot); ++v) sum += crowd.lab.force(slot, v);
+  return sum;
+}
+
+/// [force] The largest on any vertex.
+inline double largestForce(const Crowd& crowd) {
+  Worst largest;
+  for (int slot = 0; slot < crowd.lab.bodies.count; ++slot)
+    for (int v = 0; v < crowd.lab.bodies.vertexCount(slot); ++v) largest.see(norm(crowd.lab.force(slot, v)));
+  return largest;
+}
+
+/// The mesh's mean edge, from the mesh alone. [length]
+inline double meanEdge(const Mesh& mesh) {
+  double sum = 0;
+  for (const Face& f : mesh.faces)  // each edge twice
+    for (int k = 0; k < 3; ++k) sum += norm(mesh.vertices[f[k]] - mesh.vertices[f[(k + 1) % 3]]);
+  return sum / (3.0 * static_cast<double>(mesh.faces.size()));
+}
+
+/// One vertex as the laws see it, worked out from the mesh alone: where it stands to others, and its normal.
+struct SeenVertex {
+  int slot, v;
+  Point x;
+  Vector velocity, normal;
+  double inverseRadiusSquared;
+};
+
+/// Where other cells see a vertex, by the equations of surface_kernel.h.
+struct SeenSurface {
+  Point y;
+  Vector n;
+};
+
+/// Which faces and which vertices stand around each vertex.
+struct Rings {
+  std::vector<std::vector<Face>> faces;      // [vertex] turned so that it comes first
+  std::vector<std::vector<int>> neighbours;  // [vertex]
+
+  explicit Rings(const Mesh& mesh) : faces(mesh.vertices.size()), neighbours(mesh.vertices.size()) {
+    for (const auto& [i, j, k] : mesh.faces) {
+      faces[i].push_back({i, j, k}), faces[j].push_back({j, k, i}), faces[k].push_back({k, i, j});
+      neighbours[i].push_back(j), neighbours[j].push_back(k), neighbours[k].push_back(i);
+    }
+  }
+
+  SeenSurface see(const std::vector<Point>& x, int v, double inverseRadiusSquared) const {
+    Vector g, around;
+    for (const auto& [i, j, k] : faces[v]) g += cross(x[j] - x[i], x[k] - x[i]);
+    for (int k : neighbours[v]) around += x[k];
+    const double fold = 2 / inverseRadiusSquared, scale = std::sqrt(1 + 4.0 / 27);
+    return {x[v] + (around / static_cast<double>(neighbours[v].size()) - x[v]) / 8.0,
+            scale / std::sqrt(dot(g, g) + fold * fold) * g};
+  }
+};
+
+/// All vertices: of the thesis' law themselves, with unit normals.
+inline std::vector<SeenVertex> seen(const Bodies& b, const ContactParameters& c) {
+  std::vector<SeenVertex> all;
+  const Rings rings(b.mesh.mesh);
+  const auto asFloat = [](double a) -> double { return static_cast<float>(a); };  // as rows hold it
+  for (int slot = 0; slot < b.count; ++slot) {
+    const Body body = takeBody(b, slot);
+    const double radius = c.radius * meanEdge(b.mesh.mesh) * body.restScale;
+    const double inverseRadiusSquared = asFloat(1 / (radius * radius));
+    for (int v = 0; v < b.vertexCount(); ++v) {
+      const Vector u = body.velocity[v];
+      SeenSurface s = rings.see(body.position, v, inverseRadiusSquared);
+      if (c.law == ContactLaw::thesis) s = {body.position[v], s.n / norm(s.n)};
+      all.push_back({slot, v, s.y, {asFloat(u.x), asFloat(u.y), asFloat(u.z)}, s.n, inverseRadiusSquared});
+    }
+  }
+  return all;
+}
+
+}  // namespace morula

@@ -1,0 +1,263 @@
+// The energy law against its equations, written out for all pairs; that it is the gradient of an energy, whatever the
+// state; and what it keeps.
+#include "catch.h"
+#include "contacts/pair_energy.h"
+#include "unit/contact_energy/energy_oracle.h"
+
+using namespace morula;
+
+namespace {
+
+struct Case {
+  const char* name;
+  ContactParameters law;
+};
+
+ContactParameters sticky(ContactParameters law, double work) {
+  law.adhesion = AdhesionParameters{work, {}};
+  return law;
+}
+
+const std::vector<Case> cases{{"plain", {ContactLaw::energy}},
+                              {"no damping", {ContactLaw::energy, 40, 0}},
+                              {"damped", {ContactLaw::energy, 40, 0.5}},
+                              {"friction", {ContactLaw::energy, 40, 0.05, 0.3}},
+                              {"grip", {ContactLaw::energy, 40, 0.05, 2, 10}},
+                              {"wide", {ContactLaw::energy, 40, 0.05, 0.1, 0.01, 2.5}},
+                              {"adhesion", sticky({ContactLaw::energy, 40, 0}, 3)},
+                              {"all", sticky({ContactLaw::energy, 40, 0.05, 0.3}, 3)}};
+
+const Mesh ring = zoo::scaled(zoo::torus(7, 5), {0.33, 0.33, 0.33});
+const Mesh box = zoo::box({-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6});
+
+/// Largest difference of the crowd's forces and others, over the largest of them; and that in `largest`.
+double errorOf(const Crowd& crowd, const std::vector<Vector>& expected, double& largest) {
+  Worst error, most;
+  const int vertices = crowd.lab.bodies.vertexCount();
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const int slot = static_cast<int>(i) / vertices, v = static_cast<int>(i) % vertices;
+    error.see(norm(crowd.lab.force(slot, v) - expected[i]));
+    most.see(norm(expected[i]));
+  }
+  largest = most;
+  return error / most;
+}
+
+/// Of a heap of cells whose vertices are `crumpled` at random, as an icosphere's are in `heap`.
+std::vector<Body> heapOf(const Mesh& mesh, int count, double spacing, double crumpled, std::uint32_t key) {
+  std::vector<Body> cells = heap(mesh, count, spacing, 0.5, key);
+  for (std::uint32_t c = 0; c < cells.size(); ++c)
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
+      cells[c].position[v] += crumpled * noiseVector(v, 31 * key + c);
+  return cells;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Contact forces are those of the equations over all pairs of vertices, for every variant of the law") {
+  for (const auto& [name, law] : cases)
+    for (const Mesh& mesh : {makeIcosphere(1), ring, box})
+      for (int count : {2, 3, 9}) {
+        Crowd crowd(limp(), law, mesh, heapOf(mesh, count, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.03, 1));
+        crowd.evaluateForces();
+        double largest;
+        const double error =
+            errorOf(crowd, EnergyOracle(crowd.lab.bodies, law, crowd.lawTimeStep).forces(), largest);
+        CAPTURE(name, mesh.vertices.size(), count, largest);
+        CHECK(largest > 0.1);
+        CHECK(error < 1e-8);
+      }
+}
+
+TEST_CASE(
+    "Forces are the gradient of an energy: its differences at 1000 random states, with and without "
+    "adhesion") {
+  const ContactParameters plain{ContactLaw::energy, 40, 0}, holding = sticky(plain, 3),
+                                                          wide{ContactLaw::energy, 40, 0, 0, 0.01, 1.7};
+  struct Kind {
+    Mesh mesh;
+    double spacing;
+    std::uint32_t states;
+    int every;  // so many vertices, one is looked at
+  };
+  Worst worst;
+  std::uint32_t touching = 0;
+  for (const auto& [mesh, spacing, states, every] : {Kind{makeIcosphere(1), 1.8, 500, 5},
+                                                     {makeIcosphere(2), 1.9, 100, 17},
+                                                     {ring, 0.8, 200, 5},
+                                                     {box, 1.0, 200, 1}})
+    for (std::uint32_t key = 0; key < states; ++key) {
+      const ContactParameters& law = key % 3 == 0 ? plain : key % 3 == 1 ? holding : wide;
+      auto cells = heapOf(mesh, 2 + static_cast<int>(key % 2), spacing + 0.3 * noise(2, key),
+                          key % 7 == 0 ? 0.2 : 0.03, key);
+      const double size = key % 5 == 0 ? 0.6 : 1;  // the first one is much smaller now and then
+      for (Point& x : cells[0].position) x = size * x;
+      cells[0].restScale *= size;
+      Crowd crowd(limp(), law, mesh, cells);
+      crowd.evaluateForces();
+      const EnergyOracle oracle(crowd.lab.bodies, law);
+      const double largest = largestForce(crowd);
+      touching += largest > 0;
+      for (int slot = 0; slot < crowd.lab.bodies.count; ++slot)
+        for (int v = static_cast<int>(key) % every; v < crowd.lab.bodies.vertexCount(); v += every) {
+          const Vector difference = crowd.lab.force(slot, v) - oracle.energyFalls(slot, v, 1e-6);
+          if (largest > 1e-3) worst.see(norm(difference) / largest);
+          else CHECK(norm(difference) < 1e-9);
+        }
+    }
+  CHECK(touching > 900);
+  CHECK(worst < 1e-6);
+}
+
+TEST_CASE("In single precision forces are the same but for its rounding") {
+  PhysicsParameters p = limp();
+  p.precision = Precision::binary32;
+  const Mesh ball = makeIcosphere(1);
+  for (const auto& [name, law] : cases) {
+    Crowd crowd(p, law, ball, heap(ball, 9, 1.6, 0.5));
+    crowd.evaluateForces();
+    double largest;
+    const double error =
+        errorOf(crowd, EnergyOracle(crowd.lab.bodies, law, crowd.lawTimeStep).forces(), largest);
+    CAPTURE(name, largest);
+    CHECK(error < 2e-5);
+  }
+}
+
+TEST_CASE("Energies that are measured are those of the equations, and their halves add up") {
+  for (const auto& [name, law] : cases)
+    for (const Mesh& mesh : {makeIcosphere(1), ring}) {
+      Crowd crowd(limp(), law, mesh, heapOf(mesh, 9, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.03, 2));
+      EnergyOracle::Energy sum;
+      for (const PairSum& p : sumPairs(crowd.contacts, crowd.lab.bodies))
+        sum.repulsion += p.repulsion, sum.adhesion += p.adhesion;
+      const EnergyOracle::Energy expected = EnergyOracle(crowd.lab.bodies, law).energy();
+      CAPTURE(name);
+      CHECK(expected.repulsion > 0.01);
+      CHECK(sum.repulsion == Approx(expected.repulsion).epsilon(1e-9));
+      CHECK((expected.adhesion < -0.01) == law.adhesion.has_value());
+      CHECK(sum.adhesion == Approx(expected.adhesion).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("Any two cells keep momentum and angular momentum, with damping, friction and adhesion") {
+  for (const auto& [name, law] : cases)
+    for (const Mesh& mesh : {makeIcosphere(1), ring, box})
+      for (std::uint32_t key = 0; key < 10; ++key) {
+        Crowd crowd(limp(), law, mesh, heapOf(mesh, 2, mesh.vertices.size() == 42 ? 1.6 : 0.9, 0.05, key));
+        crowd.evaluateForces();
+        Vector momentum, angular;
+        double size = 0, moment = 0;
+        for (int slot : {0, 1})
+          for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) {
+            const Vector f = crowd.lab.force(slot, v), x = crowd.lab.bodies.vertex(slot, v);
+            momentum += f, angular += cross(x, f);
+            size += norm(f), moment += norm(x) * norm(f);
+          }
+        CAPTURE(name, mesh.vertices.size(), key);
+        CHECK(size > 0.1);
+        CHECK(norm(momentum) < 1e-14 * size);
+        CHECK(norm(angular) < 1e-12 * moment);
+      }
+}
+
+TEST_CASE("Two balls that overlap are pushed apart along the line between them; balls apart feel nothing") {
+  const Mesh ball = makeIcosphere(2);
+  double before = 0;
+  for (double distance : {2.5, 1.95, 1.9, 1.8}) {
+    Body left = shakenBody(ball, 0, 0), right = left;
+    for (Point& x : right.position) x += Vector{distance, 0, 0};
+    Crowd crowd(limp(), {ContactLaw::energy}, ball, {left, right});
+    crowd.evaluateForces();
+    const Vector push = forceOn(crowd, 1);
+    CAPTURE(distance);
+    if (distance > 2) CHECK(norm(push) == 0);
+    else CHECK(push.x > 1.5 * before);
+    CHECK(std::abs(push.y) + std::abs(push.z) <= 0.02 * push.x);
+    before = push.x;
+  }
+}
+
+TEST_CASE(
+    "The force is continuous where pairs come into reach and where they begin to overlap, with damping and "
+    "adhesion") {
+  const Mesh ball = makeIcosphere(1);
+  for (const auto& [name, law] : cases) {
+    Body left = shakenBody(ball, 0, 0), right = left;
+    for (Point& x : right.position) x += Vector{2.9, 0.1, 0.05};
+    for (Vector& u : right.velocity) u = {-0.5, 0.2, 0};
+    Crowd crowd(limp(), law, ball, {left, right});
+    std::vector<Vector> before(2 * ball.vertices.size());
+    Worst jump, largest;
+    for (int i = 0; i < 2000; ++i) {
+      for (std::size_t v = 0; v < right.position.size(); ++v)
+        crowd.lab.setPosition(1, static_cast<int>(v), right.position[v] - Vector{i * 5e-4, 0, 0});
+      crowd.evaluateForces();
+      for (std::size_t k = 0; k < before.size(); ++k) {
+        const Vector now = crowd.lab.force(static_cast<int>(k / ball.vertices.size()),
+                                           static_cast<int>(k % ball.vertices.size()));
+        jump.see(norm(now - before[k]));
+        largest.see(norm(now));
+        before[k] = now;
+      }
+    }
+    CAPTURE(name);
+    CHECK(largest > 1);
+    CHECK(jump < 0.02 * largest);
+  }
+}
+
+TEST_CASE("A ring that folds, its normal turning over through nothing, gives no jump and no large force") {
+  const Mesh ball = makeIcosphere(1);
+  for (const auto& [name, law] : cases) {
+    Body left = shakenBody(ball, 0, 0), right = left;
+    for (Point& x : right.position) x = Vector{1.9, 0, 0} + Vector{-x.x, -x.y, x.z};  // turned half round
+    // The vertex of the left ball that is nearest to the right one goes through its own cell and out behind.
+    const auto moving = std::max_element(left.position.begin(), left.position.end(),
+                                         [](const Point& a, const Point& b) { return a.x < b.x; }) -
+                        left.position.begin();
+    const Point start = left.position[moving];
+    std::vector<int> around = Rings(ball).neighbours[moving];
+    Crowd crowd(limp(), law, ball, {left, right});
+    std::vector<Vector> before;
+    Worst jump, largest;
+    for (int i = 0; i <= 4000; ++i) {
+      // Its ring shrinks to a point, and comes out at the other side: G passes through 0 at i = 2000.
+      for (int k : around) crowd.lab.setPosition(0, k, start + (1 - i / 2000.0) * (left.position[k] - start));
+      crowd.evaluateForces();
+      std::vector<Vector> now;
+      for (int slot : {0, 1})
+        for (int v = 0; v < crowd.lab.bodies.vertexCount(); ++v) now.push_back(crowd.lab.force(slot, v));
+      for (std::size_t k = 0; k < now.size(); ++k) {
+        if (!before.empty()) jump.see(norm(now[k] - before[k]));
+        largest.see(norm(now[k]));
+      }
+      before = now;
+    }
+    CAPTURE(name);
+    CHECK(largest > 0.5);
+    CHECK(largest < 100);
+    CHECK(jump < 0.02 * largest);
+  }
+}
+
+TEST_CASE("Vertices at one place, or with parallel normals, do not make a force infinite") {
+  const Mesh ball = makeIcosphere(1);
+  const Body one = shakenBody(ball, 0, 0);
+  Body needle = one;  // all but one of its vertices in two points
+  for (std::size_t v = 1; v < needle.position.size(); ++v)
+    needle.position[v] = v < 20 ? Point{0.9, 0, 0} : needle.position[41];
+  needle.position[0] = {0.3, 0.5, -0.1};
+  for (const auto& [name, law] : cases) {
+    CAPTURE(name);
+    Crowd same(limp(), law, ball, {one, one, one}), folded(limp(), law, ball, {one, one, one});
+    same.evaluateForces();
+    CHECK(largestForce(same) < 1e3);
+    for (int slot : {1, 2})
+      for (int v = 0; v < folded.lab.bodies.vertexCount(); ++v)
+        folded.lab.setPosition(slot, v, needle.position[v]);
+    folded.evaluateContacts();  // gas of no volume has no pressure
+    CHECK(largestForce(folded) < 1e3);
+  }
+}

@@ -1,0 +1,160 @@
+#pragma once
+// The energy law from the equations at the heads of energy_law_kernel.h, surface_kernel.h and adhesion.h, for all pairs of
+// vertices and from the mesh alone. What forces on the surface are to vertices is found by differences.
+#include <numbers>
+
+#include "unit/contact_energy/crowd.h"
+
+namespace morula {
+
+struct EnergyOracle {
+  const Bodies& b;
+  ContactParameters law;
+  double strongestGrip = 0;
+  Rings rings;
+  std::vector<SeenVertex> all;  // [slot · vertices + vertex]
+
+  EnergyOracle(const Bodies& bodies, const ContactParameters& parameters, double timeStep = 1)
+      : b(bodies), law(parameters), rings(bodies.mesh.mesh), all(seen(bodies, parameters)) {
+    const double lightest = *std::min_element(b.vertexMass.begin(), b.vertexMass.begin() + b.count);
+    strongestGrip = 0.1 * lightest / timeStep;
+  }
+
+  /// [energy] T, from the work W.
+  double holds(const SeenVertex& i, const SeenVertex& j) const {
+    if (!law.adhesion) return 0;
+    const Mesh& mesh = b.mesh.mesh;
+    const double perVertex = measureArea(mesh.vertices, mesh.faces) / b.vertexCount();
+    const double ai = perVertex * b.restScale[i.slot] * b.restScale[i.slot],
+                 aj = perVertex * b.restScale[j.slot] * b.restScale[j.slot];
+    const double edge = law.radius * meanEdge(mesh), g = 6 * perVertex / (edge * edge);
+    const double m = 1 + (1 + 4.0 / 27) * g * g / (g * g + 4), s = m * m * (3 - m) / 4;  // flat, face to face
+    return 24 / std::numbers::pi * law.adhesion->strength * ai * aj * kappa(i, j) / s;
+  }
+  static double kappa(const SeenVertex& i, const SeenVertex& j) {
+    return (i.inverseRadiusSquared + j.inverseRadiusSquared) / 2;
+  }
+
+  /// What two vertices hold, by overlap and by adhesion. [energy]
+  struct Energy {
+    double repulsion = 0, adhesion = 0;
+    double total() const { return repulsion + adhesion; }
+  };
+  Energy energyOf(const SeenVertex& i, const SeenVertex& j, double held) const {
+    const Vector a = i.x - j.x, h = (j.normal - i.normal) / 2.0;
+    const double k = kappa(i, j), u = std::max(0.0, 1 - k * dot(a, a));
+    const double depth = std::max(0.0, -dot(a, h)), bulk = k * depth * depth;
+    const double m = 1 - dot(i.normal, j.normal), s = m * m * (3 - m) / 4;
+    return {s * 0.5 * law.stiffness * depth * depth * u * u * (1 + 6 * bulk + 100 * bulk * bulk),
+            -s * held / 6 * u * u * u};
+  }
+
+  Energy energy() const {
+    Energy sum;
+    for (const SeenVertex& i : all)
+      for (const SeenVertex& j : all) {
+        if (j.slot <= i.slot || kappa(i, j) * dot(i.x - j.x, i.x - j.x) >= 1) continue;
+        const Energy e = energyOf(i, j, holds(i, j));
+        sum.repulsion += e.repulsion, sum.adhesion += e.adhesion;
+      }
+    return sum;
+  }
+
+  /// f and q of j on i, with damping and friction.
+  struct Push {
+    Vector force, turn;
+  };
+  Push pushOf(const SeenVertex& i, const SeenVertex& j) const {
+    const Vector a = i.x - j.x, h = (j.normal - i.normal) / 2.0, v = i.velocity - j.velocity;
+    const double k = kappa(i, j), u = 1 - k * dot(a, a);
+    if (u <= 0) return {};
+    const double overlap = -dot(a, h), depth = std::max(0.0, overlap), bulk = k * depth * depth;
+    const double m = 1 - dot(i.normal, j.normal), s = m * m * (3 - m) / 4;
+    const double hard = 1 + 12 * bulk + 300 * bulk * bulk;
+    const double byDepth =
+        std::max(0.0, s * u * u * (law.stiffness * overlap * hard - law.damping * dot(v, h)));
+    const double held = holds(i, j),
+                 barrier = law.stiffness * depth * depth * (1 + 6 * bulk + 100 * bulk * bulk);
+    const double byFade = s * (barrier * u - held / 2 * u * u);
+    const double perShape = u * u * barrier / 2 - held / 6 * u * u * u;  // E/s
+    Push p{byDepth * h + 2 * k * byFade * a, 0.75 * m * (2 - m) * perShape * j.normal - byDepth / 2 * a};
+    if (law.friction > 0 && dot(a, a) > 0) {
+      const double slip = std::sqrt(std::max(0.0, dot(v, v) - dot(v, h) * dot(v, h)));
+      const double grip = std::min(2 * law.friction * byDepth / std::max(slip, law.slipSpeed), strongestGrip);
+      p.force -= grip * dot(v, a) / dot(a, a) * a;
+    }
+    return p;
+  }
+
+  /// Of all vertices, in the order of `all`.
+  std::vector<Vector> forces() const {
+    std::vector<Push> onSurface(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (const SeenVertex& j : all) {
+        if (all[i].slot == j.slot) continue;
+        const Push p = pushOf(all[i], j);
+        onSurface[i].force += p.force, onSurface[i].turn += p.turn;
+      }
+    std::vector<Vector> forces;
+    const int vertices = b.vertexCount();
+    for (int slot = 0; slot < b.count; ++slot) {
+      std::vector<Point> x = takeBody(b, slot).position;
+      const std::size_t first = std::size_t(slot) * vertices;
+      for (int v = 0; v < vertices; ++v)
+        forces.push_back(byDifferences(
+            x, v, 2e-5,
+            [&](int w, const SeenSurface& s) {
+              const Push& p = onSurface[first + w];
+              return dot(p.force, s.y) + dot(p.turn, s.n);
+            },
+            all[first].inverseRadiusSquared));
+    }
+    return forces;
+  }
+
+  /// −∂E/∂x of one vertex, by differences of the pairs that it and its ring have.
+  Vector energyFalls(int slot, int v, double step) const {
+    std::vector<Point> x = takeBody(b, slot).position;
+    const SeenVertex& first = all[std::size_t(slot) * b.vertexCount()];
+    std::vector<double> held(b.count, 0.0);
+    for (int other = 0; other < b.count; ++other)
+      held[other] = holds(first, all[std::size_t(other) * b.vertexCount()]);
+    return byDifferences(
+        x, v, step,
+        [&](int w, const SeenSurface& s) {
+          const SeenVertex i{slot, w, s.y, {}, s.n, first.inverseRadiusSquared};
+          double sum = 0;
+          for (const SeenVertex& j : all)
+            if (j.slot != slot && kappa(i, j) * dot(i.x - j.x, i.x - j.x) < 1)
+              sum -= energyOf(i, j, held[j.slot]).total();
+          return sum;
+        },
+        first.inverseRadiusSquared);
+  }
+
+ private:
+  /// ∂/∂x of vertex v of the sum of `worth` over all vertices whose surface hangs on it.
+  template <class Worth>
+  Vector byDifferences(std::vector<Point>& x, int v, double step, Worth&& worth,
+                       double inverseRadiusSquared) const {
+    const auto sum = [&] {
+      double s = worth(v, rings.see(x, v, inverseRadiusSquared));
+      for (int w : rings.neighbours[v]) s += worth(w, rings.see(x, w, inverseRadiusSquared));
+      return s;
+    };
+    const Point here = x[v];
+    Vector slope;
+    for (double Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) {
+      const auto at = [&](double way) {
+        x[v] = here;
+        x[v].*axis += way;
+        return sum();
+      };
+      slope.*axis = (8 * (at(step) - at(-step)) - (at(2 * step) - at(-2 * step))) / (12 * step);
+      x[v] = here;
+    }
+    return slope;
+  }
+};
+
+}  // namespace morula

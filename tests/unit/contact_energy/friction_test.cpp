@@ -1,0 +1,115 @@
+// What takes energy from cells that touch: damping and friction.
+#include "catch.h"
+#include "unit/contact_energy/energy_oracle.h"
+
+using namespace morula;
+
+namespace {
+
+/// [force·length/time] −Σ F·v of what damping and friction add.
+double dissipated(const ContactParameters& law, const Mesh& mesh, const std::vector<Body>& cells) {
+  ContactParameters without = law;
+  without.damping = without.friction = 0;
+  Crowd with(limp(), law, mesh, cells), bare(limp(), without, mesh, cells);
+  with.evaluateForces();
+  bare.evaluateForces();
+  double power = 0;
+  for (int slot = 0; slot < with.lab.bodies.count; ++slot)
+    for (int v = 0; v < with.lab.bodies.vertexCount(); ++v)
+      power -= dot(with.lab.force(slot, v) - bare.lab.force(slot, v), with.lab.velocity(slot, v));
+  return power;
+}
+
+/// Two balls that overlap a little, both turned at random, the right one moving.
+Crowd rubbing(const ContactParameters& law, const Vector& velocity, std::uint32_t key = 0,
+              double timeStep = 0x1p-30) {
+  const Mesh ball = makeIcosphere(3);
+  const Body left = turnedBody(ball, key);
+  Body right = turnedBody(ball, key + 1000, 1, {1.97, 0, 0});
+  for (Vector& u : right.velocity) u = velocity;
+  Crowd crowd(limp(), law, ball, {left, right});
+  crowd.lawTimeStep = timeStep;
+  crowd.evaluateForces();
+  return crowd;
+}
+
+}  // namespace
+
+TEST_CASE("Damping and friction take energy from cells in a heap, and never give any") {
+  const ContactParameters damped{ContactLaw::energy, 40, 0.5}, rubs{ContactLaw::energy, 40, 0, 0.5},
+      both{ContactLaw::energy, 40, 0.2, 0.3};
+  for (const int level : {1, 2}) {
+    const Mesh ball = makeIcosphere(level);
+    for (const ContactParameters& law : {damped, rubs, both})
+      for (std::uint32_t key = 0; key < 30; ++key) {
+        // Cells in motion as a whole, turning, and each vertex a little on its own.
+        auto cells = heap(ball, 9, 1.7, 0.05, key);
+        for (std::uint32_t c = 0; c < cells.size(); ++c)
+          for (std::size_t v = 0; v < cells[c].position.size(); ++v)
+            cells[c].velocity[v] +=
+                noiseVector(c, 40 + key) +
+                cross(noiseVector(c, 90 + key), cells[c].position[v] - cells[c].position[0]);
+        CAPTURE(level, law.damping, law.friction, key);
+        CHECK(dissipated(law, ball, cells) > 0);
+        for (Body& cell : cells)
+          for (Vector& u : cell.velocity) u = {0.3, -0.2, 0.1};  // all as one
+        CHECK(std::abs(dissipated(law, ball, cells)) < 1e-12);
+      }
+  }
+}
+
+TEST_CASE("Damping acts against approach only; cells that are torn apart feel no more than a trace of pull") {
+  const auto pushAt = [&](double approach) {
+    return forceOn(rubbing({ContactLaw::energy, 40, 0.5}, {-approach, 0, 0}), 1).x;
+  };
+  CHECK(pushAt(1) > 1.2 * pushAt(0));
+  CHECK(pushAt(0) > 1.2 * pushAt(-1));
+  CHECK(std::abs(pushAt(-1000)) < 0.1 * pushAt(0));  // of the push's own fade with distance
+}
+
+TEST_CASE("Friction alone drives nothing: cells at rest, or in one motion, feel none") {
+  for (const Vector& all : {Vector{}, Vector{0.5, 1, -2}}) {
+    const Mesh ball = makeIcosphere(1);
+    auto cells = heap(ball, 9, 1.6, 0);
+    for (Body& cell : cells)
+      for (Vector& u : cell.velocity) u = all;
+    Crowd with(limp(), {ContactLaw::energy, 40, 0, 0.5}, ball, cells),
+        without(limp(), {ContactLaw::energy, 40, 0}, ball, cells);
+    with.evaluateForces();
+    without.evaluateForces();
+    Worst difference;
+    for (int slot = 0; slot < 9; ++slot)
+      for (int v = 0; v < with.lab.bodies.vertexCount(); ++v)
+        difference.see(norm(with.lab.force(slot, v) - without.lab.force(slot, v)));
+    CHECK(largestForce(without) > 1);
+    CHECK(difference == 0);
+  }
+}
+
+TEST_CASE("Friction acts against the slip and is bounded by Coulomb's cone") {
+  const auto onRight = [&](double friction, double slip, std::uint32_t key = 0, double timeStep = 0x1p-30) {
+    return forceOn(rubbing({ContactLaw::energy, 40, 0, friction, 0.01}, {0, slip, 0}, key, timeStep), 1);
+  };
+  double pressed = 0, rubbed = 0;  // how vertices stand to each other is chance: in the mean
+  for (std::uint32_t key = 0; key < 40; ++key) {
+    pressed += onRight(0, 1, key).x;
+    rubbed += onRight(0, 1, key).y - onRight(0.3, 1, key).y;
+  }
+  CHECK(rubbed == Approx(0.3 * pressed).epsilon(0.05));
+
+  const double without = onRight(0, 1).y, fast = onRight(0.3, 1).y - without,
+               faster = onRight(0.3, 5).y - without, slow = onRight(0.3, 1e-4).y - without;
+  CHECK(fast < 0);
+  CHECK(faster == Approx(fast).epsilon(1e-6));       // beyond the slip speed it does not grow
+  CHECK(slow == Approx(fast * 0.01).epsilon(1e-2));  // below it fades linearly
+  CHECK(onRight(0.3, 2e-4).y - without == Approx(2 * slow).epsilon(1e-5));
+
+  // A step that is too long for so strong a damper: friction grips less, and cannot turn the slip round.
+  const double slip = 1e-4, longStep = 0x1p-2;
+  const double gentle = onRight(0.3, slip, 0, longStep).y - without;
+  CHECK(gentle < 0);
+  CHECK(-gentle < 0.5 * -slow);
+  CHECK(-gentle * longStep < slip);  // the right ball's mass is 1
+  CHECK(onRight(0.3, 1000, 0, longStep).y - without ==
+        Approx(fast).epsilon(1e-6));  // what slips fast is not touched
+}
