@@ -50,7 +50,7 @@ bool isOfOther(const std::filesystem::path& database, const Scenario& scenario) 
     for (const StoredRun& run : runs)
       if (run.record.scenario == scenario.scene.name && run.record.seed == scenario.scene.seed) last = &run;
     if (!last) return false;
-    for (const Document& d : store.documents(last->id))
+    for (const SourceText& d : store.documents(last->id))
       if ((d.role == "scenario" && absolutePath(d.path) == absolutePath(scenario.file)) ||
           (d.role == "resolved" && d.content == scenario.resolved))
         return false;
