@@ -27,8 +27,9 @@ template <class... Values>
 void copyRows(Database& from, Database& to, const std::string& table, const std::string& which,
               const Values&... values) {
   std::string names, places;
-  for (const std::string& column : columnNames(from, table)) {
-    names += (names.empty() ? "" : ", ") + column;
+  Statement columns(from, "SELECT name FROM pragma_table_info(?)");
+  for (columns.start(table); columns.next();) {
+    names += (names.empty() ? "" : ", ") + columns.text(0);
     places += places.empty() ? "?" : ", ?";
   }
   Statement rows(from, "SELECT " + names + " FROM " + table + " WHERE " + which);
