@@ -61,7 +61,7 @@ constexpr WorldMeasure ofWorld[] = {
                 "adhesion_energy: constant but for the time step's error where nothing takes or gives any",
      .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureEnergy(now.world).total(); }},
-    {.name = "membrane_energy", .unit = "force·length", .meaning = "½ k_s (l − l₀)² of every edge [Nilsson 2008, eq. 4.2]",
+    {.name = "membrane_energy", .unit = "force·length", .meaning = "½ k_s (l − l₀)² of every edge, as strong as membrane.springs has it [Nilsson 2008, eq. 4.2]",
      .taken = Taken::onDemand, .get = [](Now now) -> Value { return measureEnergy(now.world).membrane; }},
     {.name = "contents_energy", .unit = "force·length",
      .meaning = "k_p (r − 1 − ln r) with r = P₀V/k_p, of every cell: 0 at rest [Nilsson 2008, eq. 4.3]",
@@ -70,8 +70,8 @@ constexpr WorldMeasure ofWorld[] = {
      .meaning = "k_c times the length of every connection [Nilsson 2008, eq. 4.9], or of a spring ½ k (d − rest)²",
      .taken = Taken::onDemand, .get = [](Now now) -> Value { return measureEnergy(now.world).connections; }},
     {.name = "contact_energy", .unit = "force·length",
-     .meaning = "What overlaps hold: s ½ K D² u² (1 + 6 κD² + 100 κ²D⁴) of every pair of vertices (core/contacts/pair_law_kernel.h); 0 with the "
-                "other laws, whose forces have no energy",
+     .meaning = "What overlaps hold: ½ s K D² u² (1 + 6 B + 200 B²) of every pair of vertices (core/contacts/pair_law_kernel.h); 0 with the "
+                "thesis' law, whose forces have no energy",
      .needs = Needs::contact, .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureEnergy(now.world).contact; }},
     {.name = "adhesion_energy", .unit = "force·length",
