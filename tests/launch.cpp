@@ -1,6 +1,7 @@
 #include "launch.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,7 +10,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
+
+#include "catch.h"
 
 namespace morula::test {
 
@@ -77,6 +82,33 @@ Launched launch(const std::vector<std::string>& arguments, const Environment& en
   return launch(arguments, environment, {});
 }
 
+void waitUntil(const std::function<bool()>& holds) {
+  for (int i = 0; i < 600'000; ++i) {
+    if (holds()) return;
+    usleep(2'000);
+  }
+  throw std::runtime_error("it does not come to hold");
+}
+
+void waitUntilComputing(int process) {
+  const std::string folder = "/proc/" + std::to_string(process);
+  const auto cpuTime = [&] {  // [clock ticks], its 14th field
+    const std::string stat = readWhole(folder + "/stat");
+    std::istringstream words(stat.substr(stat.rfind(')') + 1));
+    std::string word;
+    for (int i = 0; i < 12; ++i) words >> word;
+    return word.empty() ? 0 : std::stol(word);
+  };
+  waitUntil([&] {
+    const std::string status = readWhole(folder + "/status"), caught = "SigCgt:\t";
+    const auto at = status.find(caught);
+    return at != status.npos &&
+           (std::stoull(status.substr(at + caught.size(), 16), nullptr, 16) >> (SIGINT - 1) & 1);
+  });
+  const long begun = cpuTime();
+  waitUntil([&] { return cpuTime() >= begun + sysconf(_SC_CLK_TCK) / 10; });
+}
+
 std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments,
                                          const Environment& environment) {
   const Terminal ends = openTerminal();
@@ -108,6 +140,31 @@ TemporaryFolder::TemporaryFolder() {
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
+}
+
+void refuses(const Launched& launched, int code, const std::string& because) {
+  INFO(launched.err);
+  CHECK(launched.code == code);
+  CHECK(launched.out.empty());
+  CHECK_THAT(launched.err, ContainsSubstring(because));
+}
+
+void refuses(const std::vector<std::string>& arguments, int code, const std::string& because) {
+  refuses(launch(arguments), code, because);
+}
+
+nlohmann::json jsonOf(std::vector<std::string> arguments, int code) {
+  arguments.push_back("--json");
+  const auto run = launch(arguments);
+  INFO(run.err);
+  REQUIRE(run.code == code);
+  const auto json = nlohmann::json::parse(run.out);
+  CHECK(json["morula"] == 1);
+  return json;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
 }
 
 std::string readWhole(const std::string& file) {

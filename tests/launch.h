@@ -2,6 +2,7 @@
 // Runs the built program as users do: its own process, arguments, exit code, stdout and stderr apart.
 #include <functional>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,13 @@ Launched launch(const std::vector<std::string>& arguments, const Environment& en
 Launched launch(const std::vector<std::string>& arguments, const Environment& environment,
                 const std::function<void(int)>& meanwhile);
 
+/// Waits until it holds, for many minutes if need be: how long that takes is a matter of the machine's load. Throws if it
+/// never comes to hold.
+void waitUntil(const std::function<bool()>& holds);
+
+/// Waits until a run has begun to compute: the process minds SIGINT, and has used a tenth of a second of CPU time since.
+void waitUntilComputing(int process);
+
 /// The same with stderr on a terminal, which `err` holds what was written to. None where the system has no
 /// pseudo-terminals: then the test says so (skippedWithoutTerminal) and has nothing to look at.
 std::optional<Launched> launchOnTerminal(const std::vector<std::string>& arguments,
@@ -46,6 +54,14 @@ class TemporaryFolder {
  private:
   std::string path_;
 };
+
+/// It ended with this code, printed nothing on stdout, and said so.
+void refuses(const Launched& launched, int code, const std::string& because);
+void refuses(const std::vector<std::string>& arguments, int code, const std::string& because);
+/// What it prints as JSON with --json, which begins with "morula": 1; it ends with `code`.
+nlohmann::json jsonOf(std::vector<std::string> arguments, int code = 0);
+/// The text with `by` in place of the first `what`, which is in it.
+std::string replaced(std::string text, const std::string& what, const std::string& by);
 
 std::string readWhole(const std::string& file);
 void writeWhole(const std::string& file, const std::string& text);

@@ -48,12 +48,17 @@ std::string CellPath::text() const {
 
 std::string cellName(std::string_view path) { return path.empty() ? "the egg" : "cell " + std::string(path); }
 
-NumericalError::NumericalError(std::string failed, std::uint64_t at, std::string what, std::string advice)
+NumericalError::NumericalError(std::string failed, std::uint64_t at, std::string what, std::string advice,
+                               Want missing)
     : std::runtime_error("step " + std::to_string(at) + ", " + cellName(failed) + ": " + what + "; " +
                          advice),
       cell(std::move(failed)),
       step(at),
       quantity(std::move(what)),
-      remedy(std::move(advice)) {}
+      remedy(std::move(advice)),
+      want(missing) {}
+
+NumericalError::NumericalError(const std::string& told, Want missing)
+    : std::runtime_error(told), want(missing) {}
 
 }  // namespace morula

@@ -6,17 +6,27 @@
 
 namespace morula {
 
+/// What an error is for want of. Another machine, or this one on another day, may have it: such an end says nothing
+/// about the scene, and is compared with nothing.
+enum class Want { nothing, memory };
+
 /// The user's input is wrong. The text names the place, what is wrong and what would be right. Exit 3.
 struct InputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit InputError(const std::string& what, Want missing = Want::nothing)
+      : std::runtime_error(what), want(missing) {}
+  Want want;
 };
 
 /// The physics cannot go on. Names cell, step, quantity and the parameter to change. Exit 4.
 struct NumericalError : std::runtime_error {
-  NumericalError(std::string cell, std::uint64_t step, std::string quantity, std::string remedy);
+  NumericalError(std::string cell, std::uint64_t step, std::string quantity, std::string remedy,
+                 Want want = Want::nothing);
+  /// A failure that has been told already, in full.
+  NumericalError(const std::string& told, Want want);
   std::string cell;  // its path
-  std::uint64_t step;
+  std::uint64_t step = 0;
   std::string quantity, remedy;
+  Want want;
 };
 
 /// A file or database that cannot be read or written. The text names the file and the reason. Exit 6.

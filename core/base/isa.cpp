@@ -24,17 +24,8 @@ Isa bestIsa() {
 }
 
 const char* name(Isa isa) {
-  switch (isa) {
-    case Isa::scalar:
-      return "scalar";
-    case Isa::narrow:
-      return "narrow";
-    case Isa::avx2:
-      return "avx2";
-    case Isa::avx512:
-      return "avx512";
-  }
-  return "?";
+  constexpr const char* names[] = {"scalar", "narrow", "avx2", "avx512"};
+  return names[static_cast<int>(isa)];
 }
 
 Isa parseIsa(std::string_view word) {

@@ -3,20 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/error.h"
 
 namespace morula {
 
 const char* name(Fate fate) {
-  switch (fate) {
-    case Fate::alive:
-      return "alive";
-    case Fate::divided:
-      return "divided";
-    case Fate::died:
-      return "died";
-  }
-  MORULA_CHECK(false, "a fate without a name");
+  constexpr const char* names[] = {"alive", "divided", "died"};
+  return names[static_cast<int>(fate)];
 }
 
 std::vector<std::uint32_t> orderByPath(const Lineage& lineage) {

@@ -103,6 +103,8 @@ std::vector<ContactArea> sphereContacts(const Contacts& c, const Bodies& b) {
 
 constexpr double leastOverlap = 1.0 / 5000;  // of the influence radius
 constexpr double mostCover = 2;              // of a vertex's area
+// Of the smaller cell's surface as a sphere. Less is the touch of a vertex or two, which hangs on how meshes lie.
+constexpr double leastShare = 0.005;
 
 /// What presses on the vertices of either side over the mean pressure in both cells; where that is less than what so
 /// little overlap bears, over this. No vertex counts for more than twice its area.
@@ -122,6 +124,11 @@ std::vector<ContactArea> pressedAreas(const Contacts& c, const Bodies& b) {
       pairs.push_back({first, second, 0});
     pairs.back().area += 0.5 * std::min(p.pressing / pressure, mostCover * own);
   }
+  std::erase_if(pairs, [&](const ContactArea& p) {
+    const double radius =
+        b.parameters.cell.radius * std::min(b.restScale[b.slots[p.a]], b.restScale[b.slots[p.b]]);
+    return p.area < leastShare * 4 * std::numbers::pi * radius * radius;
+  });
   return pairs;
 }
 

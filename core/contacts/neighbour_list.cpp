@@ -51,6 +51,48 @@ NeighbourList makeNeighbourList(ContactSearch search, Isa isa) {
   return list;
 }
 
+namespace {
+
+/// Fills all blocks' lists. Each of the threads may use its share of what is left.
+template <class Search>
+void searchBlocks(Search& search, const SearchInput& input, NeighbourList& list, int threads) {
+  const Bodies& bodies = input.bodies;
+  std::atomic<std::int64_t> left = mostNumbers(list);
+  parallelFor(bodies.blockCount(), threads, [&](int block) {
+    BlockLists& lists = list.perBlock[block];
+    lists.clear(bodies.verticesPerLane(block) * blockLanes);
+    lists.most = std::min(left / threads, std::int64_t(std::numeric_limits<std::int32_t>::max()));
+    try {
+      searchBlock(search, input, block, lists);
+    } catch (const ListsTooLong&) { throw ListsTooLong{block}; }
+    left -= lists.used;
+  });
+}
+
+/// Throws ListsTooLong where one thread, block after block, would have.
+void requireRoomForLists(const NeighbourList& list) {
+  std::int64_t left = mostNumbers(list);
+  for (std::size_t block = 0; block < list.perBlock.size(); ++block) {
+    if (list.perBlock[block].asked > left) throw ListsTooLong{static_cast<int>(block)};
+    left -= list.perBlock[block].used;
+  }
+}
+
+/// Whether lists are too long, and where, must not depend on how many threads share what they may take: if they do not
+/// get along with their shares, one thread tells.
+template <class Search>
+void searchAllBlocks(Search& search, const SearchInput& input, NeighbourList& list, int threads) {
+  try {
+    searchBlocks(search, input, list, threads);
+    return requireRoomForLists(list);
+  } catch (const ListsTooLong&) {
+    if (threads <= 1) throw;
+  }
+  searchBlocks(search, input, list, 1);
+}
+
+}  // namespace
+
 void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
                         int threads) {
   const int blocks = bodies.blockCount();
@@ -63,16 +105,7 @@ void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const Aligned
   std::visit(
       [&](auto& search) {
         prepareSearch(search, input, threads);
-        std::atomic<std::int64_t> left = mostNumbers(list);
-        parallelFor(blocks, threads, [&](int block) {
-          BlockLists& lists = list.perBlock[block];
-          lists.clear(bodies.verticesPerLane(block) * blockLanes);
-          lists.most = std::min(left / threads, std::int64_t(std::numeric_limits<std::int32_t>::max()));
-          try {
-            searchBlock(search, input, block, lists);
-          } catch (const ListsTooLong&) { throw ListsTooLong{block}; }
-          left -= lists.used;
-        });
+        searchAllBlocks(search, input, list, threads);
         if constexpr (requires { search.preparation; }) list.counters += search.preparation;
       },
       list.search->way);

@@ -7,7 +7,6 @@ namespace morula {
 
 namespace {
 
-
 struct Point6 {
   Point y;
   Vector n;
@@ -31,7 +30,8 @@ void add(const Point6& i, const Point6& j, double stiffness, double adhesion, Pa
   const double byDepth = s * stiffness * depth * u * u * (1 + b * (2 * hardening1 + 3 * hardening2 * b));
   const double byFade =
       nearness * s * barrier * u * (2 + b * (3 * hardening1 + 4 * hardening2 * b)) - 0.5 * z * held;
-  const double byTurn = 3 / leastFacing * t * (1 - t) * barrier * u * u * hardened - 0.125 * m * (2 - m) * held * v;
+  const double byTurn =
+      3 / leastFacing * t * (1 - t) * barrier * u * u * hardened - 0.125 * m * (2 - m) * held * v;
   const Vector f = byDepth * h + (2 * curvature * byFade) * a;
   sum.repulsion += 0.25 * s * barrier * u * u * hardened;
   sum.adhesion -= z * held * v / 12;
@@ -63,9 +63,11 @@ std::vector<PairSum> sumPairs(const Contacts& c, const Bodies& b) {
         if (j == far) break;
         const int other = slotOf(j);
         auto sum = std::find_if(own.begin(), own.end(), [&](const PairSum& p) { return p.other == other; });
-        if (sum == own.end()) sum = own.insert(own.end(), {.vertex = g, .slot = slotOf(g), .other = other, .force = {}, .turn = {}});
-        add(i, read(c, b, j), c.parameters.stiffness,
-            c.parameters.adhesion ? c.adhesion.ofPairs[at] : 0.0, *sum);
+        if (sum == own.end())
+          sum = own.insert(own.end(),
+                           {.vertex = g, .slot = slotOf(g), .other = other, .force = {}, .turn = {}});
+        add(i, read(c, b, j), c.parameters.stiffness, c.parameters.adhesion ? c.adhesion.ofPairs[at] : 0.0,
+            *sum);
       }
       sums.insert(sums.end(), own.begin(), own.end());
     }

@@ -62,7 +62,8 @@ struct PairLaw {
         strongestGrip(c.strongestGrip) {}
 
   /// Adds what j does to i. `adhesion`: T [energy].
-  MORULA_INLINE void add(const Rows& i, const Rows& j, Lanes adhesion, SurfaceForce& sum, Lanes& deepest) const {
+  MORULA_INLINE void add(const Rows& i, const Rows& j, Lanes adhesion, SurfaceForce& sum,
+                         Lanes& deepest) const {
     const Vec a = i.x - j.x, relative = i.v - j.v, apartNormals = j.n - i.n;  // 2h
     const Lanes square = dot(a, a);
     const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);  // κ
@@ -80,7 +81,8 @@ struct PairLaw {
     const Lanes half = 0.5 * ((su * u) * max(push, Lanes(0.0)));  // E_D/2
     const Lanes barrier = stiffness * (depth * depth);
     Lanes byFade = (nearness * (su * barrier)) * (2.0 + b * (3 * hardening1 + (4 * hardening2) * b));  // −E_q
-    Lanes byTurn = ((3 / leastFacing) * (t * (1.0 - t))) * ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
+    Lanes byTurn = ((3 / leastFacing) * (t * (1.0 - t))) *
+                   ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
     if constexpr (withAdhesion) {
       const Lanes held = adhesion * (v * v);
       byFade -= ((0.125 * m) * (m * (3.0 - m))) * held;
@@ -115,8 +117,8 @@ inline void addPairForces(const BlockSlices& block, const std::int32_t* indices,
       const std::int32_t* index = indices + slice.start * blockLanes + lane;
       for (int k = 0; k < slice.length; ++k, index += blockLanes) {
         prefetchRows(rows, index);
-        law.add(i, loadRows(rows, index), withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0), sum,
-                deepest);
+        law.add(i, loadRows(rows, index), withAdhesion ? load(c.adhesion + (index - indices)) : Lanes(0.0),
+                sum, deepest);
       }
       storeOnSurface(block, slice.vertex + lane, c.vertices, i, sum);
     }

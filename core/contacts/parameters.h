@@ -37,7 +37,7 @@ struct AdhesionParameters {
 constexpr double retreat = 0.125;                                            // γ
 constexpr double foldedNormal = 2;                                           // ε
 constexpr double normalScaleSquared = 1 + foldedNormal * foldedNormal / 27;  // ν²
-constexpr double leastFacing = 0.5;                                              // m₀
+constexpr double leastFacing = 0.5;                                          // m₀
 constexpr double hardening1 = 6, hardening2 = 200;                           // β₁, β₂
 // B of two vertices face to face where the energy is about to fall again, and κ D² there: farther in each other,
 // surfaces are let through.
@@ -50,7 +50,8 @@ struct ContactParameters {
   double friction = 0;      // [1] Coulomb's coefficient; not the thesis' law
   double slipSpeed = 0.01;  // [length/time] below it friction fades out linearly
   double radius = 1;        // influence radius of a vertex, in mean rest lengths of its cell's edges
-  std::optional<AdhesionParameters> adhesion = {};  // absent: cells that touch do not stick; not the thesis' law
+  std::optional<AdhesionParameters> adhesion =
+      {};  // absent: cells that touch do not stick; not the thesis' law
 };
 
 }  // namespace morula

@@ -4,6 +4,7 @@
 //
 // The answer is fixed, so that it does not matter who gives it: the neighbours of vertex i are the vertices j
 // of other cells with |x_j − x_i|² < reach², in these roundings and in rising order of their numbers.
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -60,6 +61,7 @@ struct BlockLists {
   std::vector<std::int32_t> begin, length;  // [row] into neighbours
   std::vector<VertexNumber> neighbours;     // longer than used
   std::int32_t used = 0;
+  std::int64_t asked = 0;                                        // the most that room was asked for
   std::int64_t most = std::numeric_limits<std::int32_t>::max();  // numbers that may be kept
   std::vector<std::int32_t> order, place;  // rows by length, longest first; scratch of the ordering
   SearchCounters counters;                 // of this search
@@ -67,12 +69,13 @@ struct BlockLists {
   void clear(int rows) {
     begin.assign(rows, 0);
     length.assign(rows, 0);
-    used = 0;
+    used = 0, asked = 0;
     counters = {};
   }
   /// Where the next list goes, with room for so many numbers. Throws ListsTooLong.
   VertexNumber* room(std::int64_t numbers) {
-    if (used + numbers > most) throw ListsTooLong{};
+    asked = std::max(asked, used + numbers);
+    if (asked > most) throw ListsTooLong{};
     const std::size_t needed = std::size_t(used) + numbers;
     if (neighbours.size() < needed) neighbours.resize(needed + needed / 4);
     return neighbours.data() + used;

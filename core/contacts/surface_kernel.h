@@ -71,9 +71,11 @@ MORULA_INLINE void storeOnSurface(const BlockSlices& block, const VertexNumber* 
   store(t[0], turn.x), store(t[1], turn.y), store(t[2], turn.z);
   for (int i = 0; i < width; ++i) {
     if (vertex[i] >= vertices) continue;
-    const auto v = static_cast<std::uint32_t>(vertex[i] - block.firstVertex);  // dividing it by eight is a shift
+    const auto v =
+        static_cast<std::uint32_t>(vertex[i] - block.firstVertex);  // dividing it by eight is a shift
     const std::size_t at = std::size_t(v / blockLanes) * vertexStride + v % blockLanes;
-    Real *force = static_cast<Real*>(block.surfaceForce) + at, *couple = static_cast<Real*>(block.surfaceTurn) + at;
+    Real *force = static_cast<Real*>(block.surfaceForce) + at,
+         *couple = static_cast<Real*>(block.surfaceTurn) + at;
     for (int c = 0; c < 3; ++c) force[c * blockLanes] = f[c][i], couple[c * blockLanes] = t[c][i];
   }
 }
@@ -83,7 +85,8 @@ MORULA_INLINE Vec ringForce(const Real* position, const Real* forces, const Real
                             const double* share, int steps) {
   if constexpr (fixedSteps > 0) steps = fixedSteps;
   Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)}, fromRing = sum;
-  Vec before = loadVec(position + ring[steps - 1].vertexOffset), here = loadVec(position + ring[0].vertexOffset);
+  Vec before = loadVec(position + ring[steps - 1].vertexOffset),
+      here = loadVec(position + ring[0].vertexOffset);
   for (int k = 0; k < steps; ++k) {
     const int offset = ring[k].vertexOffset;
     const Vec next = loadVec(position + ring[k + 1 < steps ? k + 1 : 0].vertexOffset);
@@ -103,11 +106,12 @@ MORULA_INLINE void moveToVertices(const BlockSlices& block, Real* force) {
   for (int v = 0; v < mesh.vertexCount; ++v) {
     const int first = mesh.ringStart[v], steps = mesh.ringStart[v + 1] - first;
     for (int lane = 0; lane < block.liveLanes; lane += width) {
-      const Vec around = steps == 6 ? ringForce<6>(position + lane, forces + lane, turns + lane, mesh.ring + first,
-                                                   mesh.ringShare + first, 6)
-                                    : ringForce<0>(position + lane, forces + lane, turns + lane, mesh.ring + first,
-                                                   mesh.ringShare + first, steps);
-      storeVec(force, v, lane, loadVec(force, v, lane) + ((1.0 - retreat) * loadVec(forces, v, lane) + around));
+      const Vec around = steps == 6 ? ringForce<6>(position + lane, forces + lane, turns + lane,
+                                                   mesh.ring + first, mesh.ringShare + first, 6)
+                                    : ringForce<0>(position + lane, forces + lane, turns + lane,
+                                                   mesh.ring + first, mesh.ringShare + first, steps);
+      storeVec(force, v, lane,
+               loadVec(force, v, lane) + ((1.0 - retreat) * loadVec(forces, v, lane) + around));
     }
   }
 }

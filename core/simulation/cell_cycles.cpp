@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "base/random.h"
 #include "contacts/contacts.h"
 #include "simulation/observation.h"
@@ -90,8 +91,33 @@ double nextCycleOf(const World& world, std::size_t cell) {
          paceOf(world, cells.path[cell]) * world.biology->cycleLength(cells.state[cell]);
 }
 
+namespace {
+
+/// [time] Of the cycles that a scene knows.
+double longestCycle(const CycleParameters& cycle) {
+  double longest = cycle.length;
+  for (const auto* lengths : {&cycle.perSubstance, &cycle.atBirth})
+    for (const auto& [substance, length] : *lengths) longest = std::max(longest, length);
+  return longest;
+}
+
+/// A run that only a number of cells ends must not go on for ever where cells do not come to it.
+void requireCellsInTime(const World& world) {
+  const Scene& scene = world.model;
+  if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;
+  if (!(world.clock.time > double(mostCyclesForCells) * longestCycle(scene.cycle))) return;
+  throw NumericalError("", world.clock.step,
+                       "stop.cells: " + std::to_string(*scene.stop.cells) + " cells are not reached in " +
+                           std::to_string(mostCyclesForCells) +
+                           " cycles: " + std::to_string(world.cells.path.size()) + " live",
+                       "give fewer stop.cells, or a stop.time or stop.cycles besides");
+}
+
+}  // namespace
+
 void runCellCycles(World& world, double before, double until) {
   Clock& clock = world.clock;
+  requireCellsInTime(world);
   if (!(clock.nextCycle <= until)) return;
   // Cells that wait for a size have a next cycle in the past; so has a state that another stop has cut short, whose cycles
   // still count from when they were due.

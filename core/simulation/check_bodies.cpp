@@ -17,7 +17,8 @@ namespace {
 /// How far a cell's fastest vertex is from where the list was built.
 double farthestMove(const World& world, int slot) {
   const Bodies& b = *world.bodies;
-  const RowMemory* rows = &world.contacts->rows[b.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes];
+  const RowMemory* rows =
+      &world.contacts->rows[b.blocks[slot / blockLanes].firstLine * blockLanes + slot % blockLanes];
   double square = 0;
   for (int v = 0; v < b.vertexCount(slot); ++v) {
     const SnapshotRow row = readRow(rows[v * blockLanes], b.parameters.precision);
@@ -64,13 +65,13 @@ void checkDepth(const World& world) {
   const auto nameOf = [&](int slot) {
     return world.cells.path[std::ranges::find(b.slots, slot) - b.slots.begin()].text();
   };
-  throw BodyFailure(
-      nameOf(deepest.slot), world.clock.step,
-      "it is pressed into cell " + nameOf(deepest.other) + ", more than the " +
-          numberText(c.radius[deepest.slot] * std::sqrt(deepestBulk)) +
-          " that contacts hold surfaces apart over: they would pass through each other",
-      "raise physics.contact.stiffness, take a finer physics.mesh, move cells apart (cells: at), or lower what drives them "
-      "into each other: speeds (cells: velocity), physics.pressure, connections");
+  throw BodyFailure(nameOf(deepest.slot), world.clock.step,
+                    "it is pressed into cell " + nameOf(deepest.other) + ", more than the " +
+                        numberText(c.radius[deepest.slot] * std::sqrt(deepestBulk)) +
+                        " that contacts hold surfaces apart over: they would pass through each other",
+                    "raise physics.contact.stiffness, take a finer physics.mesh, move cells apart (cells: "
+                    "at), or lower what drives them "
+                    "into each other: speeds (cells: velocity), physics.pressure, connections");
 }
 
 }  // namespace

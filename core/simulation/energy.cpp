@@ -14,8 +14,7 @@ template <class Visit>
 void forEachEdge(const Bodies& b, int slot, Visit&& visit) {
   const MeshTemplate& mesh = b.meshOf(slot);
   const auto visitEdge = [&](int i, int j, double weight) {
-    visit(b.vertex(slot, j) - b.vertex(slot, i),
-          b.read(b.velocity, slot, j) - b.read(b.velocity, slot, i),
+    visit(b.vertex(slot, j) - b.vertex(slot, i), b.read(b.velocity, slot, j) - b.read(b.velocity, slot, i),
           b.restScale[slot] * norm(mesh.mesh.vertices[i] - mesh.mesh.vertices[j]), weight);
   };
   for (std::size_t e = 0; e < mesh.springWeights.size(); ++e)
@@ -55,7 +54,8 @@ double membranePower(const Bodies& b, int slot) {
 
 /// −Σ F·v of what damping and friction add to the forces of contact.
 double contactPower(const World& world) {
-  if (!world.contacts || world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair) return 0;
+  if (!world.contacts || world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair)
+    return 0;
   Bodies b = *world.bodies;
   const auto powerOf = [&](double damping, double friction) {
     Contacts c = *world.contacts;

@@ -13,7 +13,7 @@ using Value = std::optional<double>;
 // clang-format off
 constexpr PairMeasure ofPair[] = {
     {.name = "area", .unit = "length²",
-     .meaning = "Of the contact: the mean of what the vertices of either cell stand for that touch the other one; of two "
+     .meaning = "Of the contact: force over pressure, of either cell's vertices where the surfaces overlap, if it is 0.005 of the smaller one's surface at least; of two "
                 "balls the disc in which their surfaces meet",
      .needs = Needs::contact,
      .get = [](const Touch& touch) -> Value { return touch.area; }},

@@ -70,8 +70,8 @@ constexpr WorldMeasure ofWorld[] = {
      .meaning = "k_c times the length of every connection [Nilsson 2008, eq. 4.9], or of a spring ½ k (d − rest)²",
      .taken = Taken::onDemand, .get = [](Now now) -> Value { return measureEnergy(now.world).connections; }},
     {.name = "contact_energy", .unit = "force·length",
-     .meaning = "What overlaps hold: ½ s K D² u² (1 + 6 B + 200 B²) of every pair of vertices (core/contacts/pair_law_kernel.h); 0 with the "
-                "thesis' law, whose forces have no energy",
+     .meaning = "What overlaps hold: ½ s K D² u² (1 + 6B + 200B²) of every pair of vertices (core/contacts/pair_law_kernel.h); 0 with the "
+                "thesis' law and of spheres, of which none is told",
      .needs = Needs::contact, .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureEnergy(now.world).contact; }},
     {.name = "adhesion_energy", .unit = "force·length",

@@ -90,7 +90,8 @@ void requireMemory(const World& world, const CellPath& cell, double cellsEver, d
       "its division " + problem + ": " + numberText(cellsEver, 15) + " cells have ever lived" +
           (world.bodies ? ", and the living have " + numberText(vertices, 15) + " vertices" : ""),
       std::string("stop earlier (stop.cells, stop.cycles, stop.time), let fewer cells divide (dna), ") +
-          (world.bodies ? "take a coarser physics.mesh, " : "") + "or raise --memory-limit");
+          (world.bodies ? "take a coarser physics.mesh, " : "") + "or raise --memory-limit",
+      Want::memory);
 }
 
 void requireMemoryForStart(const World& world) {
@@ -102,9 +103,10 @@ void requireMemoryForStart(const World& world) {
   const std::string problem = problemOf(world, double(world.lineage.entries.size()), lanes * each);
   if (problem.empty()) return;
   throw InputError((world.model.cells.empty() ? "physics.mesh " : "cells ") + std::to_string(cells) +
-                   (cells == 1 ? " cell of " : " cells of ") + numberText(each, 15) +
-                   (each == 1 ? " vertex " : " vertices ") + problem +
-                   "; take a coarser physics.mesh, begin with fewer cells, or raise --memory-limit");
+                       (cells == 1 ? " cell of " : " cells of ") + numberText(each, 15) +
+                       (each == 1 ? " vertex " : " vertices ") + problem +
+                       "; take a coarser physics.mesh, begin with fewer cells, or raise --memory-limit",
+                   Want::memory);
 }
 
 MemoryUse measureMemory(const World& world) {

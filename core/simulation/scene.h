@@ -19,6 +19,9 @@
 
 namespace morula {
 
+/// [longest cycle] In so much time a number of cells must have come to life that alone ends a run.
+constexpr int mostCyclesForCells = 1000;
+
 /// The run ends at the first of the limits that are given; at least one is.
 struct StopParameters {
   std::optional<std::uint64_t> cycles;  // times cycle.length: when cell cycle number `cycles` has run

@@ -76,7 +76,8 @@ void refreshLists(World& world) {
             bytesText(world.contacts->list.mostBytes) + ", which the memory limit of " +
             bytesText(world.execution.memoryLimit) + " leaves them: cells are in one another",
         "move cells apart (cells: at), give a smaller physics.contact.radius or a coarser physics.mesh, or "
-        "raise --memory-limit");
+        "raise --memory-limit",
+        Want::memory);
   }
 }
 

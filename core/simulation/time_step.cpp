@@ -71,9 +71,11 @@ constexpr double heldByLimit = 24;
 
 /// [force/length] Of one pair of vertices. A sphere is either pushed or drawn by another: the steeper slope counts.
 double contactStiffness(const Contacts& c, const Bodies& b) {
+  // A time step that the scene gives is held against what contacts are before they harden.
+  const double hardening = b.parameters.timeStep ? 1 : std::max(1.0, measureHardening(c) / heldByLimit);
   const double adhesion = adhesionStiffness(c, b);
   if (b.areSpheres()) return std::max(c.parameters.stiffness, adhesion);
-  return std::max(1.0, measureHardening(c) / heldByLimit) * c.parameters.stiffness + foldedAdhesion * adhesion;
+  return hardening * c.parameters.stiffness + foldedAdhesion * adhesion;
 }
 
 /// The limits of the cell with the smallest combined one.

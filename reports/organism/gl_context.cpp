@@ -1,6 +1,7 @@
 #include "organism/gl_context.h"
 
 #include <GL/osmesa.h>
+#include <sys/mman.h>
 
 #include <array>
 #include <cstdlib>
@@ -44,10 +45,26 @@ void settleDriver() {
   });
 }
 
+/// [byte] Of address space: compiled shaders, threads, and what they draw into. With 320 MB it broke down now and then,
+/// as its threads happen to ask for memory.
+constexpr double ofContext = 450e6;
+
 }  // namespace
 
-OffscreenContext::OffscreenContext() : handle_(new Handle) {
+void requireMemoryToDraw(double bytes) {
+  const auto all = static_cast<std::size_t>(bytes);
+  void* const place = ::mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (place == MAP_FAILED)
+    throw NumericalError("there is not enough memory to draw: it takes " + std::to_string(all / 1'000'000) +
+                             " MB; draw a smaller picture, with less --supersample, or where there is more",
+                         Want::memory);
+  ::munmap(place, all);
+}
+
+OffscreenContext::OffscreenContext() {
   settleDriver();
+  requireMemoryToDraw(ofContext);
+  handle_ = new Handle;
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_RGBA,
                             OSMESA_DEPTH_BITS,

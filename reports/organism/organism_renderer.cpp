@@ -134,6 +134,10 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
   if (!targets_ || targets_->width != width || targets_->height != height ||
       targets_->samples != picture.samples || targets_->counted != picture.clip.has_value()) {
     targets_.reset();
+    // As Targets has textures, and once more for what is translucent and for what is read back.
+    constexpr double ofSample = 64, ofPixel = 24, ofThreads = 100e6;
+    requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) +
+                        ofThreads);
     targets_ = std::make_unique<Targets>(width, height, picture.samples, picture.clip.has_value());
   }
   drawSolid(frame);

@@ -51,40 +51,4 @@ std::string pageFile(const Page& page) {
   return html + "</body>\n</html>\n";
 }
 
-std::string htmlTable(const std::string& caption, const std::vector<std::string>& head,
-                      const std::vector<std::vector<std::string>>& rows) {
-  std::string html = "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"" + htmlText(caption) +
-                     "\"><table>\n<caption>" + htmlText(caption) + "</caption>\n";
-  if (!head.empty()) {
-    html += "<thead><tr>";
-    for (const std::string& cell : head)
-      html += cell.empty() ? "<td></td>" : "<th scope=\"col\">" + cell + "</th>";
-    html += "</tr></thead>\n";
-  }
-  html += "<tbody>\n";
-  for (const auto& row : rows) {
-    html += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      html += i == 0 ? "<th scope=\"row\">" + row[i] + "</th>" : "<td>" + row[i] + "</td>";
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
-}
-
-std::string htmlPicture(const std::string& type, const std::string& bytes, const std::string& what,
-                        const std::string& caption) {
-  return "<figure><img src=\"" + dataUri(type, bytes) + "\" alt=\"" + htmlText(what) + "\"><figcaption>" +
-         htmlText(caption) + "</figcaption></figure>\n";
-}
-
-std::string htmlLarge(const std::string& type, const std::string& bytes, const std::string& what,
-                      const std::string& caption) {
-  return "<div class=\"large\" tabindex=\"0\" role=\"region\" aria-label=\"" + htmlText(what) + "\">" +
-         htmlPicture(type, bytes, what, caption) + "</div>\n";
-}
-
-std::string htmlFolded(const std::string& title, const std::string& html) {
-  return "<details><summary>" + htmlText(title) + "</summary>\n" + html + "</details>\n";
-}
-
 }  // namespace morula

@@ -70,7 +70,7 @@ seeds: 1..50
 measures: [sphericity]
 END
 printf 'variation: {cycle: 0.05, start: 0.01}\n' >>"$scratch/small.yaml"
-"$program" study run "$scratch/many.study.yaml" --to "$scratch/many" --no-predict --quiet >/dev/null
+"$program" study run "$scratch/many.study.yaml" --out "$scratch/many" --no-predict --quiet >/dev/null
 page study 10 "$scratch/many"
 
 files="one.html check.html study.html"

@@ -12,11 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  text.replace(text.find(what), what.size(), by);
-  return text;
-}
-
 /// Whether a page says so; it is too long for a message.
 bool has(const std::string& page, const std::string& words) { return page.find(words) != page.npos; }
 

@@ -25,9 +25,6 @@ physics: {mesh: {icosphere: 1}, contact: {}}
 
 const std::string inside = "check: {fails: [step, inside out, physics.pressure.constant]}\n";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
 const std::string collapses = replaced(two, "contact: {}", "pressure: {constant: 0, outside: 50}");
 const std::string refused = replaced(two, "contact: {}", "time_step: 1");
 

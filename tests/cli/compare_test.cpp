@@ -72,28 +72,23 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
   const std::string file = folder / "study.db";
   writePolicies(file);
   std::filesystem::create_directory(folder / "empty");
-  const auto fails = [](int code, const std::string& words, const std::vector<std::string>& arguments) {
-    const auto run = launch(arguments);
-    CHECK(run.code == code);
-    CHECK(run.out.empty());
-    CHECK_THAT(run.err, ContainsSubstring(words));
-  };
-  fails(2, "did you mean division?", {"compare", file, "--by", "divison"});
-  fails(2, "--equivalent: 'much' is no margin; needs a number above 0",
-        {"compare", file, "--equivalent", "much"});
-  fails(2, "leave out one of them", {"compare", file, "--csv", "--json"});
-  fails(2, "needs a name that ends in", {"compare", file, "-o", folder / "all.gif"});
+  refuses({"compare", file, "--by", "divison"}, 2, "did you mean division?");
+  refuses({"compare", file, "--equivalent", "much"}, 2,
+          "--equivalent: 'much' is no margin; needs a number above 0");
+  refuses({"compare", file, "--csv", "--json"}, 2, "--csv and --json: give one of them");
+  refuses({"compare", file, "-o", folder / "all.gif"}, 2, "needs a name that ends in");
   const std::string picture = folder / "grid.png";
-  fails(2, "give --pictures FILE, too", {"compare", file, "--moments", "3"});
-  fails(2, "give one of them", {"compare", file, "--pictures", picture, "--moments", "3", "--at-cells", "4"});
-  fails(2, "--moments", {"compare", file, "--pictures", picture, "--moments", "13"});
-  fails(2, "needs rising times", {"compare", file, "--pictures", picture, "--at-times", "2,1"});
-  fails(2, "needs rising numbers of cells", {"compare", file, "--pictures", picture, "--at-cells", "4,4"});
-  fails(2, "13 moments are too many for one picture, which has room for 12",
-        {"compare", file, "--pictures", picture, "--at-cells", "1,2,3,4,5,6,7,8,9,10,11,12,13"});
-  fails(6, "no such file", {"compare", folder / "none.db"});
-  fails(6, "morula study merge " + (folder / "empty") + " makes it", {"compare", folder / "empty"});
-  fails(6, "not an SQLite database", {"compare", "README.md"});
+  refuses({"compare", file, "--moments", "3"}, 2, "--moments: only with --pictures");
+  refuses({"compare", file, "--pictures", picture, "--moments", "3", "--at-cells", "4"}, 2,
+          "give one of them");
+  refuses({"compare", file, "--pictures", picture, "--moments", "13"}, 2, "--moments");
+  refuses({"compare", file, "--pictures", picture, "--at-times", "2,1"}, 2, "needs rising times");
+  refuses({"compare", file, "--pictures", picture, "--at-cells", "4,4"}, 2, "needs rising numbers of cells");
+  refuses({"compare", file, "--pictures", picture, "--at-cells", "1,2,3,4,5,6,7,8,9,10,11,12,13"}, 2,
+          "13 moments are too many for one picture, which has room for 12");
+  refuses({"compare", folder / "none.db"}, 6, "no such file");
+  refuses({"compare", folder / "empty"}, 6, "morula study merge " + (folder / "empty") + " makes it");
+  refuses({"compare", "README.md"}, 6, "not an SQLite database");
 }
 
 TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
@@ -108,7 +103,7 @@ TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
              "vary: {drag: {little: {physics.drag: 4}, much: {physics.drag: 8}}}\n"
              "seeds: 1..4\nmeasures: {names: [sphericity, cells], when: {every: 0.5}}\n");
   const std::string study = folder / "pair.study.yaml", to = folder / "results";
-  const auto run = launch({"study", "run", study, "--to", to, "--quiet"});
+  const auto run = launch({"study", "run", study, "--out", to, "--quiet"});
   INFO(run.err);
   REQUIRE(run.code == 0);
   const auto compared =

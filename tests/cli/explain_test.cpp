@@ -17,13 +17,9 @@ const std::string divides =
     "stop: {cycles: 2}\nphysics:\n  mesh: {icosphere: 1}\n  cell: {radius: 0.95}\n  drag: 1\n  contact: {}\n"
     "division: {plane: longest}\n";
 
-Json explained(const std::vector<std::string>& arguments, int code) {
-  std::vector<std::string> all{"explain", "--json"};
-  all.insert(all.end(), arguments.begin(), arguments.end());
-  const auto run = launch(all);
-  INFO(run.err);
-  REQUIRE(run.code == code);
-  return Json::parse(run.out);
+Json explained(std::vector<std::string> arguments, int code) {
+  arguments.insert(arguments.begin(), "explain");
+  return jsonOf(arguments, code);
 }
 
 void accept(const std::string& scenario) {
@@ -31,10 +27,6 @@ void accept(const std::string& scenario) {
       launch({"review", scenario, "--accept", "--by", "tests", "--why", "the first one"}, {{"CI", ""}});
   INFO(run.err);
   REQUIRE(run.code == 0);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
 }
 
 /// A program that computes another scenario than it is asked for: as an older build would that had another

@@ -54,7 +54,7 @@ TEST_CASE("Each measure that samples hold is in the database, in JSON, in golden
   facts.cells.resize(1);
   const auto items = makeGoldenData(facts).items;
   const auto isInGolden = [&](const std::string& key) {
-    return std::ranges::any_of(items, [&](const GoldenItem& i) { return i.kind == "value" && i.key == key; });
+    return std::ranges::any_of(items, [&](const GoldenItem& i) { return idOf(i) == "value " + key; });
   };
   for (const std::string& name : names<Observation>()) {
     INFO(name);

@@ -98,7 +98,7 @@ TEST_CASE("lineage --cell refuses what is no cell of the tree, and says what is 
   }
   const auto drawn = launch({"lineage", scenario, "--cell", "P0", "-o", folder / "x.png"});
   CHECK(drawn.code == 2);
-  CHECK_THAT(drawn.err, ContainsSubstring("leave out one of them"));
+  CHECK_THAT(drawn.err, ContainsSubstring("--cell and --output: give one of them"));
   // A dead cell has no daughters, and her line ends with her.
   writeWhole(
       scenario,

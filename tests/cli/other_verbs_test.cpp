@@ -13,25 +13,16 @@ namespace {
 
 const std::string four = "scenarios/thesis/unique-four.yaml";
 
-Json jsonOf(const std::vector<std::string>& arguments, int code = 0) {
-  const auto run = launch(arguments);
-  INFO(run.err);
-  REQUIRE(run.code == code);
-  const auto json = Json::parse(run.out);
-  CHECK(json["morula"] == 1);
-  return json;
-}
-
 const std::string small = "morula: 1\nname: small\ndna: 'START: a0'\nstop: {cycles: 2}\n";
 
 }  // namespace
 
 TEST_CASE("validate tells all files' mistakes, and passes good ones") {
-  const auto good = jsonOf({"validate", four, "scenarios/thesis/elegans-1024.yaml", "--json"});
+  const auto good = jsonOf({"validate", four, "scenarios/thesis/elegans-1024.yaml"});
   CHECK(good["scenarios"][0]["valid"] == true);
   CHECK(good["scenarios"][0]["scenario"] == "unique-four");
   CHECK(good["scenarios"][1]["valid"] == true);
-  const auto bad = jsonOf({"validate", "tests/bad_scenarios/octal.yaml", four, "--json"}, 3);
+  const auto bad = jsonOf({"validate", "tests/bad_scenarios/octal.yaml", four}, 3);
   CHECK(bad["scenarios"][0]["valid"] == false);
   CHECK(bad["scenarios"][0]["errors"].size() == 1);
   CHECK(bad["scenarios"][1]["valid"] == true);
@@ -58,7 +49,7 @@ TEST_CASE("init writes a scenario that is right, and nothing over a file that is
   const TemporaryFolder folder;
   const auto file = folder / "my first.yaml";
   CHECK(launch({"init", file}).code == 0);
-  CHECK(jsonOf({"validate", file, "--json"})["scenarios"][0]["scenario"] == "my-first");
+  CHECK(jsonOf({"validate", file})["scenarios"][0]["scenario"] == "my-first");
   const auto again = launch({"init", file});
   CHECK(again.code == 6);
   CHECK(again.err.find("is there already") != std::string::npos);
@@ -79,7 +70,7 @@ TEST_CASE("lineage: the same tree from the scenario and from the database") {
   const auto prescribed = launch({"lineage", four});
   CHECK(prescribed.code == 0);
   CHECK(prescribed.out == launch({"lineage", folder / "four.db"}).out);
-  const auto json = jsonOf({"lineage", four, "--json"});
+  const auto json = jsonOf({"lineage", four});
   REQUIRE(json["cells"].size() == 7);
   CHECK(json["cells"][0]["path"] == "");
   CHECK(json["cells"][0]["parent"].is_null());
@@ -87,7 +78,7 @@ TEST_CASE("lineage: the same tree from the scenario and from the database") {
   CHECK(json["cells"][6]["parent"] == "B");
   CHECK(json["cells"][6]["state"] == "a7");
   CHECK(json["cells"][6]["fate"] == "alive");
-  CHECK(jsonOf({"lineage", "scenarios/thesis/elegans-1024.yaml", "--json"})["cells"].size() == 2047);
+  CHECK(jsonOf({"lineage", "scenarios/thesis/elegans-1024.yaml"})["cells"].size() == 2047);
 }
 
 TEST_CASE("lineage draws the tree as its file's ending says, from the scenario and from the database") {
@@ -97,7 +88,7 @@ TEST_CASE("lineage draws the tree as its file's ending says, from the scenario a
       {".png", "\x89PNG"}, {".SVG", "<?xml"}, {".pdf", "%PDF-"}};
   for (const auto& [ending, beginning] : endings) {
     const auto file = folder / "a" + ending, other = folder / "b" + ending;
-    const auto json = jsonOf({"lineage", four, "--json", "-o", file});
+    const auto json = jsonOf({"lineage", four, "-o", file});
     CHECK(json["cells"].size() == 7);
     CHECK(json["pictures"][0] == file);
     CHECK(readWhole(file).starts_with(beginning));
@@ -112,7 +103,7 @@ TEST_CASE("lineage draws the tree as its file's ending says, from the scenario a
 TEST_CASE("render draws a scenario and a stored run alike") {
   const TemporaryFolder folder;
   REQUIRE(launch({"run", four, "--db", folder / "four.db", "--no-pictures"}).code == 0);
-  const auto a = jsonOf({"render", four, "--time", "1.5", "--size", "200", "-o", folder / "a.png", "--json"});
+  const auto a = jsonOf({"render", four, "--time", "1.5", "--size", "200", "-o", folder / "a.png"});
   CHECK(a["pictures"][0] == folder / "a.png");
   CHECK(a["time"] == 1.5);
   const auto b =
@@ -130,7 +121,7 @@ TEST_CASE("review accepts with a reason, and check then passes until something c
   const TemporaryFolder folder;
   const auto scenario = folder / "small.yaml";
   writeWhole(scenario, small);
-  const auto missing = jsonOf({"check", scenario, "--json"}, 1);
+  const auto missing = jsonOf({"check", scenario}, 1);
   CHECK(missing["results"][0]["passed"] == false);
   CHECK(launch({"review", scenario, "--accept", "--by", "tests"}).code == 2);
   const auto accepted =
@@ -139,7 +130,7 @@ TEST_CASE("review accepts with a reason, and check then passes until something c
   REQUIRE(accepted.code == 0);
   CHECK(fs::exists(folder / "small.golden"));
 
-  const auto json = jsonOf({"check", scenario, "--json"});
+  const auto json = jsonOf({"check", scenario});
   REQUIRE(!json["results"].empty());
   for (const auto& result : json["results"]) {
     CHECK(result["passed"] == true);
@@ -174,7 +165,7 @@ TEST_CASE(
   CHECK(launch({"check", scenario, "--isa", "scalar", "--threads", "2"}).code == 0);
 
   writeWhole(scenario, text + "division: {plane: {axis: [0, 1, 0]}}\n");
-  const auto json = jsonOf({"check", scenario, "--json"}, 1);
+  const auto json = jsonOf({"check", scenario}, 1);
   bool named = false;
   for (const auto& result : json["results"])
     named = named || (result["passed"] == false && result["first_step"].is_number() &&

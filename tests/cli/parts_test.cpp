@@ -11,16 +11,6 @@ namespace {
 
 const std::string four = "scenarios/thesis/unique-four.yaml";
 
-Json jsonOf(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "parts");
-  arguments.push_back("--json");
-  const auto run = launch(arguments);
-  INFO(run.err);
-  REQUIRE(run.code == 0);
-  CHECK(run.err.empty());
-  return Json::parse(run.out);
-}
-
 Json part(const Json& json, const std::string& name) {
   for (const auto& p : json["parts"])
     if (p["part"] == name) return p;
@@ -30,7 +20,7 @@ Json part(const Json& json, const std::string& name) {
 }  // namespace
 
 TEST_CASE("parts --json: what is engaged, why, and its shares of one whole") {
-  const auto json = jsonOf({four});
+  const auto json = jsonOf({"parts", four});
   CHECK(json["morula"] == 1);
   CHECK(json["scenario"] == "unique-four");
   CHECK(json["cells"] == 4);
@@ -63,11 +53,12 @@ TEST_CASE("parts foresees the steps that the run then takes") {
   const TemporaryFolder folder;
   const auto run = launch({"run", four, "--json", "--no-pictures", "--no-check", "--out", folder.path()});
   REQUIRE(run.code == 0);
-  CHECK(jsonOf({four})["steps"] == Json::parse(run.out)["steps"]);
+  CHECK(jsonOf({"parts", four})["steps"] == Json::parse(run.out)["steps"]);
 }
 
 TEST_CASE("parts follows changes of the scene and of the search") {
-  const auto changed = jsonOf({four, "--set", "physics.drag=0", "--search", "aabb-tree", "--isa", "scalar"});
+  const auto changed =
+      jsonOf({"parts", four, "--set", "physics.drag=0", "--search", "aabb-tree", "--isa", "scalar"});
   CHECK(part(changed, "drag")["engaged"] == false);
   CHECK(part(changed, "search")["how"] == "aabb-tree");
   CHECK(part(changed, "search")["why"] == "--search");
@@ -77,7 +68,7 @@ TEST_CASE("parts follows changes of the scene and of the search") {
 }
 
 TEST_CASE("parts of a lineage: genes only") {
-  const auto json = jsonOf({"scenarios/thesis/elegans-1024.yaml"});
+  const auto json = jsonOf({"parts", "scenarios/thesis/elegans-1024.yaml"});
   CHECK(json["cells"] == 1024);
   CHECK(json["vertices"] == 0);
   CHECK(part(json, "bodies")["engaged"] == false);

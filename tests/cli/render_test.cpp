@@ -23,10 +23,7 @@ std::pair<int, int> sidesOf(const std::string& png) {
 
 void refused(std::vector<std::string> arguments, const std::string& words) {
   arguments.insert(arguments.begin(), "render");
-  const auto end = launch(arguments);
-  INFO(end.err);
-  CHECK(end.code == 2);
-  CHECK(end.err.find(words) != std::string::npos);
+  refuses(arguments, 2, words);
 }
 
 }  // namespace
@@ -129,12 +126,13 @@ TEST_CASE("render refuses what it cannot draw, by the option's name") {
   refused({four, "--opacity", "=0.5"}, "--opacity");
   refused({four, "--forces", "sprin"}, "did you mean spring?");
   refused({four, "--colour", "volum"}, "did you mean volume?");
-  refused({four, "--labels", "both"}, "--labels: 'both' is not known; needs name or path");
+  refused({four, "--labels", "both"}, "--labels: 'both' is not known; needs none, name or path");
   refused({four, "--turntable", "1"}, "--turntable");
-  refused({four, "--turntable", "3", "--frames", "3"}, "leave out one of them");
+  refused({four, "--turntable", "3", "--frames", "3"}, "--turntable and --frames: give one of them");
   for (const char* option : {"--clip", "--labels", "--turntable", "--beside"})
-    refused({four, "--style", "lineage", option, "3"}, std::string(option) + " is of cells in space");
-  refused({four, "--style", "lineage", "--axes"}, "--axes is of cells in space");
+    refused({four, "--style", "lineage", option, "3"},
+            std::string("--style lineage and ") + option + ": give one of them");
+  refused({four, "--style", "lineage", "--axes"}, "--style lineage and --axes: give one of them");
   refused({four, "--fps", "10"}, "--fps is of a film");
   refused({four, "--fps", "0.001", "--frames", "3", "-o", "x.gif"}, "--fps: 0.001 is out of range");
   refused({four, "--size", "8192x8192"},

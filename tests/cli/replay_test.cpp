@@ -159,6 +159,26 @@ TEST_CASE("a replayed run is stored where it is asked for") {
   CHECK(Json::parse(run.out)["run_id"] == stored.id);
 }
 
+TEST_CASE("the record that is verified is not written over") {
+  const Stored stored;
+  const std::string before = readWhole(stored.database);
+  for (const std::string out : {stored.database, stored.folder.path() + "/./run.db"}) {
+    const auto run = launch({"replay", stored.database, "--db-out", out});
+    CHECK(run.code == 2);
+    CHECK_THAT(run.err, ContainsSubstring("needs another file"));
+  }
+  CHECK((readWhole(stored.database) == before));
+}
+
+TEST_CASE("checks that were taken out of a record are missed") {
+  Stored stored;
+  stored.execute("DELETE FROM check_result");
+  const auto run = launch({"replay", stored.database});
+  CAPTURE(run.out, run.err);
+  CHECK(run.code == 1);
+  CHECK_THAT(run.out, ContainsSubstring("check_result") && ContainsSubstring("NOT the same bits"));
+}
+
 TEST_CASE("what cannot be replayed") {
   Stored stored;
   CHECK(launch({"replay"}).code == 2);

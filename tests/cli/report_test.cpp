@@ -122,7 +122,7 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
   writeWhole(stored.folder / "two.study.yaml",
              "morula-study: 1\nname: two\nbase: small.yaml\nvary:\n  drag:\n    less: {physics.drag: 1}\n"
              "    more: {physics.drag: 4}\nseeds: 1..2\nmeasures: [sphericity]\n");
-  const auto ran = launch({"study", "run", stored.folder / "two.study.yaml", "--to", stored.folder / "study",
+  const auto ran = launch({"study", "run", stored.folder / "two.study.yaml", "--out", stored.folder / "study",
                            "--no-predict", "--quiet"});
   INFO(ran.err);
   REQUIRE(ran.code == 0);
@@ -143,19 +143,14 @@ TEST_CASE("A page of a study: its verdicts first, then every value and its runs"
 TEST_CASE("What report refuses, and why") {
   Stored stored;
   stored.run();
-  const auto refused = [&](const std::vector<std::string>& arguments, int code, const std::string& why) {
-    const auto launched = launch(arguments);
-    CHECK(launched.code == code);
-    CHECK_THAT(launched.err, ContainsSubstring(why));
-  };
-  refused({"report"}, 2, "what");
-  refused({"report", stored.folder / "none.db"}, 6, "no such file or folder");
-  refused({"report", stored.folder / "small.yaml"}, 2, "is a scenario; report needs a database");
-  refused({"report", stored.database, "-o", stored.folder / "page.pdf"}, 2, "does not end in .html");
-  refused({"report", stored.database, "--frames", "-1"}, 2, "--frames");
-  refused({"report", stored.database, "--run", "ffff"}, 6, "ffff");
+  refuses({"report"}, 2, "what");
+  refuses({"report", stored.folder / "none.db"}, 6, "no such file or folder");
+  refuses({"report", stored.folder / "small.yaml"}, 2, "is a scenario; report needs a database");
+  refuses({"report", stored.database, "-o", stored.folder / "page.pdf"}, 2, "does not end in .html");
+  refuses({"report", stored.database, "--frames", "-1"}, 2, "--frames");
+  refuses({"report", stored.database, "--run", "ffff"}, 6, "ffff");
   writeWhole(stored.folder / "mine.html", "<p>by hand</p>");
-  refused({"report", stored.database, "-o", stored.folder / "mine.html"}, 6, "mine.html");
+  refuses({"report", stored.database, "-o", stored.folder / "mine.html"}, 6, "mine.html");
   const TemporaryFolder empty;
-  refused({"report", empty.path()}, 2, "no database");
+  refuses({"report", empty.path()}, 2, "no database");
 }

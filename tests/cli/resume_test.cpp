@@ -70,16 +70,11 @@ std::int64_t checkpointStep(const std::string& file) {
   return number(file, "SELECT max(step) FROM checkpoint");
 }
 
-void waitUntilRunning(const std::string& file) {
-  for (int i = 0; i < 6000 && number(file, "SELECT count(*) FROM run WHERE status = 'running'") == 0; ++i)
-    usleep(5'000);
-}
-
 /// Sends the signal once there is a checkpoint behind `step`.
 Launched stopBehind(std::int64_t step, int signal, const std::string& file,
                     const std::vector<std::string>& how) {
   return launch(how, {}, [&](int process) {
-    for (int i = 0; i < 6000 && checkpointStep(file) <= step; ++i) usleep(5'000);
+    waitUntil([&] { return checkpointStep(file) > step; });
     kill(process, signal);
   });
 }
@@ -136,8 +131,7 @@ TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is tol
       "run", folder / "stopped.yaml", "--db", folder / "run.db", "--no-pictures", "--out", folder.path()};
   const auto database = folder / "run.db";
   const auto run = launch(how, {}, [&](int process) {
-    waitUntilRunning(database);
-    usleep(300'000);
+    waitUntilComputing(process);
     kill(process, SIGINT);
   });
   CHECK(run.code == 130);
@@ -160,8 +154,7 @@ TEST_CASE("Ctrl-C leaves a checkpoint without being asked, and the way on is tol
   SECTION("forgotten, it is told, and nothing is lost") {
     const auto step = checkpointStep(database);
     const auto forgotten = launch(how, {}, [&](int process) {
-      waitUntilRunning(database);
-      usleep(200'000);
+      waitUntilComputing(process);
       kill(process, SIGKILL);
     });
     CHECK_THAT(forgotten.err, ContainsSubstring("--resume goes on from there"));

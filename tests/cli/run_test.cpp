@@ -27,15 +27,6 @@ stop: {time: 1.5}
 physics: {mesh: {icosphere: 1}, contact: {}}
 )";
 
-Json runJson(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "run");
-  arguments.push_back("--json");
-  const auto run = launch(arguments);
-  INFO(run.err);
-  REQUIRE(run.code == 0);
-  return Json::parse(run.out);
-}
-
 }  // namespace
 
 TEST_CASE("the README's first command: simulates, stores, checks, draws, and says where") {
@@ -58,7 +49,7 @@ TEST_CASE("the README's first command: simulates, stores, checks, draws, and say
 TEST_CASE("JSON: one object with the contract's members, and nothing else on stdout") {
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", small);
-  const auto json = runJson({folder / "small.yaml", "--out", folder.path()});
+  const auto json = jsonOf({"run", folder / "small.yaml", "--out", folder.path()});
   CHECK(json["morula"] == 1);
   CHECK(json["scenario"] == "small");
   CHECK(json["seed"] == 0);
@@ -76,8 +67,9 @@ TEST_CASE("the same run has the same id and bits, however it is computed") {
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", small);
   const auto run = [&](std::vector<std::string> how) {
+    how.insert(how.begin(), "run");
     how.insert(how.end(), {folder / "small.yaml", "--out", folder.path(), "--no-pictures"});
-    const auto json = runJson(how);
+    const auto json = jsonOf(how);
     return json["run_id"].get<std::string>() + " " + json["state_hash"].get<std::string>();
   };
   const auto first = run({});
@@ -93,8 +85,8 @@ TEST_CASE("the same run has the same id and bits, however it is computed") {
 TEST_CASE("seeds: one run each, in folders of their own or in one database") {
   const TemporaryFolder folder;
   writeWhole(folder / "small.yaml", small);
-  const auto json = runJson({folder / "small.yaml", "--seeds", "1..3", "--set", "division.plane=random",
-                             "--no-pictures", "--db", folder / "all.db"});
+  const auto json = jsonOf({"run", folder / "small.yaml", "--seeds", "1..3", "--set", "division.plane=random",
+                            "--no-pictures", "--db", folder / "all.db"});
   REQUIRE(json["runs"].size() == 3);
   CHECK(json["runs"][0]["seed"] == 1);
   CHECK(json["runs"][2]["seed"] == 3);
@@ -105,7 +97,7 @@ TEST_CASE("seeds: one run each, in folders of their own or in one database") {
 
 TEST_CASE("a dry run writes nothing") {
   const TemporaryFolder folder;
-  const auto json = runJson({four, "--dry-run", "--out", folder / "results", "--seeds", "1..2"});
+  const auto json = jsonOf({"run", four, "--dry-run", "--out", folder / "results", "--seeds", "1..2"});
   CHECK(json["runs"][1]["status"] == "planned");
   CHECK(json["runs"][1]["until"] == 6);
   CHECK(!fs::exists(folder / "results"));
@@ -137,9 +129,7 @@ TEST_CASE("Ctrl-C and kill end a run cleanly, stored as killed") {
     const auto run = launch(
         {"run", four, "--out", folder.path(), "--db", database, "--json", "--set", "stop.cycles=90000"}, {},
         [&, signal = signal](int process) {
-          // The row `running` is written before the first step.
-          for (int i = 0; i < 6000 && !fs::exists(database); ++i) usleep(10'000);
-          usleep(300'000);
+          waitUntilComputing(process);
           kill(process, signal);
         });
     INFO(run.err);

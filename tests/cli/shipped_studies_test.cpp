@@ -161,7 +161,7 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
   if (std::filesystem::exists(file)) return file;
   INFO(study);
   const auto kept = keptRuns(study);
-  std::vector<std::string> command{"study",        "run",    folder + study + ".study.yaml", "--to", to,
+  std::vector<std::string> command{"study",        "run",    folder + study + ".study.yaml", "--out", to,
                                    "--no-predict", "--quiet"};
   const bool whole = std::getenv("MORULA_WHOLE_STUDIES");
   std::vector<std::size_t> made = madeAgain.at(study);

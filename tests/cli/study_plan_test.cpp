@@ -29,7 +29,7 @@ TEST_CASE("A study that init writes is valid, and its plan is told, written once
   CHECK(valid.code == 0);
   CHECK(valid.out == study + ": fine; conditions: 4, distinct runs: 22\n");
 
-  const auto dry = launch({"study", "plan", study, "--to", to, "--dry-run"});
+  const auto dry = launch({"study", "plan", study, "--out", to, "--dry-run"});
   CHECK(dry.code == 0);
   for (const char* text : {"4 conditions × 10 seeds = 40 replicates: 22 distinct scenes, each run once",
                            "2 conditions without anything that a seed changes",
@@ -39,18 +39,18 @@ TEST_CASE("A study that init writes is valid, and its plan is told, written once
   }
   CHECK_FALSE(fs::exists(to));
 
-  const auto made = launch({"study", "plan", study, "--to", to});
+  const auto made = launch({"study", "plan", study, "--out", to});
   CHECK(made.code == 0);
   CHECK(made.err.find("wrote " + to + "/plan.json") != std::string::npos);
   const std::string plan = readWhole(to + "/plan.json");
-  const auto again = launch({"study", "plan", study, "--to", to, "--no-predict"});
+  const auto again = launch({"study", "plan", study, "--out", to, "--no-predict"});
   CHECK(again.code == 0);
   CHECK(readWhole(to + "/plan.json") == plan);
 
   std::string changed = readWhole(study);
   changed.replace(changed.find("1..10"), 5, "1..11");
   writeWhole(study, changed);
-  const auto other = launch({"study", "plan", study, "--to", to});
+  const auto other = launch({"study", "plan", study, "--out", to});
   CHECK(other.code == 3);
   CHECK(other.err.find("another plan") != std::string::npos);
   CHECK(readWhole(to + "/plan.json") == plan);
@@ -59,7 +59,7 @@ TEST_CASE("A study that init writes is valid, and its plan is told, written once
 TEST_CASE("The plan as JSON agrees with the plan's file") {
   const TemporaryFolder folder;
   const std::string study = starterIn(folder), to = folder / "results";
-  const auto run = launch({"study", "plan", study, "--to", to, "--json"});
+  const auto run = launch({"study", "plan", study, "--out", to, "--json"});
   REQUIRE(run.code == 0);
   const json told = json::parse(run.out), file = json::parse(readWhole(to + "/plan.json"));
   CHECK(told.at("morula") == 1);
@@ -108,7 +108,7 @@ TEST_CASE("Studies and scenarios are not taken for each other, and verbs below s
             "morula: study plan: '--dry-ru' is not expected; did you mean --dry-run?"},
            {{"study", "plan"}, "morula: study plan: study is required"},
            {{"validate", "--seed", "3", study}, "is a study"},
-           {{"init", "--base", "a.yaml"}, "--base belongs to --study"}}) {
+           {{"init", "--base", "a.yaml"}, "--base: only with --study"}}) {
     CAPTURE(text);
     const auto wrong = launch(arguments);
     CHECK(wrong.code == 2);

@@ -31,8 +31,17 @@ struct Study {
                "vary: {division: {longest: {}, random: {division.plane: random}}}\nseeds: 1..6\nmeasures: "
                "[sphericity]\n");
   }
+  /// Three runs that end, and three that do not by themselves, instead.
+  void makeEndless() const {
+    writeWhole(folder / "small.yaml",
+               "morula: 1\nname: some\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {cycles: 3}\n"
+               "variation: {cycle: 0.01}\n");
+    writeWhole(folder / "small.study.yaml",
+               "morula-study: 1\nname: some\nbase: small.yaml\nvary: {length: {short: {}, endless: "
+               "{stop.cycles: 1000000000}}}\nseeds: 1..3\nmeasures: [cells]\n");
+  }
   Launched run(std::vector<std::string> more, const std::function<void(int)>& meanwhile = {}) const {
-    std::vector<std::string> words{"study", more.at(0), folder / "small.study.yaml", "--to", folder / "out"};
+    std::vector<std::string> words{"study", more.at(0), folder / "small.study.yaml", "--out", folder / "out"};
     words.insert(words.end(), more.begin() + 1, more.end());
     return launch(words, {}, meanwhile);
   }
@@ -96,9 +105,7 @@ TEST_CASE("a share, a task, the rest: each is computed once, and the whole is me
 TEST_CASE("mistakes on the command line are named") {
   const Study s;
   const auto refuses = [&](std::vector<std::string> words, int code, const std::string& because) {
-    const Launched l = s.run(std::move(words));
-    CHECK(l.code == code);
-    CHECK_THAT(l.err, ContainsSubstring(because));
+    morula::test::refuses(s.run(std::move(words)), code, because);
   };
   refuses({"run", "--shard", "5/3"}, 2, "--shard: '5/3' is no share; needs NUMBER/OF");
   refuses({"run", "--jobs", "0"}, 2, "--jobs: 0 is out of range");
@@ -118,7 +125,7 @@ TEST_CASE("a run that is ended from outside is no result") {
   writeWhole(s.folder / "small.study.yaml",
              "morula-study: 1\nname: endless\nbase: small.yaml\nseeds: [1]\nmeasures: [cells]\n");
   const Launched l = s.run({"run", "--no-predict"}, [&](int process) {
-    for (int i = 0; i < 6000 && childrenOf(process).empty(); ++i) usleep(2'000);
+    waitUntil([&] { return !childrenOf(process).empty(); });
     for (const int child : childrenOf(process)) kill(child, SIGKILL);
   });
   INFO(l.out + l.err);
@@ -130,9 +137,10 @@ TEST_CASE("a run that is ended from outside is no result") {
 
 TEST_CASE("Ctrl-C ends a study in good order, and the same command goes on") {
   const Study s;
+  s.makeEndless();
   std::set<int> children;
-  const Launched l = s.run({"run", "--jobs", "2"}, [&](int process) {
-    for (int i = 0; i < 6000 && s.results() < 3; ++i) usleep(2'000);
+  const Launched l = s.run({"run", "--jobs", "2", "--no-predict"}, [&](int process) {
+    waitUntil([&] { return s.results() == 3; });
     for (const int child : childrenOf(process)) children.insert(child);
     kill(process, SIGINT);
   });
@@ -140,25 +148,24 @@ TEST_CASE("Ctrl-C ends a study in good order, and the same command goes on") {
   CHECK_THAT(l.out, ContainsSubstring("were not begun; the same command goes on"));
   for (const int child : children) CHECK_FALSE(runs(child));
   CHECK(s.files(".part").empty());
-  const std::size_t there = s.results();
-  CHECK((there >= 3 && there < 12));
-  const Json rest = parsed(s.run({"run", "--json"}));
-  CHECK((rest["already"] == there && rest["computed"] == 12 - there));
+  CHECK(s.results() == 3);
+  const Json rest = parsed(s.run({"run", "--json", "--dry-run"}));
+  CHECK((rest["already"] == 3 && rest["asked"] == 6));
 }
 
 TEST_CASE("kill -9 leaves no process, and the next run removes what is left") {
   const Study s;
+  s.makeEndless();
   std::vector<int> children;
-  const Launched l = s.run({"run", "--jobs", "2"}, [&](int process) {
-    for (int i = 0; i < 6000 && s.results() < 2; ++i) usleep(2'000);
+  const Launched l = s.run({"run", "--jobs", "2", "--no-predict"}, [&](int process) {
+    waitUntil([&] { return s.results() == 3; });
     children = childrenOf(process);
     kill(process, SIGKILL);
   });
   CHECK(l.code == 128 + SIGKILL);
   writeWhole(s.folder / "out/tasks/.morula-here-1-1.part", "half");  // as one that was killed while it wrote
-  usleep(100'000);
-  for (const int child : children) CHECK_FALSE(runs(child));
-  CHECK(s.run({"run", "--jobs", "2"}).code == 0);
+  for (const int child : children) waitUntil([&] { return !runs(child); });
+  CHECK(s.run({"run", "--shard", "1/6"}).code == 0);
   CHECK(s.files(".part").empty());
 }
 
@@ -168,4 +175,10 @@ TEST_CASE("a dry run of a study writes nothing") {
   CHECK(l.code == 0);
   CHECK_THAT(l.out, ContainsSubstring("would compute 12 runs into"));
   CHECK_FALSE(fs::exists(s.folder / "out"));
+}
+
+TEST_CASE("runs of a study that is predicted compute with as many threads as they are given") {
+  const Study s;
+  const Json told = parsed(s.run({"run", "--threads", "2", "--json"}));
+  CHECK((told["computed"] == 12 && told["failed"].empty()));
 }

@@ -6,15 +6,6 @@ using namespace morula::test;
 
 namespace {
 
-/// Fails with a message on stderr that contains `text`, and nothing on stdout.
-void refused(const std::vector<std::string>& arguments, int code, const std::string& text) {
-  const auto run = launch(arguments);
-  INFO(run.err);
-  CHECK(run.code == code);
-  CHECK(run.out.empty());
-  CHECK(run.err.find(text) != std::string::npos);
-}
-
 const std::string four = "scenarios/thesis/unique-four.yaml";
 
 }  // namespace
@@ -41,9 +32,10 @@ TEST_CASE("a chart or tree is refused under a name that it cannot have, before a
       auto all = arguments;
       all.insert(all.end(), {"-o", "/nowhere/x" + ending});
       INFO(arguments[0]);
-      refused(all, 2, "needs a name that ends in .png, .svg or .pdf");
+      refuses(all, 2, "needs a name that ends in .png, .svg or .pdf");
     }
-  refused({"accuracy", four, "--into-golden", "-o", "x.png"}, 2, "remove --output");
+  refuses({"accuracy", four, "--into-golden", "-o", "x.png"}, 2,
+          "--into-golden and --output: give one of them");
 }
 
 TEST_CASE("every verb that help lists is there") {
@@ -56,52 +48,52 @@ TEST_CASE("every verb that help lists is there") {
 }
 
 TEST_CASE("misspelt verbs and options are guessed") {
-  refused({}, 2, "no verb; one of run, parts, check");
-  refused({"rnu", four}, 2, "unknown verb 'rnu'; did you mean run?");
-  refused({"valdate", four}, 2, "did you mean validate?");
-  refused({"frobnicate"}, 2, "unknown verb 'frobnicate'; one of run, ");
-  refused({four}, 2, "did you mean morula run " + four + "?");
-  refused({"run", four, "--jsno"}, 2, "run: '--jsno' is not expected; did you mean --json?");
-  refused({"run", four, "--thread=2"}, 2, "did you mean --threads?");
-  refused({"run", "--frobnicate", four}, 2, "run --help lists the options");
-  refused({"run"}, 2, "run: scenario is required");
-  refused({"accuracy", "--level", "1", "3", "nowhere.yaml"}, 6, "'nowhere.yaml' cannot be read");
-  refused({"schema", "surplus"}, 2, "'surplus' is not expected");
+  refuses(std::vector<std::string>{}, 2, "no verb; one of run, parts, check");
+  refuses({"rnu", four}, 2, "unknown verb 'rnu'; did you mean run?");
+  refuses({"valdate", four}, 2, "did you mean validate?");
+  refuses({"frobnicate"}, 2, "unknown verb 'frobnicate'; one of run, ");
+  refuses({four}, 2, "did you mean morula run " + four + "?");
+  refuses({"run", four, "--jsno"}, 2, "run: '--jsno' is not expected; did you mean --json?");
+  refuses({"run", four, "--thread=2"}, 2, "did you mean --threads?");
+  refuses({"run", "--frobnicate", four}, 2, "run --help lists the options");
+  refuses({"run"}, 2, "run: scenario is required");
+  refuses({"accuracy", "--level", "1", "3", "nowhere.yaml"}, 6, "'nowhere.yaml' cannot be read");
+  refuses({"schema", "surplus"}, 2, "'surplus' is not expected");
 }
 
 TEST_CASE("numbers on the command line are read strictly") {
-  refused({"run", four, "--threads", "two"}, 2, "--threads: 'two' is not a number");
-  refused({"run", four, "--threads", "0"}, 2,
+  refuses({"run", four, "--threads", "two"}, 2, "--threads: 'two' is not a number");
+  refuses({"run", four, "--threads", "0"}, 2,
           "--threads: 0 is out of range; needs a whole number from 1 to 1024");
-  refused({"run", four, "--threads", "010"}, 2, "leading zero");
-  refused({"run", four, "--isa", "sse9"}, 2, "--isa: ");
-  refused({"run", four, "--search", "octree"}, 2, "--search: 'octree'");
-  refused({"run", four, "--seeds", "1-5"}, 2, "--seeds: '1-5' is not a range; needs FIRST..LAST");
-  refused({"run", four, "--seeds", "5..1"}, 2, "runs backward");
-  refused({"run", four, "--seeds", "1..x"}, 2, "--seeds: 'x' is not a number");
-  refused({"run", four, "--seed", "1", "--seeds", "1..2"}, 2, "give one of them");
-  refused({"render", four, "--time", "-1"}, 2, "--time: -1 is out of range");
-  refused({"render", four, "--style", "sold"}, 2, "--style: 'sold' is not known");
-  refused({"init", "--dna", "full-tree", "--levels", "17"}, 2, "--levels: 17 is out of range");
+  refuses({"run", four, "--threads", "010"}, 2, "leading zero");
+  refuses({"run", four, "--seed", "-1"}, 2, "--seed: '-1' is negative");
+  refuses({"run", four, "--seed", "1e3"}, 2, "--seed: '1e3' is not a whole number");
+  refuses({"run", four, "--isa", "sse9"}, 2, "--isa: ");
+  refuses({"run", four, "--search", "octree"}, 2, "--search: 'octree'");
+  refuses({"run", four, "--seeds", "1-5"}, 2, "--seeds: '1-5' is not a range; needs FIRST..LAST");
+  refuses({"run", four, "--seeds", "5..1"}, 2, "runs backward");
+  refuses({"run", four, "--seeds", "1..x"}, 2, "--seeds: 'x' is not a number");
+  refuses({"run", four, "--seed", "1", "--seeds", "1..2"}, 2, "give one of them");
+  refuses({"render", four, "--time", "-1"}, 2, "--time: -1 is out of range");
+  refuses({"render", four, "--style", "sold"}, 2, "--style: 'sold' is not known");
+  refuses({"init", "--dna", "full-tree", "--levels", "17"}, 2, "--levels: 17 is out of range");
 }
 
 TEST_CASE("wrong values of the scene are input errors and name the option") {
-  refused({"run", four, "--seed", "-1"}, 3, "--seed: '-1' is negative");
-  refused({"run", four, "--seed", "1e3"}, 3, "--seed: '1e3' is not a whole number");
-  refused({"run", four, "--set", "physics.tme_step=0.1"}, 3,
+  refuses({"run", four, "--set", "physics.tme_step=0.1"}, 3,
           "--set physics.tme_step: unknown key; did you mean time_step?");
-  refused({"run", four, "--set", "physics.time_step"}, 3, "needs path=value");
-  refused({"run", four, "--set", "physics.time_step=0.5"}, 3, "--set physics.time_step: 0.5");
+  refuses({"run", four, "--set", "physics.time_step"}, 3, "needs path=value");
+  refuses({"run", four, "--set", "physics.time_step=0.5"}, 3, "--set physics.time_step: 0.5");
 }
 
 TEST_CASE("files that cannot be used") {
-  refused({"run", "no-such.yaml"}, 6, "'no-such.yaml' cannot be read: No such file or directory");
-  refused({"validate", "scenarios"}, 6, "'scenarios' is a folder");
-  refused({"lineage", "no-such.db"}, 6, "'no-such.db' cannot be read");
-  refused({"run", four, "--out", "/dev/null/results"}, 6, "cannot be made");
+  refuses({"run", "no-such.yaml"}, 6, "'no-such.yaml' cannot be read: No such file or directory");
+  refuses({"validate", "scenarios"}, 6, "'scenarios' is a folder");
+  refuses({"lineage", "no-such.db"}, 6, "'no-such.db' cannot be read");
+  refuses({"run", four, "--out", "/dev/null/results"}, 6, "cannot be made");
   const TemporaryFolder folder;
   // With the zero byte that ends the mark of a database.
   writeWhole(folder / "no.db",
              std::string("SQLite format 3") + '\0' + "but a database has pages, and this has none");
-  refused({"lineage", folder / "no.db"}, 6, "no.db");
+  refuses({"lineage", folder / "no.db"}, 6, "no.db");
 }

@@ -25,7 +25,7 @@ std::string head(const std::string& text) {
 }
 
 /// A comment is rounded to the two digits that it has.
-bool agree(double comment, double golden) { return std::abs(comment - golden) <= 0.06 * golden; }
+bool isRounded(double comment, double golden) { return std::abs(comment - golden) <= 0.06 * golden; }
 
 }  // namespace
 
@@ -49,7 +49,7 @@ TEST_CASE("The error that a scenario's comment states is its golden's") {
     if (!error || !states) continue;
     std::smatch match;
     REQUIRE(std::regex_search(comment, match, stated));
-    CHECK(agree(std::stod(match[1].matched ? match[1] : match[3]), error->time));
+    CHECK(isRounded(std::stod(match[1].matched ? match[1] : match[3]), error->time));
     const double until = std::stod(match[4]);
     CHECK(std::abs(until - error->until) <= 0.006 * error->until);
     if (match[2].matched) {
@@ -57,7 +57,7 @@ TEST_CASE("The error that a scenario's comment states is its golden's") {
       else if (match[2] == "none") CHECK(error->mesh == 0);
       else {
         REQUIRE(error->mesh);
-        CHECK(agree(std::stod(match[2]), *error->mesh));
+        CHECK(isRounded(std::stod(match[2]), *error->mesh));
       }
     } else {
       CHECK_FALSE(error->mesh);  // one that states the mesh is told in full

@@ -18,10 +18,6 @@ const std::string scene =
     "outside: "
     "43}\n  contact: {}\nrecord: {every: 0.125}\ncheck: {}\n";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
-
 /// True if the words stand in this order.
 bool inOrder(const std::string& text, const std::vector<std::string>& words) {
   std::size_t at = 0;

@@ -8,7 +8,7 @@ using namespace morula;
 TEST_CASE("growth lines of a golden rise in size and do not fall in step") {
   const auto text = [](std::vector<GoldenGrowth> growth) {
     Golden golden;
-    golden.data = {"x", "h", 1, {{"count", "steps", {"100"}}}};
+    golden.data = {"x", "h", 1, {GoldenCount{"steps", 100}}};
     golden.acceptedBy = "tests", golden.why = "a test", golden.growth = std::move(growth);
     return writeGolden(golden);
   };

@@ -60,7 +60,7 @@ lint() { # FILE [SHELL]
   if grep -n "$dir\|$MORULA" "$1"; then fail "$1 names a place of this machine"; fi
 }
 
-study run small.study.yaml --to whole >whole.txt
+study run small.study.yaml --out whole >whole.txt
 plain whole/study.db whole.db
 [ "$(sqlite3 whole/study.db "SELECT count(*) FROM task WHERE status = 'done'")" = 48 ] || fail "not all is done: $(cat whole.txt)"
 [ "$(sqlite3 whole/study.db 'PRAGMA integrity_check')" = ok ] || fail "the merged database is damaged"
@@ -68,13 +68,13 @@ plain whole/study.db whole.db
 
 case $way in
   jobs)
-    study run small.study.yaml --to two --jobs 2 >/dev/null
+    study run small.study.yaml --out two --jobs 2 >/dev/null
     same two
     study merge whole >/dev/null # once more: nothing changes
     same whole
     ;;
   shards)
-    for i in 1 2 3 4 5; do study run small.study.yaml --to "machine$i" --shard $i/5 >/dev/null; done
+    for i in 1 2 3 4 5; do study run small.study.yaml --out "machine$i" --shard $i/5 >/dev/null; done
     if study merge machine1 machine2 machine4 >some.txt; then fail "runs are missing, and merge says nothing"; fi
     grep -q 'missing' some.txt || fail "merge does not say what is missing"
     study merge machine1 machine4 machine2 machine5 machine3 >/dev/null
@@ -87,7 +87,7 @@ case $way in
     while [ $killed -lt 20 ]; do
       starts=$((starts + 1))
       [ $starts -lt 200 ] || fail "$killed kills hit in $starts starts"
-      "$MORULA" study run small.study.yaml --to killed --jobs 2 --quiet >/dev/null &
+      "$MORULA" study run small.study.yaml --out killed --jobs 2 --quiet >/dev/null &
       process=$!
       sleep "0.$(printf %03d $((RANDOM % 400 + 40)))"
       kill -9 $process 2>/dev/null || :
@@ -100,14 +100,14 @@ case $way in
     for file in killed/tasks/*.db; do
       [ "$(sqlite3 "$file" 'PRAGMA integrity_check')" = ok ] || fail "$file is damaged"
     done
-    study run small.study.yaml --to killed >/dev/null
+    study run small.study.yaml --out killed >/dev/null
     same killed
     echo "$killed kills in $starts starts"
     ;;
   snakemake)
     needs snakemake
     mkdir snakes
-    study emit snakemake small.study.yaml --to snakes >/dev/null
+    study emit snakemake small.study.yaml --out snakes >/dev/null
     if grep -n "$dir\|$MORULA" snakes/Snakefile; then fail "the Snakefile names a place of this machine"; fi
     XDG_CACHE_HOME=$dir/cache snakemake --snakefile snakes/Snakefile --cores 2 --quiet all --nolock >snakes.txt 2>&1 ||
       fail "$(tail -n 30 snakes.txt)"
@@ -115,14 +115,14 @@ case $way in
     ;;
   parallel)
     needs parallel
-    study emit parallel small.study.yaml --to beside --jobs 6 >/dev/null
+    study emit parallel small.study.yaml --out beside --jobs 6 >/dev/null
     lint beside/parallel.sh
     HOME=$dir sh beside/parallel.sh --jobs 2 >parallel.txt 2>&1 || fail "$(tail -n 30 parallel.txt)"
     [ "$(wc -l <beside/parallel.log)" = 7 ] || fail "the job log has not 6 jobs: $(cat beside/parallel.log)"
     same beside
     ;;
   slurm)
-    study emit slurm small.study.yaml --to cluster --jobs 4 >/dev/null
+    study emit slurm small.study.yaml --out cluster --jobs 4 >/dev/null
     lint cluster/study.sbatch
     if start_slurm "$dir/slurm"; then
       sbatch --parsable cluster/study.sbatch >job

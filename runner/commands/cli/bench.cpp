@@ -24,77 +24,43 @@ namespace morula::cli {
 namespace {
 
 struct BenchWords {
-  std::vector<std::string> cells, vertices, isas, threads, stages;
+  BenchOptions options{.levels = {}, .threads = {}};
   std::string out = "results", picture;
   bool quick = false, full = false, noBullet = false;
   OutputOptions output;
 };
 
-constexpr Stage allStages[] = {Stage::step, Stage::internal, Stage::contact, Stage::rebuild,
-                               Stage::integrate};
-
-std::vector<int> numbers(const std::string& option, const std::vector<std::string>& words, int low,
-                         int high) {
-  std::vector<int> list;
-  for (const auto& word : words)
-    list.push_back(static_cast<int>(
-        naturalOption(option, word, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high))));
+template <class T>
+std::vector<T> sorted(std::vector<T> list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
   return list;
 }
 
-int levelOf(int vertices) {
-  for (const int level : {1, 2, 3})
-    if (vertices == 10 * (1 << 2 * level) + 2) return level;
-  throw UsageError(fmt::format("--vertices: {} is no icosphere's number; needs 42, 162 or 642", vertices));
+/// The icosphere with so many vertices.
+int readLevel(const std::string& text) {
+  const auto vertices = natural(42, 642)(text);
+  for (const unsigned level : {1u, 2u, 3u})
+    if (vertices == 10 * (1u << 2 * level) + 2) return static_cast<int>(level);
+  throw InputError(text + " is no icosphere's number; needs 42, 162 or 642");
 }
 
-std::vector<Stage> stages(const std::vector<std::string>& words) {
-  if (words.empty()) return {std::begin(allStages), std::end(allStages)};
-  std::vector<Stage> list;
-  for (const auto& word : words) {
-    const auto* found = std::find_if(std::begin(allStages), std::end(allStages),
-                                     [&](Stage stage) { return word == name(stage); });
-    if (found == std::end(allStages))
-      throw UsageError("--stage: '" + word +
-                       "' is no stage; needs step, internal, contact, rebuild or integrate");
-    list.push_back(*found);
-  }
-  return list;
-}
-
-std::vector<Isa> isas(const std::vector<std::string>& words) {
-  std::vector<Isa> list;
-  try {
-    for (const auto& word : words) list.push_back(parseIsa(word));
-  } catch (const InputError& error) { throw UsageError(std::string("--isa: ") + error.what()); }
-  if (list.empty()) return availableIsas();
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-  return list;
-}
-
-BenchOptions meant(const BenchWords& words) {
-  if (words.quick && words.full) throw UsageError("--quick and --full: give one of them");
-  BenchOptions options;
-  options.cells = numbers("--cells", words.cells, 1, 65536);
+/// With all that was not asked for.
+BenchOptions optionsOf(const BenchWords& words) {
+  BenchOptions options = words.options;
+  if (options.levels.empty() && !words.quick && options.cells.empty()) options.extraLevels = {1, 3};
+  options.levels = options.levels.empty() ? std::vector{2} : sorted(options.levels);
+  options.cells = sorted(options.cells);
   if (options.cells.empty()) {
     options.cells = {8, 16, 32, 64, 128, 256, 512};
     if (words.quick) options.cells = {8, 64};
     if (words.full) options.cells.insert(options.cells.end(), {1024, 2048, 4096});
   }
-  if (!words.vertices.empty()) {
-    options.levels.clear();
-    for (const int vertices : numbers("--vertices", words.vertices, 42, 642))
-      options.levels.push_back(levelOf(vertices));
-  } else if (!words.quick && words.cells.empty()) {
-    options.extraLevels = {1, 3};
-  }
-  options.isas = isas(words.isas);
-  options.threads = words.threads.empty() ? std::vector{1, 2} : numbers("--threads", words.threads, 1, 1024);
+  options.isas = options.isas.empty() ? availableIsas() : sorted(options.isas);
+  options.threads = options.threads.empty() ? std::vector{1, 2} : sorted(options.threads);
   if (options.threads.front() != 1) options.threads.insert(options.threads.begin(), 1);
-  options.stages = stages(words.stages);
+  if (options.stages.empty())
+    for (const auto stage : valuesOf<Stage>()) options.stages.push_back(stage);
   options.rounds = words.quick ? 3 : 5;
   options.stepsFactor = words.quick ? 0.34 : 1;
   options.bullet = !words.noBullet;
@@ -122,7 +88,7 @@ Json bulletJson(const BenchRow& row) {
 Json toJson(const BenchRow& row) {
   return {{"scene", row.scene},
           {"engine", row.engine},
-          {"stage", name(row.stage)},
+          {"stage", nameOf(row.stage)},
           {"cells", row.cells},
           {"vertices", row.vertices},
           {"isa", row.isa.empty() ? Json() : Json(row.isa)},
@@ -172,36 +138,37 @@ Json toJson(const BenchReport& report, const std::string& picture) {
 }
 
 int act(const BenchWords& words) {
-  checkPictureName("bench", words.picture, true);
-  const auto options = meant(words);
+  const auto options = optionsOf(words);
   const auto report = runBench(options);
   makeFolder(options.folder);
   const auto picture = words.picture.empty() ? (options.folder / "bench.png").string() : words.picture;
   writePicture(drawBench(report), picture);
-  if (words.output.json) printJson(toJson(report, picture));
-  else print(describe(report) + "\npicture  " + picture + "\n");
+  printEither(words.output, toJson(report, picture), textOf(describe(report)) + "\npicture  " + picture + "\n");
   return fine;
 }
 
 }  // namespace
 
 void addBench(CLI::App& app, Action& action) {
-  auto words = std::make_shared<BenchWords>();
   Verb verb(app, action, "bench", "Measure what each stage costs, beside the machine's limits and Bullet");
-  verb.takes("--cells", words->cells, "N,...", "Packed scenes of so many cells, as 64,128");
-  verb.takes("--vertices", words->vertices, "N,...", "Of each cell: 42, 162, 642");
-  verb.takes("--isa", words->isas, "NAME,...", "Only these of scalar, narrow, avx2 and avx512");
-  verb.takes("--threads", words->threads, "N,...", "Numbers of threads; default 1,2");
-  verb.takes("--stage", words->stages, "NAME,...",
-             "Only these of step, internal, contact, rebuild and integrate");
-  verb.takes("--quick", words->quick, "Few scenes, few rounds");
-  verb.takes("--full", words->full, "Up to 4096 cells");
-  verb.takes("--no-bullet", words->noBullet, "Without Bullet, which is slow");
-  verb.takes("--out", words->out, "FOLDER", "Folder for results");
-  verb.takes("-o,--output", words->picture, "FILE",
+  auto& words = verb.does<BenchWords>(act);
+  verb.takes("--cells", words.options.cells, "N,...", natural(1, 65536),
+             "Packed scenes of so many cells, as 64,128");
+  verb.takes("--vertices", words.options.levels, "N,...", readLevel, "Of each cell: 42, 162, 642");
+  verb.takes("--isa", words.options.isas, "NAME,...", parseIsa,
+             "Only these of scalar, narrow, avx2 and avx512");
+  verb.takes("--threads", words.options.threads, "N,...", natural(1, 1024),
+             "Numbers of threads; default 1,2");
+  verb.takes("--stage", words.options.stages, "NAME,...", parseChoice<Stage>,
+             "Only these: " + namesOf<Stage>());
+  verb.takes("--quick", words.quick, "Few scenes, few rounds");
+  verb.takes("--full", words.full, "Up to 4096 cells");
+  verb.oneOf({"--quick", "--full"});
+  verb.takes("--no-bullet", words.noBullet, "Without Bullet, which is slow");
+  verb.takes("--out", words.out, "FOLDER", "Folder for results");
+  verb.takes("-o,--output", words.picture, "FILE", pictureName("bench", true),
              "The chart, a .png, .svg or .pdf; default: bench.png in the folder");
-  add(verb, words->output);
-  verb.does([words] { return act(*words); });
+  add(verb, words.output);
 }
 
 }  // namespace morula::cli

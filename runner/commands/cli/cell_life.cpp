@@ -23,7 +23,7 @@ NameOf nameIn(const std::map<CellPath, std::string>& names) {
   };
 }
 
-CellPath meant(const CellNames& names, const std::string& text) {
+CellPath pathOf(const CellNames& names, const std::string& text) {
   try {
     return cellCalled(names, text, "--cell");
   } catch (const InputError& error) {  // the command line is wrong, not a file
@@ -52,7 +52,7 @@ Json relative(const LineageEntry* cell, const NameOf& nameOf) {
 }  // namespace
 
 CellLife lifeOf(const RunResults& tree, double end, const CellNames& names, const std::string& text) {
-  const CellPath path = meant(names, text);
+  const CellPath path = pathOf(names, text);
   const LineageEntry* cell = entryOf(tree, path);
   if (!cell) refuseUnborn(tree, end, names.function(), path);
   const LineageEntry *mother = nullptr, *sister = nullptr, *a = nullptr, *b = nullptr;

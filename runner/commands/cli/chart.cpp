@@ -1,5 +1,6 @@
 // morula chart: what was measured of a run, as a chart.
-#include <memory>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "cli/verbs.h"
@@ -20,56 +21,45 @@ namespace morula::cli {
 namespace {
 
 struct ChartOptions {
-  std::string file, what, run, time, size, picture;
+  std::string file, what, run, picture;
+  std::optional<double> time;
+  std::optional<PictureSize> size;
   InputOptions input;
   ExecutionOptions execution;
   OutputOptions output;
 };
 
-struct Told {
+struct RunToDraw {
   RunResults results;
   double end = 0;  // [time]
   int signal = 0;
 };
 
-Told resultsOf(const ChartOptions& options, const Scenario& scenario) {
+RunToDraw resultsOf(const ChartOptions& options, const Scenario& scenario) {
   if (isDatabase(options.file)) {
     auto store = Store::openForReading(options.file);
     const auto run = store.find(options.run);
     return {store.results(run.id), run.time};
   }
-  Progress progress(scenario.scene.name, options.output.quiet);
-  auto run = simulate(makeScenarioWorld(scenario, execution(options.execution)), recordingOf(scenario, false),
-                      progress);
+  auto run = simulate(scenario, execution(options.execution),
+                      {.quiet = options.output.quiet, .record = recordingOf(scenario, false)});
   if (run.end.status == RunStatus::failed) throw InputError(run.end.failure);
   return {std::move(run.results), run.end.time, run.signal};
 }
 
 template <class Picture>
-void setSize(Picture& picture, const std::string& size) {
-  if (size.empty()) return;
-  const auto x = size.find('x');
-  if (x == size.npos) throw UsageError("--size: '" + size + "' is no size; needs WIDTHxHEIGHT in pixels");
-  picture.width = static_cast<int>(naturalOption("--size", size.substr(0, x), 200, 8192));
-  picture.height = static_cast<int>(naturalOption("--size", size.substr(x + 1), 200, 8192));
+Picture ofSize(Picture picture, const std::optional<PictureSize>& size) {
+  if (size) picture.width = size->width, picture.height = size->height;
+  return picture;
 }
 
-Drawing draw(const Told& told, const ChartOptions& options, const std::optional<MeasureName>& measure,
+Drawing draw(const RunToDraw& run, const ChartOptions& options, const std::optional<MeasureName>& measure,
              const Scenario& scenario) {
-  if (measure) {
-    Chart chart = seriesOf(told.results, *measure, scenario);
-    setSize(chart, options.size);
-    return drawChart(chart);
-  }
-  if (options.what == "contacts") {
-    const double time = options.time.empty() ? told.end : nonNegativeOption("--time", options.time);
-    MatrixPicture matrix = contactsOf(told.results, time, scenario);
-    setSize(matrix, options.size);
-    return drawMatrix(matrix);
-  }
-  RosePicture roses = divisionsOf(told.results, scenario);
-  setSize(roses, options.size);
-  return drawRoses(roses);
+  if (measure) return drawChart(ofSize(seriesOf(run.results, *measure, scenario), options.size));
+  if (options.what == "contacts")
+    return drawMatrix(
+        ofSize(contactsOf(run.results, options.time.value_or(run.end), scenario), options.size));
+  return drawRoses(ofSize(divisionsOf(run.results, scenario), options.size));
 }
 
 int act(const ChartOptions& options) {
@@ -79,41 +69,42 @@ int act(const ChartOptions& options) {
     } catch (const InputError& error) {
       throw UsageError(std::string(error.what()) + "; or contacts, or divisions");
     }
-  if (!options.time.empty() && options.what != "contacts")
+  if (options.time && options.what != "contacts")
     throw UsageError("--time says when contacts are shown; leave it out with " + options.what);
-  checkPictureName("chart", options.picture, true);
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-  const Told told = resultsOf(options, scenario);
-  if (told.signal) return signalled + told.signal;
+  const RunToDraw run = resultsOf(options, scenario);
+  if (run.signal) return signalled + run.signal;
+  if (options.time && *options.time > run.end)
+    throw UsageError(fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that",
+                                 exactText(*options.time), run.end));
   const std::string file =
       options.picture.empty() ? scenario.scene.name + "-" + options.what + ".svg" : options.picture;
-  writePicture(draw(told, options, measure, scenario), file);
-  if (options.output.json)
-    printJson({{"scenario", scenario.scene.name}, {"time", told.end}, {"pictures", {file}}});
-  else print(file + "\n");
+  writePicture(draw(run, options, measure, scenario), file);
+  printEither(options.output,
+              {{"scenario", scenario.scene.name}, {"time", run.end}, {"pictures", {file}}}, file + "\n");
   return fine;
 }
 
 }  // namespace
 
 void addChart(CLI::App& app, Action& action) {
-  auto options = std::make_shared<ChartOptions>();
   Verb verb(app, action, "chart",
             "Draw what was measured of a stored run, or of a scenario that is run for it");
-  verb.needs("file", options->file, "FILE", "A database or a scenario");
-  verb.needs("what", options->what, "WHAT",
+  auto& options = verb.does<ChartOptions>(act);
+  verb.needs("file", options.file, "FILE", "A database or a scenario");
+  verb.needs("what", options.what, "WHAT",
              "A measure over time, such as cell.volume (scenarios/MEASURES.md); contacts: who touches whom; "
              "divisions: "
              "which way cells divided");
-  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
-  verb.takes("--time", options->time, "TIME", "Of contacts: when; default: at the end");
-  verb.takes("--size", options->size, "WxH", "Width and height in pixels");
-  verb.takes("-o,--output", options->picture, "FILE",
+  addRunChoice(verb, options.run);
+  verb.takes("--time", options.time, "TIME", number(scenario::notNegative),
+             "Of contacts: when; default: at the end");
+  verb.takes("--size", options.size, "WxH", pictureSize(200, 8192), "Width and height in pixels");
+  verb.takes("-o,--output", options.picture, "FILE", pictureName("chart", true),
              "A .svg, .pdf or .png; default: the scenario's name and WHAT, as .svg");
-  add(verb, options->input);
-  add(verb, options->execution);
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  add(verb, options.input);
+  add(verb, options.execution);
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <memory>
 
 #include "base/error.h"
 #include "check/check_run.h"
@@ -32,7 +31,9 @@ struct CheckOptions {
   InputOptions input;
   ExecutionOptions execution;
   OutputOptions output;
-  std::string reports, beside, cpuLimit;
+  std::string reports;
+  std::vector<Engine> beside;
+  int cpuLimit = usualCpuSeconds;
 };
 
 /// As the contract of `morula check --json` says.
@@ -64,27 +65,22 @@ CheckReport failed(const Scenario& scenario, const Simulation& run) {
 
 /// Runs the scenario and checks it. A result that differs is kept for a review.
 CheckReport checkOne(const Scenario& scenario, const Execution& how, bool quiet, int& signal) {
-  std::optional<World> world;
+  std::optional<CheckedRun> checked;
   try {
-    world = makeScenarioWorld(scenario, how);
+    checked = simulateChecked(scenario, how, {.quiet = quiet, .record = recordingOf(scenario, true)});
   } catch (const InputError& refused) {
     if (scenario.check.fails.empty()) throw;
     return checkStop(scenario, refused.what());
   }
-  Progress progress(scenario.scene.name, quiet);
-  Invariants invariants(scenario.check);
-  const SanityCheck sanity(*world);
-  const auto run = simulate(std::move(*world), recordingOf(scenario, true), progress,
-                            [&](const World& w) { invariants.observe(w); });
+  const Simulation& run = checked->run;
   signal = run.signal;
   if (run.end.status != RunStatus::done) return failed(scenario, run);
-  CheckReport report = check(scenario, run, invariants, true);
+  CheckReport report = check(scenario, *checked, true);
   if (report.passed()) removePending(scenario);
   else if (scenario.check.fails.empty())
     signal = putPending(scenario, run, observe(scenario, run), how, quiet);
   // Not matters for a review: a new golden makes no run sane, and would not bring it and Bullet together.
-  for (auto& result : sanity.results(run.world, scenario.check, true))
-    report.results.push_back(std::move(result));
+  report.results.insert(report.results.end(), checked->sanity.begin(), checked->sanity.end());
   for (auto& result : checkAgainstBullet(scenario, run.world, quiet).results)
     report.results.push_back(std::move(result));
   return report;
@@ -157,18 +153,9 @@ void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
   if (page) appendToFile(page, summaryPage(reports));
 }
 
-ComparisonOptions comparisonOptions(const CheckOptions& options) {
-  ComparisonOptions beside{parseEngines(options.beside), usualCpuSeconds, options.output.quiet};
-  if (options.cpuLimit.empty()) return beside;
-  if (options.beside.empty())
-    throw UsageError("--cpu-limit: is for the engines of --beside; give --beside, too");
-  beside.cpuSeconds = static_cast<int>(naturalOption("--cpu-limit", options.cpuLimit, 1, 1'000'000));
-  return beside;
-}
-
 int act(const CheckOptions& options) {
   const auto how = execution(options.execution);
-  const ComparisonOptions beside = comparisonOptions(options);
+  const ComparisonOptions beside{options.beside, options.cpuLimit, options.output.quiet};
   std::vector<Scenario> scenarios;
   for (const auto& file : options.scenarios.empty() ? shippedScenarios() : options.scenarios)
     scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
@@ -221,19 +208,21 @@ int act(const CheckOptions& options) {
 }  // namespace
 
 void addCheck(CLI::App& app, Action& action) {
-  auto options = std::make_shared<CheckOptions>();
   Verb verb(app, action, "check", "Run scenarios again and compare them with their golden files");
-  verb.takes("scenario", options->scenarios, "FILE", "Scenario files; default: all under scenarios/");
-  verb.takes("--reports", options->reports, "FOLDER",
+  auto& options = verb.does<CheckOptions>(act);
+  verb.takes("scenario", options.scenarios, "FILE", "Scenario files; default: all under scenarios/");
+  verb.takes("--reports", options.reports, "FOLDER",
              "Write junit.xml, report.json, summary.md and the page report.html there");
-  verb.takes("--beside", options->beside, "ENGINES",
-             "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
-             "(its contact law), bullet, b1, b2, b3");
-  verb.takes("--cpu-limit", options->cpuLimit, "SECONDS", "CPU time of each of their runs; default: 120");
-  add(verb, options->input);
-  add(verb, options->execution);
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  verb.takes<std::vector<Engine>>(
+      "--beside", options.beside, "ENGINES", parseEngines,
+      "Print a table of what others make of the same scenarios, by the same checks: some of thesis "
+      "(its contact law), bullet, b1, b2, b3");
+  verb.takes("--cpu-limit", options.cpuLimit, "SECONDS", natural(1, 1'000'000),
+             "CPU time of each of their runs");
+  verb.onlyWith({"--cpu-limit"}, {"--beside"});
+  add(verb, options.input);
+  add(verb, options.execution);
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

@@ -2,13 +2,12 @@
 // which runs there are.
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "base/error.h"
 #include "cli/verbs.h"
 #include "export/formats.h"
 #include "export/license.h"
 #include "export/run_crate.h"
+#include "files/scratch_folder.h"
 #include "loop/stored_scenario.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
@@ -22,8 +21,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct ExportOptions {
-  std::string database, run, crate, pictures, agent, license;
-  std::string format, path, time, table;
+  std::string database, path, crate, pictures, agent, license;
+  ExportRequest request;
   bool list = false;
   ExecutionOptions execution;
   OutputOptions output;
@@ -48,7 +47,7 @@ int listRuns(Store& store, const ExportOptions& options) {
 
 /// What the file consists of. Of one run only if it is named.
 int listTables(Store& store, const ExportOptions& options) {
-  const std::string id = options.run.empty() ? "" : store.find(options.run).id;
+  const std::string id = options.request.run.empty() ? "" : store.find(options.request.run).id;
   Json list = Json::array();
   std::uint64_t rows = 0, bytes = 0;
   for (const TableContents& t : store.contents(id)) {
@@ -68,23 +67,10 @@ int listTables(Store& store, const ExportOptions& options) {
   return fine;
 }
 
-/// What belongs to a format alone.
-void requireNoFormatOptions(const ExportOptions& options) {
-  for (const auto& [name, word] :
-       {std::pair("--output", options.path), {"--time", options.time}, {"--table", options.table}})
-    if (!word.empty()) throw UsageError(std::string(name) + ": only with --format");
-}
-
 int writeFormat(const ExportOptions& options) {
-  if (options.list || !options.crate.empty())
-    throw UsageError("export: only one of --format, --ro-crate and --list");
-  if (!options.pictures.empty() || !options.agent.empty() || !options.license.empty())
-    throw UsageError("export: --pictures, --agent and --license belong to --ro-crate");
-  ExportRequest request;
-  request.format = formatCalled(options.format);
+  ExportRequest request = options.request;
   if (options.path.empty()) throw UsageError("--format: needs -o PATH, where to write");
-  request.output = options.path, request.run = options.run, request.table = options.table;
-  if (!options.time.empty()) request.time = nonNegativeOption("--time", options.time);
+  request.output = options.path;
   request.execution = execution(options.execution);
   request.quiet = options.output.quiet;
   auto store = Store::openForReading(options.database);
@@ -104,58 +90,56 @@ int writeFormat(const ExportOptions& options) {
 }
 
 int act(const ExportOptions& options) {
-  if (!options.format.empty()) return writeFormat(options);
-  requireNoFormatOptions(options);
+  if (!options.request.format.empty()) return writeFormat(options);
   auto store = Store::openForReading(options.database);
-  if (options.list && !options.crate.empty()) throw UsageError("export: --list or --ro-crate, not both");
-  if (options.crate.empty()) {
-    if (options.list && options.pictures.empty() && options.agent.empty() && options.license.empty())
-      return listTables(store, options);
-    if (!options.run.empty() || !options.pictures.empty() || !options.agent.empty() ||
-        !options.license.empty())
-      throw UsageError("export: --format or --ro-crate says what to make of the run");
-    return listRuns(store, options);
-  }
-  const StoredRun run = store.find(options.run);
-  const std::string license = licenseUri(options.license);
+  if (options.list) return listTables(store, options);
+  if (options.crate.empty()) return listRuns(store, options);
+  const StoredRun run = store.find(options.request.run);
   requireWholeRecord(store, run);
   const fs::path folder = options.crate;
-  CrateRun crate = crateOf(store, run, options.pictures, folder);
-  crate.agent = options.agent, crate.license = license;
-  writeCrate(crate, folder);
-  if (options.output.json)
-    printJson({{"run_id", crate.run.id}, {"crate", folder.string()}, {"files", crate.files.size()}});
-  else print(fmt::format("{} ({} files and ro-crate-metadata.json)\n", folder.string(), crate.files.size()));
+  DraftFolder draft(folder);
+  CrateRun crate = crateOf(store, run, options.pictures, draft.path());
+  crate.agent = options.agent, crate.license = options.license;
+  writeCrate(crate, draft.path());
+  draft.takePlace();
+  printEither(options.output,
+              {{"run_id", crate.run.id}, {"crate", folder.string()}, {"files", crate.files.size()}},
+              fmt::format("{} ({} files and ro-crate-metadata.json)\n", folder.string(), crate.files.size()));
   return fine;
 }
 
 }  // namespace
 
 void addExport(CLI::App& app, Action& action) {
-  auto options = std::make_shared<ExportOptions>();
   Verb verb(
       app, action, "export",
       "List the runs of a database, or give them to others: as tables, trees, surfaces, arrays or a folder");
-  verb.needs("file", options->database, "FILE", "A database");
-  verb.takes("--run", options->run, "ID",
+  auto& options = verb.does<ExportOptions>(act);
+  verb.needs("file", options.database, "FILE", "A database");
+  verb.takes("--run", options.request.run, "ID",
              "Which run of the database; default: the latest, and with --format all");
-  verb.takes("--format", options->format, "NAME", formatList());
+  verb.takes("--format", options.request.format, "NAME", formatCalled, formatList());
   verb.takes(
-      "-o,--output", options->path, "PATH",
+      "-o,--output", options.path, "PATH",
       "With --format: the file or folder, which must be new; of several runs a folder with one for each");
-  verb.takes("--time", options->time, "TIME", "With surfaces: of this time alone");
-  verb.takes("--table", options->table, "NAME", "With --format csv: only this one, as cells or samples");
-  verb.takes("--list", options->list,
+  verb.takes("--time", options.request.time, "TIME", number(scenario::notNegative),
+             "With surfaces: of this time alone");
+  verb.takes("--table", options.request.table, "NAME",
+             "With --format csv: only this one, as cells or samples");
+  verb.takes("--list", options.list,
              "List the tables: rows, bytes, who reads them; of all runs, or of --run alone");
-  verb.takes("--ro-crate", options->crate, "FOLDER", "Write a Process Run Crate (RO-Crate 1.1) there");
-  verb.takes("--pictures", options->pictures, "FOLDER",
+  verb.takes("--ro-crate", options.crate, "FOLDER", "Write a Process Run Crate (RO-Crate 1.1) there");
+  verb.takes("--pictures", options.pictures, "FOLDER",
              "Where the run's pictures lie; default: beside a database of one run");
-  verb.takes("--agent", options->agent, "WHO", "Who ran it: a name, or a URI such as an ORCID");
-  verb.takes("--license", options->license, "LICENCE",
+  verb.takes("--agent", options.agent, "WHO", "Who ran it: a name, or a URI such as an ORCID");
+  verb.takes("--license", options.license, "LICENCE", licenseUri,
              "The results' licence: an SPDX identifier, as CC-BY-4.0, or a URI");
-  add(verb, options->execution);
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  verb.oneOf({"--format", "--ro-crate", "--list"});
+  verb.onlyWith({"--output", "--time", "--table"}, {"--format"});
+  verb.onlyWith({"--pictures", "--agent", "--license"}, {"--ro-crate"});
+  verb.onlyWith({"--run"}, {"--format", "--ro-crate", "--list"});
+  add(verb, options.execution);
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "base/error.h"
 #include "cli/cell_life.h"
@@ -24,7 +23,9 @@ namespace morula::cli {
 namespace {
 
 struct LineageOptions {
-  std::string file, run, picture, cell, colour, size;
+  std::string file, run, picture, cell;
+  std::optional<MeasureName> colour;  // of cells
+  std::optional<PictureSize> size;
   bool labels = false;
   InputOptions input;
   OutputOptions output;
@@ -39,14 +40,12 @@ struct Tree {
 Tree stored(const LineageOptions& options) {
   auto store = Store::openForReading(options.file);
   const auto run = store.find(options.run);
-  return {run.record.scenario, run.time,
-          options.colour.empty() ? store.lineage(run.id) : store.results(run.id)};
+  return {run.record.scenario, run.time, options.colour ? store.results(run.id) : store.lineage(run.id)};
 }
 
 /// The measure of cells that branches are coloured by.
-MeasureName colouring(const LineageOptions& options) {
-  const bool scoped = options.colour.find('.') != options.colour.npos;
-  return parseMeasure(scoped ? options.colour : "cell." + options.colour);
+MeasureName readColouring(const std::string& text) {
+  return parseMeasure(text.find('.') == text.npos ? "cell." + text : text);
 }
 
 /// The tree as a picture, in the scenario's or a measure's colours.
@@ -54,15 +53,9 @@ void draw(const Tree& tree, const LineageOptions& options) {
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const auto describe = [&](StateId state) { return tree.results.stateTexts.at(state); };
   TreePicture picture = lineagePictureOf(tree.results.lineage, describe, tree.end, scenario);
-  if (!options.colour.empty()) colourTree(picture, tree.results, colouring(options));
+  if (options.colour) colourTree(picture, tree.results, *options.colour);
   picture.labelsAll = options.labels;
-  if (!options.size.empty()) {
-    const auto x = options.size.find('x');
-    if (x == options.size.npos)
-      throw UsageError("--size: '" + options.size + "' is no size; needs WIDTHxHEIGHT in pixels");
-    picture.width = static_cast<int>(naturalOption("--size", options.size.substr(0, x), 64, 16384));
-    picture.height = static_cast<int>(naturalOption("--size", options.size.substr(x + 1), 64, 16384));
-  }
+  if (options.size) picture.width = options.size->width, picture.height = options.size->height;
   writePicture(drawLineage(picture), options.picture);
 }
 
@@ -70,13 +63,12 @@ void draw(const Tree& tree, const LineageOptions& options) {
 /// decide, too.
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-  const bool measured = !options.colour.empty();
+  const bool measured = options.colour.has_value();
   if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize)
     scenario.scene.mechanics.reset();
-  Progress progress(scenario.scene.name, options.output.quiet);
-  RecordOptions record{.nameOf = scenario.names.function()};
-  if (measured) record = recordingOf(scenario, false);
-  auto run = simulate(makeScenarioWorld(scenario, {}), std::move(record), progress);
+  auto run = simulate(
+      scenario, Execution{},
+      {.quiet = options.output.quiet, .record = measured ? recordingOf(scenario, false) : RecordOptions{}});
   return {scenario.scene.name, run.end.time, std::move(run.results)};
 }
 
@@ -91,22 +83,12 @@ std::string line(const LineageEntry& cell, const std::string& states, const std:
 int tellLife(const Tree& tree, const LineageOptions& options) {
   const auto names = anyScenario(options.file, options.run, options.input.allowOutside).names;
   const CellLife life = lifeOf(tree.results, tree.end, names, options.cell);
-  if (options.output.json)
-    printJson({{"scenario", tree.scenario}, {"time", tree.end}, {"cell", lifeAsJson(life)}});
-  else print(lifeAsText(life));
+  printEither(options.output, {{"scenario", tree.scenario}, {"time", tree.end}, {"cell", lifeAsJson(life)}},
+              lifeAsText(life));
   return fine;
 }
 
 int act(const LineageOptions& options) {
-  checkPictureName("lineage", options.picture, true);
-  if (!options.cell.empty() && !options.picture.empty())
-    throw UsageError(
-        "--cell tells one cell's life, and --output draws the whole tree; leave out one of them");
-  if (options.picture.empty() && (!options.colour.empty() || !options.size.empty() || options.labels))
-    throw UsageError("--colour, --labels and --size are of the picture; needs --output, too");
-  if (!options.colour.empty()) try {
-      colouring(options);
-    } catch (const InputError& error) { throw UsageError(std::string("--colour: ") + error.what()); }
   auto tree = isDatabase(options.file) ? stored(options) : prescribed(options);
   if (!options.cell.empty()) return tellLife(tree, options);
   if (!options.picture.empty()) draw(tree, options);
@@ -134,22 +116,24 @@ int act(const LineageOptions& options) {
 }  // namespace
 
 void addLineage(CLI::App& app, Action& action) {
-  auto options = std::make_shared<LineageOptions>();
   Verb verb(app, action, "lineage",
             "Print the tree of cells of a scenario or a stored run; a living cell's `ended` in --json is the "
             "run's end");
-  verb.needs("file", options->file, "FILE", "A scenario or a database");
-  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
-  verb.takes("--cell", options->cell, "CELL", "Only this cell's life; its name, or its path: AAB, egg");
-  verb.takes("-o,--output", options->picture, "FILE", "Also draw it: a .png, .svg or .pdf");
-  verb.takes("--colour", options->colour, "MEASURE",
+  auto& options = verb.does<LineageOptions>(act);
+  verb.needs("file", options.file, "FILE", "A scenario or a database");
+  addRunChoice(verb, options.run);
+  verb.takes("--cell", options.cell, "CELL", "Only this cell's life; its name, or its path: AAB, egg");
+  verb.takes("-o,--output", options.picture, "FILE", pictureName("lineage", true),
+             "Also draw it: a .png, .svg or .pdf");
+  verb.takes("--colour", options.colour, "MEASURE", readColouring,
              "Of branches: a measure of cells, such as volume; default: substances");
-  verb.takes("--labels", options->labels, "Name all leaves, however many there are");
-  verb.takes("--size", options->size, "WxH",
+  verb.takes("--labels", options.labels, "Name all leaves, however many there are");
+  verb.takes("--size", options.size, "WxH", pictureSize(64, 16384),
              "Width and height in pixels; default: what suits the number of leaves");
-  add(verb, options->input);
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  verb.oneOf({"--cell", "--output"});
+  verb.onlyWith({"--colour", "--labels", "--size"}, {"--output"});
+  add(verb, options.input);
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

@@ -1,8 +1,6 @@
 // morula parts: what a scenario engages, why, and what each part will cost.
 #include "parts/parts.h"
 
-#include <memory>
-
 #include "base/error.h"
 #include "check/check_run.h"
 #include "cli/verbs.h"
@@ -26,7 +24,7 @@ struct PartsOptions {
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
-  std::string rehearsal;
+  std::optional<double> rehearsal;
   bool noPictures = false;
 };
 
@@ -45,22 +43,9 @@ double secondsPerPicture(const Scenario& scenario, const World& world) {
   return few + std::max(more - few, 0.0) / 3 * 35;
 }
 
-Json toJson(const PartCost& c) {
-  return {{"part", c.part.name},
-          {"engaged", true},
-          {"how", c.part.what},
-          {"why", c.part.why},
-          {"seconds", orNull(c.seconds)},
-          {"share", orNull(c.share)},
-          {"ns_per_vertex_step", orNull(c.nsPerVertexStep)},
-          {"bytes", orNull(c.bytes)},
-          {"bytes_per_vertex", orNull(c.bytesPerVertex)}};
-}
-
 Json toJson(const Prediction& f, const Scenario& scenario, const Execution& how) {
-  Json parts = Json::array();
-  for (const PartCost& c : f.costs) parts.push_back(toJson(c));
-  for (const Part& p : f.absent) parts.push_back({{"part", p.name}, {"engaged", false}, {"needs", p.why}});
+  Json parts = jsonOf(costTable(f));
+  for (const Json& absent : jsonOf(absentTable(f))) parts.push_back(absent);
   return {{"scenario", scenario.scene.name},
           {"isa", name(how.isa)},
           {"cells", f.cells},
@@ -86,29 +71,28 @@ int act(const PartsOptions& options) {
     how.ask.golden = goldenFile(scenario).string();
   const World world = makeScenarioWorld(scenario, how.execution);  // its mistakes are told with their places
   how.ask.pictures = !options.noPictures;
-  if (!options.rehearsal.empty()) how.trial = positiveOption("--rehearsal", options.rehearsal);
+  if (options.rehearsal) how.trial = *options.rehearsal;
   if (world.bodies && how.ask.pictures) how.secondsPerPicture = secondsPerPicture(scenario, world);
   const Prediction prediction = predictCost(scenario, how);
-  if (options.output.json) printJson(toJson(prediction, scenario, how.execution));
-  else print(describe(prediction, scenario.scene.name + ", " + name(how.execution.isa)));
+  printEither(options.output, toJson(prediction, scenario, how.execution),
+              textOf(describe(prediction, scenario.scene.name + ", " + name(how.execution.isa))));
   return fine;
 }
 
 }  // namespace
 
 void addParts(CLI::App& app, Action& action) {
-  auto options = std::make_shared<PartsOptions>();
   Verb verb(app, action, "parts", "Tell what a scenario engages, why, and what each part will cost");
-  verb.needs("scenario", options->scenario, "FILE", "A scenario file");
-  add(verb, options->input);
-  add(verb, options->scene);
-  add(verb, options->execution);
-  verb.takes("--rehearsal", options->rehearsal, "N",
+  auto& options = verb.does<PartsOptions>(act);
+  verb.needs("scenario", options.scenario, "FILE", "A scenario file");
+  add(verb, options.input);
+  add(verb, options.scene);
+  add(verb, options.execution);
+  verb.takes("--rehearsal", options.rehearsal, "N", number(scenario::positive),
              "Run the beginning for so many steps times vertices, by default 8e6: fewer are quicker and "
              "predict less");
-  verb.takes("--no-pictures", options->noPictures, "As of a run with --no-pictures");
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  verb.takes("--no-pictures", options.noPictures, "As of a run with --no-pictures");
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

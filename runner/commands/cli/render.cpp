@@ -22,9 +22,9 @@ namespace morula::cli {
 
 namespace {
 
-[[noreturn]] void failAfterEnd(const std::string& time, double end) {
-  throw UsageError(
-      fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that", time, end));
+[[noreturn]] void failAfterEnd(double time, double end) {
+  throw UsageError(fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that",
+                               exactText(time), end));
 }
 
 /// Pictures of the world while it runs, evenly from the start to the planned end.
@@ -43,18 +43,18 @@ class Times {
   double end_;
 };
 
-Image imageOf(const OrganismPicture& picture, const std::string& style) {
-  if (style == "both") return drawSolidAndWireframe(picture);
-  return drawOrganism(picture, style == "wireframe" ? Style::wireframe : Style::solid);
+Image imageOf(const OrganismPicture& picture, PictureStyle style) {
+  if (style == PictureStyle::both) return drawSolidAndWireframe(picture);
+  return drawOrganism(picture, style == PictureStyle::wireframe ? Style::wireframe : Style::solid);
 }
 
 std::vector<std::string> writeOrganism(const Pictures& pictures, const RenderOptions& options,
-                                       const Motion& motion, const std::string& file) {
+                                       const std::string& file) {
   std::optional<OrganismPicture> turned;
   std::vector<Camera> cameras;
-  if (motion.turntable) {
+  if (options.turntable) {
     turned = pictures[0];
-    cameras = turntable(*turned, motion.turntable);
+    cameras = turntable(*turned, options.turntable);
   }
   const std::size_t count = turned ? cameras.size() : pictures.size();
   const auto draw = [&](std::size_t i) {
@@ -63,10 +63,10 @@ std::vector<std::string> writeOrganism(const Pictures& pictures, const RenderOpt
     return imageOf(*turned, options.style);
   };
   if (isFilmName(file)) {
-    writeFilm(count, draw, motion.perSecond, file);
+    writeFilm(count, draw, options.perSecond.value_or(25), file);
     return {file};
   }
-  if (motion.any()) return writeSequence(count, draw, file);
+  if (options.moves()) return writeSequence(count, draw, file);
   writePicture(draw(0), file);
   return {file};
 }
@@ -74,9 +74,7 @@ std::vector<std::string> writeOrganism(const Pictures& pictures, const RenderOpt
 std::vector<std::string> drawTree(const World& world, const Scenario& scenario, const RenderOptions& options,
                                   const std::string& file) {
   auto tree = lineagePictureOf(world, scenario);
-  const PictureSize size = sizeOption(options);
-  if (options.size != "900") tree.width = size.width;
-  if (options.size.find('x') != options.size.npos) tree.height = size.height;
+  if (options.size) tree.width = options.size->width, tree.height = options.size->height;
   writePicture(drawLineage(tree), file);
   return {file};
 }
@@ -92,7 +90,7 @@ struct Shown {
 Shown show(
     const std::string& file, const RenderOptions& options,
     const std::function<std::function<void(const World&)>(const Scenario&, std::optional<double>)>& watch) {
-  const bool isTree = options.style == "lineage";
+  const bool isTree = options.style == PictureStyle::lineage;
   // Positions are not stored: the same bits come out of running again.
   Shown shown{std::make_unique<const Scenario>(
                   anyScenario(file, file == options.file ? options.run : "", options.input.allowOutside)),
@@ -101,18 +99,14 @@ Shown show(
   if (!scenario.scene.mechanics && !isTree)
     throw UsageError("--style: " + scenario.scene.name + " has no bodies; needs lineage");
   const auto planned = plannedEnd(scenario.scene);
-  std::optional<double> time;
-  if (!options.time.empty()) {
-    time = nonNegativeOption("--time", options.time);
-    if (planned && *time > *planned) failAfterEnd(options.time, *planned);
-  }
-  Progress progress(scenario.scene.name, options.messages.quiet);
+  const auto& time = options.time;
+  if (time && planned && *time > *planned) failAfterEnd(*time, *planned);
   World world = makeScenarioWorld(scenario, execution(options.execution));
   if (time)
     world.model.stop.time =
         time;  // of the world, not of the scenario: it runs as it always does, only not so far
-  shown.run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
-                       watch(scenario, time ? time : planned));
+  shown.run = simulate(scenario, std::move(world),
+                       {.quiet = options.messages.quiet, .watch = watch(scenario, time ? time : planned)});
   const Simulation& run = *shown.run;
   if (run.signal) shown.code = signalled + run.signal;
   else if (run.end.status == RunStatus::failed) {
@@ -121,7 +115,7 @@ Shown show(
   }
   // A run may end before its planned end: by its number of cells, or when all have died.
   else if (time && run.world.bodies && run.end.time < *time * (1 - 1e-9))
-    failAfterEnd(options.time, run.end.time);
+    failAfterEnd(*time, run.end.time);
   return shown;
 }
 
@@ -154,17 +148,17 @@ int compare(const RenderOptions& options, const PictureWishes& wishes, Json& tol
   return fine;
 }
 
-int render(const RenderOptions& options, const PictureWishes& wishes, const Motion& motion, Json& told) {
+int render(const RenderOptions& options, const PictureWishes& wishes, Json& told) {
   std::optional<PictureMaker> maker;
   std::optional<Times> times;
   auto shown = show(options.file, options, [&](const Scenario& scenario, std::optional<double> end) {
     if (wishes.connections && scenario.scene.mechanics && !scenario.scene.mechanics->connections)
       throw UsageError("--connections: no cells of " + scenario.scene.name + " connect; leave it out");
     maker.emplace(scenario, wishes);
-    if (motion.frames && !end)
+    if (options.frames && !end)
       throw UsageError("--frames: " + scenario.scene.name +
                        " ends by its number of cells, at a time that is not known; needs --time TIME, too");
-    if (motion.frames) times.emplace(*maker, motion.frames, *end);
+    if (options.frames) times.emplace(*maker, options.frames, *end);
     return [&](const World& now) {
       if (times) times->observe(now);
     };
@@ -173,34 +167,24 @@ int render(const RenderOptions& options, const PictureWishes& wishes, const Moti
   const std::string name = shown.scenario->scene.name,
                     file = options.output.empty() ? name + ".png" : options.output;
   std::vector<std::string> files;
-  if (options.style == "lineage") files = drawTree(shown.run->world, *shown.scenario, options, file);
+  if (options.style == PictureStyle::lineage)
+    files = drawTree(shown.run->world, *shown.scenario, options, file);
   else {
-    if (!motion.frames) maker->add(shown.run->world);
+    if (!options.frames) maker->add(shown.run->world);
     if (const auto pattern = maker->strangeOpacity())
       throw UsageError("--opacity: no cell in the picture has a substance that fits '" + *pattern +
                        "'; needs another name, or another --time");
-    files = writeOrganism(maker->take(), options, motion, file);
+    files = writeOrganism(maker->take(), options, file);
   }
   told = {{"scenario", name}, {"time", shown.run->end.time}, {"pictures", files}};
   return fine;
 }
 
 int act(const RenderOptions& options) {
-  const std::vector<std::string> styles{"solid", "wireframe", "both", "lineage"};
-  if (std::find(styles.begin(), styles.end(), options.style) == styles.end())
-    throw UsageError("--style: '" + options.style +
-                     "' is not known; needs solid, wireframe, both or lineage");
-  const bool isTree = options.style == "lineage";
-  if (isTree) checkTreeOptions(options);
   const PictureWishes wishes = wishesOf(options);
-  const Motion motion = motionOf(options);
-  if (!options.beside.empty() && (options.style == "both" || motion.any() || !wishes.forces.empty()))
-    throw UsageError(
-        "--beside shows one moment of solid cells; leave out --style, --forces, --turntable and --frames");
-  checkOutput(options, motion);
+  checkOutput(options);
   Json told;
-  const int code =
-      options.beside.empty() ? render(options, wishes, motion, told) : compare(options, wishes, told);
+  const int code = options.beside.empty() ? render(options, wishes, told) : compare(options, wishes, told);
   if (code != fine) return code;
   if (options.messages.json) printJson(told);
   else
@@ -211,11 +195,10 @@ int act(const RenderOptions& options) {
 }  // namespace
 
 void addRender(CLI::App& app, Action& action) {
-  auto options = std::make_shared<RenderOptions>();
   Verb verb(app, action, "render",
             "Draw a scenario or a stored run, at its end or another time, still or moving");
-  add(verb, *options);
-  verb.does([options] { return act(*options); });
+  auto& options = verb.does<RenderOptions>(act);
+  add(verb, options);
 }
 
 }  // namespace morula::cli

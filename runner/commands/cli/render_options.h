@@ -8,41 +8,40 @@
 
 namespace morula::cli {
 
+enum class PictureStyle { solid, wireframe, both, lineage };
+
 struct RenderOptions {
-  std::string file, run, time, style = "solid", view, size = "900", supersample = "2", colour = "substance",
-                               clip, labels;
-  std::string turntable, frames, perSecond, beside, output;
-  std::vector<std::string> opacity, forces;
-  bool transparent = false, normals = false, connections = false, axes = false, scaleBar = false;
+  std::string file, run, beside, output;
+  PictureStyle style = PictureStyle::solid;
+  std::optional<double> time;
+  std::optional<PictureSize> size;
+  PictureWishes wishes;
+  std::vector<std::vector<ForceKind>> forces;
+  /// How many pictures: of one time all around (turntable), or of so many times (frames). 0: not asked for; not both.
+  int turntable = 0, frames = 0;
+  std::optional<double> perSecond;  // of a film
   InputOptions input;
   ExecutionOptions execution;
   OutputOptions messages;
+  bool moves() const { return turntable > 0 || frames > 0; }
 };
 
-void add(class Verb& verb, RenderOptions& options);
+void add(Verb& verb, RenderOptions& options);
 
-struct PictureSize {
-  int width, height;  // [pixel] 64 to 8192
-};
-/// "900": a square; "1920x1080". Throws UsageError.
-PictureSize sizeOption(const RenderOptions& options);
-
-/// Throws UsageError for an option that says nothing of a lineage tree.
-void checkTreeOptions(const RenderOptions& options);
-
-/// Throws UsageError that names the option for what cannot be.
+/// What is to be seen. Throws UsageError for what takes too much memory.
 PictureWishes wishesOf(const RenderOptions& options);
 
-/// How many pictures are asked for: of one time all around (turntable), or of so many times (frames). 0: not asked
-/// for; not both. Throws UsageError.
-struct Motion {
-  int turntable = 0, frames = 0;
-  double perSecond = 25;
-  bool any() const { return turntable > 0 || frames > 0; }
-};
-Motion motionOf(const RenderOptions& options);
-
 /// Throws UsageError unless `output` has an ending that can be written: films only of what moves, and where ffmpeg is.
-void checkOutput(const RenderOptions& options, const Motion& motion);
+void checkOutput(const RenderOptions& options);
 
 }  // namespace morula::cli
+
+namespace morula {
+template <>
+inline constexpr auto choices<cli::PictureStyle> = std::to_array<Choice<cli::PictureStyle>>({
+    {cli::PictureStyle::solid, "solid", "surfaces"},
+    {cli::PictureStyle::wireframe, "wireframe", "edges"},
+    {cli::PictureStyle::both, "both", "one beside the other"},
+    {cli::PictureStyle::lineage, "lineage", "the tree of cells"},
+});
+}  // namespace morula

@@ -2,8 +2,6 @@
 // bits?
 #include "check/replay.h"
 
-#include <memory>
-
 #include "base/error.h"
 #include "cli/verbs.h"
 #include "files/folders.h"
@@ -20,7 +18,7 @@ namespace {
 
 struct ReplayOptions {
   std::string what, run, database, databaseOut;
-  ExecutionOptions execution{.threads = ""};  // as then
+  ExecutionOptions execution{.threads = std::nullopt};  // as then
   OutputOptions output;
 };
 
@@ -40,23 +38,24 @@ Target targetOf(const ReplayOptions& o) {
 
 /// As the run was executed, as far as this machine can and the command line does not want it otherwise.
 Execution executionOf(const ExecutionOptions& options, const RunRecord& before) {
-  ExecutionOptions o = options;
-  if (o.threads.empty()) o.threads = std::to_string(before.threads);
-  Execution how = execution(o);
-  if (!options.isa.empty()) return how;
+  Execution how = execution(options);
+  if (!options.threads) how.threads = before.threads;
+  if (options.isa) return how;
   for (Isa isa : availableIsas())
     if (name(isa) == before.isa) how.isa = isa;
   return how;
 }
 
 int report(const Replay& found, const StoredRun& run, const OutputOptions& output) {
-  if (output.json) printJson(toJson(found, run));
-  else print(describe(found, run));
+  printEither(output, toJson(found, run), describe(found, run));
   return found.sameBits() ? fine : differs;
 }
 
 int act(const ReplayOptions& options) {
   const Target target = targetOf(options);
+  if (!options.databaseOut.empty() && liesWithin(options.databaseOut, target.database))
+    throw UsageError("--db-out: '" + options.databaseOut +
+                     "' holds the run that is replayed, and would be written over; needs another file");
   auto store = Store::openForReading(target.database);
   const StoredRun before = store.find(target.run);
   if (before.status != RunStatus::done && before.status != RunStatus::failed)
@@ -77,16 +76,15 @@ int act(const ReplayOptions& options) {
 }  // namespace
 
 void addReplay(CLI::App& app, Action& action) {
-  auto options = std::make_shared<ReplayOptions>();
   Verb verb(app, action, "replay", "Run a stored run again and say what differs, conditions and bits");
-  verb.needs("what", options->what, "FILE|ID", "A database, or a run's id with --db");
-  verb.takes("--run", options->run, "ID", "Which run of the database; default: the latest");
-  verb.takes("--db", options->database, "FILE", "The database, if a run's id is given");
-  verb.takes("--db-out", options->databaseOut, "FILE", "Store the replayed run there; default: nowhere");
-  add(verb, options->execution);
+  auto& options = verb.does<ReplayOptions>(act);
+  verb.needs("what", options.what, "FILE|ID", "A database, or a run's id with --db");
+  addRunChoice(verb, options.run);
+  verb.takes("--db", options.database, "FILE", "The database, if a run's id is given");
+  verb.takes("--db-out", options.databaseOut, "FILE", "Store the replayed run there; default: nowhere");
+  add(verb, options.execution);
   verb.showDefault("--threads", "as then");
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

@@ -1,8 +1,7 @@
 // morula report: one page of stored runs, which opens anywhere and needs no network.
 #include "report/report.h"
 
-#include <memory>
-
+#include "base/error.h"
 #include "cli/verbs.h"
 #include "files/folders.h"
 #include "files/write_file.h"
@@ -10,7 +9,6 @@
 #include "options/options.h"
 #include "options/verb.h"
 #include "system/console.h"
-#include "system/usage_error.h"
 
 namespace morula::cli {
 
@@ -19,8 +17,9 @@ namespace fs = std::filesystem;
 namespace {
 
 struct ReportOptions {
-  std::vector<std::string> what;
-  std::string run, output, frames = "100", limit = "10M";
+  ReportQuestion question;
+  double limit = 10e6;  // [byte]
+  std::string output;
   bool noBullet = false;
   ExecutionOptions execution;
   OutputOptions messages;
@@ -32,56 +31,57 @@ fs::path defaultName(const std::string& what) {
   return (isFolder(path) ? path : path.parent_path()) / "report.html";
 }
 
+std::string readPageName(const std::string& name) {
+  if (const auto ending = fs::path(name).extension(); ending != ".html" && ending != ".htm")
+    throw InputError("'" + name + "' does not end in .html, and a page is all that report writes");
+  return name;
+}
+
 int act(const ReportOptions& options) {
-  ReportQuestion question;
-  question.what = options.what;
-  question.run = options.run;
-  question.frames = naturalOption("--frames", options.frames, 0, 10'000);
-  question.mostBytes = static_cast<std::size_t>(sizeOption("--size-limit", options.limit));
+  ReportQuestion question = options.question;
+  question.mostBytes = static_cast<std::size_t>(options.limit);
   question.execution = execution(options.execution);
   question.bullet = !options.noBullet;
   question.quiet = options.messages.quiet;
   findExplorer(question);
-  const fs::path file = options.output.empty() ? defaultName(options.what.front()) : fs::path(options.output);
-  if (const auto ending = file.extension(); ending != ".html" && ending != ".htm")
-    throw UsageError("--output: '" + file.string() +
-                     "' does not end in .html, and a page is all that report writes");
+  const fs::path file =
+      options.output.empty() ? defaultName(question.what.front()) : fs::path(options.output);
   const ReportAnswer answer = makeReport(question);
   if (answer.signal) return signalled + answer.signal;
   writeFile(file, answer.bytes, Content::page);
   if (question.program.empty())
     tell("report: without the explorer: " + question.whyNone, options.messages.quiet);
   for (const std::string& remark : answer.remarks) tell("report: " + remark, options.messages.quiet);
-  if (options.messages.json)
-    printJson({{"report", file.string()},
+  printEither(options.messages,
+              {{"report", file.string()},
                {"runs", answer.runs},
                {"bytes", answer.bytes.size()},
-               {"explorer", !question.program.empty()}});
-  else print(file.string() + "\n");
+               {"explorer", !question.program.empty()}},
+              file.string() + "\n");
   return fine;
 }
 
 }  // namespace
 
 void addReport(CLI::App& app, Action& action) {
-  auto options = std::make_shared<ReportOptions>();
   Verb verb(app, action, "report",
             "Write one page of stored runs: verdict, explorer, pictures, checks, where they come from");
-  verb.needs("what", options->what, "WHAT",
+  auto& options = verb.does<ReportOptions>(act);
+  verb.needs("what", options.question.what, "WHAT",
              "Databases of runs or of a merged study, report.json of a check, what accuracy --json printed, "
              "or folders of these");
-  verb.takes("-o,--output", options->output, "FILE",
+  verb.takes("-o,--output", options.output, "FILE", readPageName,
              "The page, a .html; default: report.html beside the first database");
-  verb.takes("--run", options->run, "ID", "Only this run of the database; default: all");
-  verb.takes("--frames", options->frames, "N",
+  verb.takes("--run", options.question.run, "ID", "Only this run of the database; default: all");
+  verb.takes("--frames", options.question.frames, "N", natural(0, 10'000),
              "Shapes of each run, evenly over its time; 0: none, and nothing is run again");
-  verb.takes("--size-limit", options->limit, "SIZE",
+  verb.takes("--size-limit", options.limit, "SIZE", readSize,
              "Bytes of the page; frames that do not fit are left out, which the page says");
-  verb.takes("--no-bullet", options->noBullet,
+  verb.showDefault("--size-limit", "10M");
+  verb.takes("--no-bullet", options.noBullet,
              "Bullet is not run beside ours for scenarios with check.bullet");
-  add(verb, options->execution);
-  add(verb, options->messages);
-  verb.does([options] { return act(*options); });
+  add(verb, options.execution);
+  add(verb, options.messages);
 }
 
 }  // namespace morula::cli

@@ -1,6 +1,5 @@
 // morula review: what goldens would change, and with a reason the change itself.
 #include <cstdlib>
-#include <memory>
 
 #include "base/error.h"
 #include "check/accept_run.h"
@@ -21,13 +20,18 @@ namespace morula::cli {
 
 namespace {
 
+std::string usersName() {
+  const char* user = std::getenv("USER");
+  return user ? user : "";
+}
+
 struct ReviewOptions {
   std::vector<std::string> scenarios;
   InputOptions input;
   ExecutionOptions execution;
   OutputOptions output;
   bool accept = false, reject = false;
-  std::string why, by;
+  std::string why, by = usersName();
 };
 
 /// What is to be looked at: the named scenarios, or those whose results wait.
@@ -42,9 +46,8 @@ std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
 std::optional<GoldenData> resultToReview(const Scenario& scenario, const ReviewOptions& options,
                                          int& signal) {
   if (auto pending = findPending(scenario)) return pending;
-  Progress progress(scenario.scene.name, options.output.quiet);
-  const auto run = simulate(makeScenarioWorld(scenario, execution(options.execution)),
-                            recordingOf(scenario, true), progress);
+  const auto run = simulate(scenario, execution(options.execution),
+                            {.quiet = options.output.quiet, .record = recordingOf(scenario, true)});
   signal = run.signal;
   if (signal) return std::nullopt;
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
@@ -98,15 +101,15 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
 }
 
 int act(const ReviewOptions& options) {
-  if (options.accept && options.reject) throw UsageError("morula review: --accept or --reject, not both");
-  if ((options.accept || options.reject) && options.why.empty())
-    throw UsageError(
-        "morula review --accept needs a reason: --why \"what changed and why the new result is right\"");
   if (options.accept && options.by.empty())
-    throw UsageError("morula review --accept needs a name: --by NAME");
+    throw UsageError("--accept: whose name does it carry? Give --by NAME, too");
   std::vector<Scenario> scenarios;
   for (const auto& file : scenarioFiles(options))
     scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
+  for (const auto& scenario : scenarios)
+    if (options.reject && !findPending(scenario))
+      throw FileError(goldenName(scenario.file) +
+                      ": no result waits for a review, so there is none to reject");
   if (scenarios.empty()) tell("no result waits for a review", options.output.quiet);
 
   int code = fine, signal = 0;
@@ -144,19 +147,20 @@ int act(const ReviewOptions& options) {
 }  // namespace
 
 void addReview(CLI::App& app, Action& action) {
-  auto options = std::make_shared<ReviewOptions>();
-  if (const char* user = std::getenv("USER")) options->by = user;
   Verb verb(app, action, "review",
             "Show what golden files would change, and accept or reject it with a reason");
-  verb.takes("scenario", options->scenarios, "FILE", "Scenario files; default: those whose results wait");
-  verb.takes("--accept", options->accept, "Run twice more and write the golden files");
-  verb.takes("--reject", options->reject, "Throw the waiting results away");
-  verb.takes("--why", options->why, "TEXT", "What changed and why the new result is right, or is not");
-  verb.takes("--by", options->by, "NAME", "Who accepts; default: the user's name");
-  add(verb, options->input);
-  add(verb, options->execution);
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  auto& options = verb.does<ReviewOptions>(act);
+  verb.takes("scenario", options.scenarios, "FILE", "Scenario files; default: those whose results wait");
+  verb.takes("--accept", options.accept, "Run twice more and write the golden files");
+  verb.takes("--reject", options.reject, "Throw the waiting results away");
+  verb.takes("--why", options.why, "TEXT", "What changed and why the new result is right, or is not");
+  verb.oneOf({"--accept", "--reject"});
+  verb.onlyWith({"--accept", "--reject"}, {"--why"});
+  verb.onlyWith({"--why"}, {"--accept", "--reject"});
+  verb.takes("--by", options.by, "NAME", "Who accepts; default: the user's name");
+  add(verb, options.input);
+  add(verb, options.execution);
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

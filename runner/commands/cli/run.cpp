@@ -3,8 +3,10 @@
 #include <memory>
 #include <set>
 
+#include "base/error.h"
 #include "check/check_run.h"
 #include "cli/verbs.h"
+#include "files/folders.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/program.h"
@@ -22,7 +24,9 @@ struct RunOptions {
   SceneOptions scene;
   ExecutionOptions execution;
   OutputOptions output;
-  std::string seeds, database, out = "results", checkpointEvery;
+  std::vector<std::uint64_t> seeds;
+  std::uint64_t checkpointEvery = 0;
+  std::string database, out = "results";
   bool dryRun = false, noCheck = false, noPictures = false, resume = false;
 };
 
@@ -36,9 +40,27 @@ std::string digits(const Scenario& scenario) {
   return Hasher().add(scenario.resolved).digest().text().substr(0, 8);
 }
 
+/// Whether the last run of this name and seed in the database is of another file, which says something else.
+bool isOfOther(const std::filesystem::path& database, const Scenario& scenario) {
+  if (!fileExists(database)) return false;
+  try {
+    auto store = Store::openForReading(database);
+    const StoredRun* last = nullptr;
+    const auto runs = store.runs();
+    for (const StoredRun& run : runs)
+      if (run.record.scenario == scenario.scene.name && run.record.seed == scenario.scene.seed) last = &run;
+    if (!last) return false;
+    for (const SourceText& d : store.documents(last->id))
+      if ((d.role == "scenario" && absolutePath(d.path) == absolutePath(scenario.file)) ||
+          (d.role == "resolved" && d.content == scenario.resolved))
+        return false;
+    return true;
+  } catch (const FileError&) { return false; }  // who writes to it says what is wrong
+}
+
 /// results/unique-four-20080617, name and seed. Eight digits follow where values were changed by --set, and
-/// where `twin`, another file of the same name, is run at the same time, so that each has a folder of its
-/// own.
+/// where `twin`, another file of the same name, is run at the same time or has been before, so that each has a
+/// folder of its own.
 std::string folderName(const Scenario& scenario, const SceneOptions& scene, bool twin) {
   const std::string name = scenario.scene.name + "-" + std::to_string(scenario.scene.seed);
   return scene.set.empty() && !twin ? name : name + '-' + digits(scenario);
@@ -46,18 +68,8 @@ std::string folderName(const Scenario& scenario, const SceneOptions& scene, bool
 
 /// Everything that is to be run, read and checked before the first step of the first.
 std::vector<Planned> plan(const RunOptions& options) {
-  if (!options.seeds.empty() && !options.scene.seed.empty())
-    throw UsageError("--seed and --seeds: give one of them");
-  if (options.resume && options.dryRun) throw UsageError("--resume and --dry-run: give one of them");
-  const auto checkpointEvery =
-      options.checkpointEvery.empty()
-          ? 0
-          : naturalOption("--checkpoint-every", options.checkpointEvery, 1, 1'000'000'000'000u);
-  std::vector<std::string> seeds{options.scene.seed};
-  if (!options.seeds.empty()) {
-    seeds.clear();
-    for (const auto seed : seedRange(options.seeds)) seeds.push_back(std::to_string(seed));
-  }
+  std::vector<std::optional<std::uint64_t>> seeds(options.seeds.begin(), options.seeds.end());
+  if (seeds.empty()) seeds = {options.scene.seed};
   std::vector<Planned> runs;
   for (const auto& file : options.scenarios) {
     for (const auto& seed : seeds) {
@@ -72,7 +84,7 @@ std::vector<Planned> plan(const RunOptions& options) {
                       .check = !options.noCheck,
                       .draw = !options.noPictures,
                       .quiet = options.output.quiet,
-                      .checkpointEvery = checkpointEvery,
+                      .checkpointEvery = options.checkpointEvery,
                       .resume = options.resume};
       runs.push_back(std::move(run));
     }
@@ -81,8 +93,14 @@ std::vector<Planned> plan(const RunOptions& options) {
   const auto key = [](const Scenario& s) { return s.scene.name + '-' + std::to_string(s.scene.seed); };
   for (const Planned& run : runs) places[key(run.scenario)].insert(run.scenario.resolved);
   for (Planned& run : runs) {
-    const bool twin = places[key(run.scenario)].size() > 1;
-    run.settings.folder = std::filesystem::path(options.out) / folderName(run.scenario, options.scene, twin);
+    const auto folder = [&](bool twin) {
+      return std::filesystem::path(options.out) / folderName(run.scenario, options.scene, twin);
+    };
+    const bool twin =
+        places[key(run.scenario)].size() > 1 ||
+        isOfOther(options.database.empty() ? folder(false) / "run.db" : std::filesystem::path(options.database),
+                  run.scenario);
+    run.settings.folder = folder(twin);
     if (options.database.empty()) run.settings.database = run.settings.folder / "run.db";
   }
   return runs;
@@ -109,7 +127,7 @@ std::string describePlanForPeople(const Planned& run) {
 
 /// Ten seeds of one result must not be taken for ten results.
 void tellIfSeedsDoNotMatter(const RunOptions& options, const std::vector<Planned>& runs) {
-  if (options.seeds.empty() && options.scene.seed.empty()) return;
+  if (options.seeds.empty() && !options.scene.seed) return;
   const Planned* told = nullptr;
   for (const auto& run : runs) {
     if ((told && told->scenario.file == run.scenario.file) || usesSeed(run.scenario.scene)) continue;
@@ -165,23 +183,26 @@ int act(const RunOptions& options) {
 }  // namespace
 
 void addRun(CLI::App& app, Action& action) {
-  auto options = std::make_shared<RunOptions>();
   Verb verb(app, action, "run", "Simulate a scenario, store, check and draw it");
-  verb.needs("scenario", options->scenarios, "FILE", "Scenario files");
-  add(verb, options->input);
-  add(verb, options->scene);
-  verb.takes("--seeds", options->seeds, "FIRST..LAST", "One run for each seed of a range: 1..50");
-  verb.takes("--db", options->database, "FILE", "Store in this file; default: run.db beside the pictures");
-  verb.takes("--out", options->out, "FOLDER", "Folder for results, one folder in it per run");
-  verb.takes("--no-pictures", options->noPictures, "Do not draw");
-  verb.takes("--no-check", options->noCheck, "Do not compare with the golden file");
-  verb.takes("--checkpoint-every", options->checkpointEvery, "STEPS",
+  auto& options = verb.does<RunOptions>(act);
+  verb.needs("scenario", options.scenarios, "FILE", "Scenario files");
+  add(verb, options.input);
+  add(verb, options.scene);
+  verb.takes<std::vector<std::uint64_t>>("--seeds", options.seeds, "FIRST..LAST", readSeeds,
+                                         "One run for each seed of a range: 1..50");
+  verb.takes("--db", options.database, "FILE", "Store in this file; default: run.db beside the pictures");
+  verb.takes("--out", options.out, "FOLDER", "Folder for results, one folder in it per run");
+  verb.takes("--no-pictures", options.noPictures, "Do not draw");
+  verb.takes("--no-check", options.noCheck, "Do not compare with the golden file");
+  verb.takes("--checkpoint-every", options.checkpointEvery, "STEPS", natural(1, 1'000'000'000'000),
              "Keep a checkpoint every so many steps; one is always kept at Ctrl-C");
-  verb.takes("--resume", options->resume, "Go on from the last checkpoint of the same run");
-  verb.takes("--dry-run", options->dryRun, "Read and check everything, run nothing, write nothing");
-  add(verb, options->execution);
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  verb.showDefault("--checkpoint-every", "");
+  verb.takes("--resume", options.resume, "Go on from the last checkpoint of the same run");
+  verb.takes("--dry-run", options.dryRun, "Read and check everything, run nothing, write nothing");
+  verb.oneOf({"--seed", "--seeds"});
+  verb.oneOf({"--resume", "--dry-run"});
+  add(verb, options.execution);
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

@@ -1,6 +1,5 @@
 // morula trail: where a run goes, in hashes; one Morula asks another so (explain --with).
 #include <limits>
-#include <memory>
 
 #include "base/error.h"
 #include "cli/verbs.h"
@@ -20,7 +19,8 @@ constexpr std::uint64_t toTheEnd = std::numeric_limits<std::uint64_t>::max() / 2
 
 struct TrailOptions {
   std::string scenario;
-  std::string from = "0", to = std::to_string(toTheEnd), every = "64", state;
+  std::uint64_t from = 0, to = toTheEnd, every = 64;
+  std::optional<std::uint64_t> state;
   InputOptions input;
   ExecutionOptions execution;
 };
@@ -29,34 +29,34 @@ int act(const TrailOptions& options) {
   const Scenario scenario = loadScenario(options.scenario, {}, options.input.allowOutside);
   const auto how = execution(options.execution);
   OwnRun run = scenarioRun(scenario, how);
-  if (!options.state.empty()) {
-    const auto step = naturalOption("--state", options.state, 0, toTheEnd);
-    const HashTrace there = run.hashTrace(step, step, 1);
-    if (!there.failure.empty()) throw InputError("no state at step " + options.state + ": " + there.failure);
-    printBytes(saveState(*run.stateAt(step)));
+  if (options.state) {
+    const HashTrace there = run.hashTrace(*options.state, *options.state, 1);
+    if (!there.failure.empty())
+      throw InputError("no state at step " + std::to_string(*options.state) + ": " + there.failure);
+    printBytes(saveState(*run.stateAt(*options.state)));
     return fine;
   }
-  const auto from = naturalOption("--from", options.from, 0, toTheEnd);
-  const auto to = naturalOption("--to", options.to, 0, toTheEnd);
-  if (to < from) throw UsageError("--to " + options.to + " comes before --from " + options.from);
-  print(writeHashTrace(run.hashTrace(from, to, naturalOption("--every", options.every, 1, toTheEnd))));
+  if (options.to < options.from)
+    throw UsageError("--to " + std::to_string(options.to) + " comes before --from " +
+                     std::to_string(options.from));
+  print(writeHashTrace(run.hashTrace(options.from, options.to, options.every)));
   return fine;
 }
 
 }  // namespace
 
 void addTrail(CLI::App& app, Action& action) {
-  auto options = std::make_shared<TrailOptions>();
   Verb verb(app, action, "trail", "Print hashes of a run's states, or one state, for another Morula");
-  verb.needs("scenario", options->scenario, "FILE", "Scenario file");
-  verb.takes("--from", options->from, "STEP", "The first step");
-  verb.takes("--to", options->to, "STEP", "The last step");
-  verb.takes("--every", options->every, "N", "Every so many steps");
-  verb.takes("--state", options->state, "STEP", "Instead, the whole state after this step, as bytes");
-  add(verb, options->input);
-  add(verb, options->execution);
+  auto& options = verb.does<TrailOptions>(act);
+  verb.needs("scenario", options.scenario, "FILE", "Scenario file");
+  verb.takes("--from", options.from, "STEP", natural(0, toTheEnd), "The first step");
+  verb.takes("--to", options.to, "STEP", natural(0, toTheEnd), "The last step");
+  verb.takes("--every", options.every, "N", natural(1, toTheEnd), "Every so many steps");
+  verb.takes("--state", options.state, "STEP", natural(0, toTheEnd),
+             "Instead, the whole state after this step, as bytes");
+  add(verb, options.input);
+  add(verb, options.execution);
   verb.hide();  // not for people
-  verb.does([options] { return act(*options); });
 }
 
 }  // namespace morula::cli

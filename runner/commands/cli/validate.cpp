@@ -1,5 +1,4 @@
 // morula validate: are these scenarios and studies right?
-#include <memory>
 
 #include "base/error.h"
 #include "cli/verbs.h"
@@ -80,16 +79,14 @@ int act(const ValidateOptions& options) {
 }  // namespace
 
 void addValidate(CLI::App& app, Action& action) {
-  auto options = std::make_shared<ValidateOptions>();
   Verb verb(app, action, "validate", "Tell all mistakes in scenario and study files");
-  verb.needs("scenario", options->scenarios, "FILE", "Scenario or study files");
-  add(verb, options->input);
-  add(verb, options->scene);
-  addMemoryLimit(verb, options->execution);
-  verb.takes("--resolved", options->resolved,
-             "Print every parameter, defaults and changes included, as JSON");
-  add(verb, options->output);
-  verb.does([options] { return act(*options); });
+  auto& options = verb.does<ValidateOptions>(act);
+  verb.needs("scenario", options.scenarios, "FILE", "Scenario or study files");
+  add(verb, options.input);
+  add(verb, options.scene);
+  addMemoryLimit(verb, options.execution);
+  verb.takes("--resolved", options.resolved, "Print every parameter, defaults and changes included, as JSON");
+  add(verb, options.output);
 }
 
 }  // namespace morula::cli

@@ -4,27 +4,12 @@
 
 namespace morula::cli {
 
+/// In the order in which the help shows them.
 void addVerbs(CLI::App& app, Action& action) {
-  addRun(app, action);
-  addParts(app, action);
-  addCheck(app, action);
-  addExplain(app, action);
-  addReview(app, action);
-  addValidate(app, action);
-  addSchema(app, action);
-  addInit(app, action);
-  addRender(app, action);
-  addChart(app, action);
-  addLineage(app, action);
-  addReplay(app, action);
-  addExport(app, action);
-  addReport(app, action);
-  addAccuracy(app, action);
-  addBench(app, action);
-  addStudy(app, action);
-  addCompare(app, action);
-  addTrail(app, action);
-  addEngineWorker(app, action);
+  for (AddVerb* add : {addRun,      addParts,  addCheck, addExplain, addReview, addValidate,    addSchema,
+                       addInit,     addRender, addChart, addLineage, addReplay, addExport,      addReport,
+                       addAccuracy, addBench,  addStudy, addCompare, addTrail,  addEngineWorker})
+    add(app, action);
 }
 
 }  // namespace morula::cli

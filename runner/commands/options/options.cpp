@@ -1,10 +1,9 @@
 #include "options/options.h"
 
 #include "base/error.h"
-#include "options/exit_codes.h"
-#include "options/verb.h"
+#include "system/console.h"
 #include "system/usable_memory.h"
-#include "yaml/numbers.h"
+#include "values/value_types.h"
 
 namespace morula::cli {
 
@@ -19,101 +18,106 @@ void add(Verb& verb, InputOptions& options) {
 }
 
 void add(Verb& verb, SceneOptions& options) {
-  verb.takes(
-      "--set", options.set, "PATH=VALUE",
-      "Change a parameter: --set physics.time_step=0.001; null takes it away; may repeat");  // or --set a=1
-                                                                                             // FILE would
-                                                                                             // swallow FILE
-  verb.takes("--seed", options.seed, "N", "Another seed than the scenario's");
+  verb.takes("--set", options.set, "PATH=VALUE",
+             "Change a parameter: --set physics.time_step=0.001; null takes it away; may repeat");
+  verb.takes("--seed", options.seed, "N", natural(0, scenario::largestNatural),
+             "Another seed than the scenario's");
 }
 
 void add(Verb& verb, ExecutionOptions& options) {
-  verb.takes("--threads", options.threads, "N", "Compute with so many threads; changes no result");
-  verb.takes("--isa", options.isa, "NAME", "Compute with scalar, narrow, avx2 or avx512; changes no result");
-  verb.takes("--search", options.search, "NAME",
-             "Find contacts by grid, aabb-tree, spatial-hash or brute-force; changes no result");
+  verb.takes("--threads", options.threads, "N", natural(1, 1024),
+             "Compute with so many threads; changes no result");
+  verb.takes("--isa", options.isa, "NAME", parseIsa,
+             "Compute with scalar, narrow, avx2 or avx512; changes no result");
+  verb.takes("--search", options.search, "NAME", parseChoice<ContactSearch>,
+             "Find contacts by " + namesOf<ContactSearch>() + "; changes no result");
   addMemoryLimit(verb, options);
 }
 
 void addMemoryLimit(Verb& verb, ExecutionOptions& options) {
-  verb.takes("--memory-limit", options.memoryLimit, "SIZE",
+  verb.takes("--memory-limit", options.memoryLimit, "SIZE", readSize,
              "Refuse or end a run that would take more, as 8G; otherwise nine tenths of what is free");
+}
+
+void addRunChoice(Verb& verb, std::string& run) {
+  verb.takes("--run", run, "ID", "Which run of the database; default: the latest");
 }
 
 std::vector<Override> overrides(const SceneOptions& options) {
   std::vector<Override> list;
   for (const auto& text : options.set) list.push_back(parseOverride(text));
-  if (!options.seed.empty()) list.push_back({"seed", options.seed, "--seed"});
+  if (options.seed) list.push_back({"seed", std::to_string(*options.seed), "--seed"});
   return list;
 }
 
 Execution execution(const ExecutionOptions& options) {
   Execution how;
-  how.threads = static_cast<int>(naturalOption("--threads", options.threads, 1, 1024));
-  how.memoryLimit =
-      options.memoryLimit.empty() ? usableMemory() : sizeOption("--memory-limit", options.memoryLimit);
-  try {
-    if (!options.isa.empty()) how.isa = parseIsa(options.isa);
-  } catch (const InputError& error) { throw UsageError(std::string("--isa: ") + error.what()); }
-  try {
-    if (!options.search.empty()) how.search.method = parseContactSearch(options.search);
-  } catch (const InputError& error) { throw UsageError(std::string("--search: ") + error.what()); }
+  how.threads = options.threads.value_or(how.threads);
+  how.memoryLimit = options.memoryLimit ? *options.memoryLimit : usableMemory();
+  how.isa = options.isa.value_or(how.isa);
+  how.search.method = options.search.value_or(how.search.method);
   return how;
 }
 
-std::uint64_t naturalOption(const std::string& option, const std::string& text, std::uint64_t low,
-                            std::uint64_t high) {
-  const auto number = scenario::parseNatural(text);
-  const auto needs = "; needs a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-  if (!number.wrong.empty()) throw UsageError(option + ": '" + text + "' " + number.wrong + needs);
-  if (number.value < low || number.value > high)
-    throw UsageError(option + ": " + text + " is out of range" + needs);
-  return number.value;
+void printEither(const OutputOptions& options, const Json& json, const std::string& text) {
+  if (options.json) printJson(json);
+  else print(text);
 }
 
 namespace {
 
-double realOption(const std::string& option, const std::string& text, bool mayBeZero) {
-  const std::string needs = mayBeZero ? "; needs a number ≥ 0" : "; needs a number > 0";
-  const auto number = scenario::parseReal(text);
-  if (!number.wrong.empty()) throw UsageError(option + ": '" + text + "' " + number.wrong + needs);
-  if (number.value < 0 || (number.value == 0 && !mayBeZero))
-    throw UsageError(option + ": " + text + " is out of range" + needs);
-  return number.value;
+/// Of the text, which means a number, what `allowed` says. Throws InputError.
+template <class Number>
+Number checked(const std::string& text, const scenario::Parsed<Number>& parsed, const std::string& allowed,
+               bool holds) {
+  if (!parsed.wrong.empty()) throw InputError("'" + text + "' " + parsed.wrong + "; needs " + allowed);
+  if (!holds) throw InputError(text + " is out of range; needs " + allowed);
+  return parsed.value;
 }
 
 }  // namespace
 
-double positiveOption(const std::string& option, const std::string& text) {
-  return realOption(option, text, false);
+Reader<std::uint64_t> natural(std::uint64_t low, std::uint64_t high) {
+  return [=](const std::string& text) {
+    const auto number = scenario::parseNatural(text);
+    return checked(text, number, "a whole number from " + std::to_string(low) + " to " + std::to_string(high),
+                   number.value >= low && number.value <= high);
+  };
 }
 
-double nonNegativeOption(const std::string& option, const std::string& text) {
-  return realOption(option, text, true);
+Reader<double> number(const scenario::Range& range) {
+  return [=](const std::string& text) {
+    const auto number = scenario::parseReal(text);
+    return checked(text, number, "a number " + range.text(), range.holds(number.value));
+  };
 }
 
-double sizeOption(const std::string& option, const std::string& text) {
-  const std::string needs = "; needs a size > 0, as 500M or 8G (10⁶ or 10⁹ bytes)";
-  const char last = text.empty() ? ' ' : text.back();
-  const double unit = last == 'k' || last == 'K' ? 1e3
-                      : last == 'M'              ? 1e6
-                      : last == 'G'              ? 1e9
-                      : last == 'T'              ? 1e12
-                                                 : 1;
-  const auto number = scenario::parseReal(unit == 1 ? text : text.substr(0, text.size() - 1));
-  if (!number.wrong.empty()) throw UsageError(option + ": '" + text + "' " + number.wrong + needs);
-  if (!(number.value > 0)) throw UsageError(option + ": " + text + " is out of range" + needs);
-  return number.value * unit;
+double readSize(const std::string& text) {
+  const auto size = scenario::parseSize(text);
+  return checked(text, size, "a size > 0, as 500M or 8G (10⁶ or 10⁹ bytes)", size.value > 0);
 }
 
-std::vector<std::uint64_t> seedRange(const std::string& text) {
+Reader<PictureSize> pictureSize(std::uint64_t low, std::uint64_t high) {
+  return [=](const std::string& text) {
+    const auto x = text.find('x');
+    const auto side = [&](const std::string& word) {
+      const auto number = scenario::parseNatural(word);
+      const auto allowed = "WIDTHxHEIGHT, or N for a square, from " + std::to_string(low) + " to " +
+                           std::to_string(high) + " pixels";
+      return static_cast<int>(checked(word, number, allowed, number.value >= low && number.value <= high));
+    };
+    return PictureSize{side(text.substr(0, x)), side(text.substr(x == text.npos ? 0 : x + 1))};
+  };
+}
+
+std::vector<std::uint64_t> readSeeds(const std::string& text) {
+  const std::string allowed = "; needs FIRST..LAST, as 1..50";
   const auto dots = text.find("..");
-  if (dots == text.npos)
-    throw UsageError("--seeds: '" + text + "' is not a range; needs FIRST..LAST, as 1..50");
-  const auto first = naturalOption("--seeds", text.substr(0, dots), 0, 9223372036854775807u);
-  const auto last = naturalOption("--seeds", text.substr(dots + 2), 0, 9223372036854775807u);
-  if (last < first) throw UsageError("--seeds: " + text + " runs backward; needs FIRST..LAST, as 1..50");
-  if (last - first >= 100'000) throw UsageError("--seeds: " + text + " are too many; at most 100000 at once");
+  if (dots == text.npos) throw InputError("'" + text + "' is not a range" + allowed);
+  const auto seed = natural(0, scenario::largestNatural);
+  const auto first = seed(text.substr(0, dots)), last = seed(text.substr(dots + 2));
+  if (last < first) throw InputError(text + " runs backward" + allowed);
+  if (last - first >= 100'000) throw InputError(text + " are too many; at most 100000 at once");
   std::vector<std::uint64_t> seeds;
   for (auto seed = first; seed <= last; ++seed) seeds.push_back(seed);
   return seeds;

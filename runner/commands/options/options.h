@@ -1,15 +1,16 @@
 #pragma once
-// Options that several verbs share. Numbers are taken as text and read strictly: CLI11 makes 2^64 − 1 of -1.
+// Options that several verbs share, and readers of kinds of values.
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "options/verb.h"
 #include "scenario/scenario.h"
 #include "simulation/world.h"
+#include "system/json.h"
+#include "yaml/numbers.h"
 
 namespace morula::cli {
-
-class Verb;
 
 struct OutputOptions {
   bool json = false, quiet = false;
@@ -23,13 +24,16 @@ struct InputOptions {
 /// Changes of the scene.
 struct SceneOptions {
   std::vector<std::string> set;
-  std::string seed;
-  bool empty() const { return set.empty() && seed.empty(); }
+  std::optional<std::uint64_t> seed;
+  bool empty() const { return set.empty() && !seed; }
 };
 
 /// How to compute; changes no result.
 struct ExecutionOptions {
-  std::string threads = "1", isa = {}, search = {}, memoryLimit = {};
+  std::optional<int> threads = 1;
+  std::optional<Isa> isa = {};
+  std::optional<ContactSearch> search = {};
+  std::optional<double> memoryLimit = {};  // [byte]
 };
 
 void add(Verb& verb, OutputOptions& options);
@@ -38,21 +42,28 @@ void add(Verb& verb, SceneOptions& options);
 void add(Verb& verb, ExecutionOptions& options);
 /// `--memory-limit` alone: for verbs that make a world and do not run it.
 void addMemoryLimit(Verb& verb, ExecutionOptions& options);
+/// "Which run of the database; default: the latest".
+void addRunChoice(Verb& verb, std::string& run);
 
 std::vector<Override> overrides(const SceneOptions& options);
-/// Throws UsageError.
 Execution execution(const ExecutionOptions& options);
 
-/// A whole number in [low, high]. Throws UsageError that names the option.
-std::uint64_t naturalOption(const std::string& option, const std::string& text, std::uint64_t low,
-                            std::uint64_t high);
-/// A number > 0. Throws UsageError.
-double positiveOption(const std::string& option, const std::string& text);
-/// A number ≥ 0. Throws UsageError.
-double nonNegativeOption(const std::string& option, const std::string& text);
-/// [byte] "500M", "8G", "1.5G", "200000000". Throws UsageError.
-double sizeOption(const std::string& option, const std::string& text);
-/// "1..50": the numbers from 1 to 50. Throws UsageError.
-std::vector<std::uint64_t> seedRange(const std::string& text);
+/// The one or the other on stdout, as --json says.
+void printEither(const OutputOptions& options, const Json& json, const std::string& text);
+
+/// A whole number in [low, high].
+Reader<std::uint64_t> natural(std::uint64_t low, std::uint64_t high);
+Reader<double> number(const scenario::Range& range);
+/// [byte] "500M", "8G", "1.5G", "200000000".
+double readSize(const std::string& text);
+
+struct PictureSize {
+  int width, height;  // [pixel]
+};
+/// "1920x1080"; "900": a square. Each side in [low, high].
+Reader<PictureSize> pictureSize(std::uint64_t low, std::uint64_t high);
+
+/// "1..50": the numbers from 1 to 50.
+std::vector<std::uint64_t> readSeeds(const std::string& text);
 
 }  // namespace morula::cli

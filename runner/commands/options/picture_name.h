@@ -2,10 +2,15 @@
 // Whether a verb can write what a picture's name promises.
 #include <string>
 
+#include "options/verb.h"
+
 namespace morula::cli {
 
-/// Throws UsageError that names --output unless the file's ending asks for what `verb` writes: PNG, and where
-/// it is a `drawing` (a chart or a tree) SVG and PDF.
+/// Throws InputError unless the file's ending asks for what `verb` writes: PNG, and where it is a `drawing` (a chart or a
+/// tree) SVG and PDF.
 void checkPictureName(const std::string& verb, const std::string& file, bool drawing);
+
+/// A file's name for which checkPictureName holds.
+Reader<std::string> pictureName(const std::string& verb, bool drawing);
 
 }  // namespace morula::cli

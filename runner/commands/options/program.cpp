@@ -7,10 +7,12 @@
 #include "base/error.h"
 #include "base/floating_point.h"
 #include "database/store_error.h"
+#include "files/quote.h"
 #include "files/text.h"
 #include "options/exit_codes.h"
 #include "store/build_info.h"
 #include "system/console.h"
+#include "system/signals.h"
 #include "system/usable_memory.h"
 
 namespace morula::cli {
@@ -76,7 +78,10 @@ void checkLeftovers(const CLI::App& verb) {
 }
 
 Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
-  CLI::App app{"Morula grows organisms from one cell, the same bits every time.", "morula"};
+  // It lives as long as the action, which asks it what was given.
+  const auto owner =
+      std::make_shared<CLI::App>("Morula grows organisms from one cell, the same bits every time.", "morula");
+  CLI::App& app = *owner;
   app.footer(
       "Exit codes: 0 fine, 1 a check differs, 2 usage, 3 input invalid, 4 numerical failure, 5 study "
       "incomplete, 6 file or database,\n"
@@ -111,7 +116,7 @@ Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
   }
   if (const auto* chosen = chosenOf(app); chosen != &app) checkLeftovers(*chosen);
   if (!action) throw UsageError("no verb; one of " + join(verbNames(*chosenOf(app))) + ", or --help");
-  return action;
+  return [owner, action] { return action(); };
 }
 
 }  // namespace
@@ -120,7 +125,7 @@ std::string commandLine() { return typed; }
 
 int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   setFloatingPoint();
-  for (int i = 0; i < argc; ++i) typed += (i ? " " : "") + std::string(i ? argv[i] : "morula");
+  for (int i = 0; i < argc; ++i) typed += i ? ' ' + shellWord(argv[i]) : "morula";
   std::signal(SIGXFSZ,
               SIG_IGN);  // then a write beyond the limit of file sizes fails, as one to a full disk does
   try {
@@ -140,7 +145,7 @@ int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   } catch (const NondeterminismError& error) {
     tellError(error.what());
     return differs;
-  } catch (const FileError& error) {
+  } catch (const Interrupted& by) { return signalled + by.signal; } catch (const FileError& error) {
     tellError(error.what());
     return file;
   } catch (const std::bad_alloc&) {

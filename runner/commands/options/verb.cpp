@@ -3,15 +3,50 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "base/error.h"
+#include "system/usage_error.h"
+
 namespace morula::cli {
 
 namespace {
 
 /// An empty word is a slip in a script (an unset variable), never an answer: it must not pass for an option
 /// that was not given.
-std::string whatIsWrong(const std::string& word) { return word.empty() ? "is empty; needs a value" : ""; }
+std::string refuseEmpty(const std::string& word) { return word.empty() ? "is empty; needs a value" : ""; }
+
+/// "--a, --b or --c".
+std::string anyOf(const std::vector<std::string>& names) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : &name == &names.back() ? " or " : ", ") + name;
+  return list;
+}
+
+/// Whether an option was given, or with "--style lineage" whether it was given this value.
+bool isGiven(const CLI::App& verb, const std::string& option) {
+  const auto blank = option.find(' ');
+  const auto& words = verb.get_option(option.substr(0, blank))->results();
+  return blank == option.npos ? !words.empty() : !words.empty() && words.back() == option.substr(blank + 1);
+}
+
+/// What the option was given, as values.
+void takeAll(const CLI::Option& option, const std::function<void(const std::string&)>& take) {
+  for (const std::string& text : option.results()) try {
+      take(text);
+    } catch (const InputError& error) {  // the command line is wrong, not a file
+      throw UsageError(option.get_name() + ": " + error.what());
+    }
+}
+
+CLI::Option* declare(CLI::App& verb, const std::string& name, const std::string& type,
+                     const std::string& help) {
+  return verb.add_option(name, help)->type_name(type)->check(refuseEmpty);
+}
 
 }  // namespace
+
+struct Verb::Checks {
+  std::vector<std::function<void()>> ofOptions, ofValues;  // which were given together; what each was given
+};
 
 CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string& purpose) {
   auto* group = program.add_subcommand(name, purpose);
@@ -19,31 +54,34 @@ CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string
   return *group;
 }
 
-Verb::Verb(CLI::App& program, Action& chosen, const std::string& name, const std::string& purpose)
-    : verb_(program.add_subcommand(name, purpose)), chosen_(&chosen) {}
+Verb::Verb(CLI::App& above, Action& chosen, const std::string& name, const std::string& purpose)
+    : verb_(above.add_subcommand(name, purpose)), chosen_(&chosen), checks_(std::make_shared<Checks>()) {}
 
-void Verb::needs(const std::string& name, std::string& word, const std::string& type,
-                 const std::string& help) {
-  verb_->add_option(name, word, help)->required()->type_name(type)->check(whatIsWrong);
+void Verb::does(Action action) {
+  verb_->callback([chosen = chosen_, checks = checks_, action = std::move(action)] {
+    *chosen = [checks, action] {
+      for (const auto& list : {checks->ofOptions, checks->ofValues})
+        for (const auto& check : list) check();
+      return action();
+    };
+  });
 }
 
-void Verb::needs(const std::string& name, std::vector<std::string>& words, const std::string& type,
-                 const std::string& help) {
-  verb_->add_option(name, words, help)->required()->type_name(type)->check(whatIsWrong);
+void Verb::add(const std::string& name, const std::string& type, const std::string& help,
+               const std::string& shown, Take take) {
+  auto* option = declare(*verb_, name, type, help);
+  if (!shown.empty()) option->default_str(shown);
+  checks_->ofValues.push_back([option, take = std::move(take)] { takeAll(*option, take); });
 }
 
-void Verb::takes(const std::string& name, std::string& word, const std::string& type,
-                 const std::string& help) {
-  auto* option = verb_->add_option(name, word, help)->type_name(type)->check(whatIsWrong);
-  if (!word.empty()) option->capture_default_str();
-}
-
-void Verb::takes(const std::string& name, std::vector<std::string>& words, const std::string& type,
-                 const std::string& help) {
-  auto* option = verb_->add_option(name, words, help)->type_name(type)->check(whatIsWrong);
+void Verb::addList(const std::string& name, const std::string& type, const std::string& help, Take take) {
+  auto* option = declare(*verb_, name, type, help)->expected(CLI::detail::expected_max_vector_size);
   if (type.ends_with(",...")) option->delimiter(',');
   else if (name.starts_with("-")) option->allow_extra_args(false);  // or --set a=1 FILE would swallow FILE
+  checks_->ofValues.push_back([option, take = std::move(take)] { takeAll(*option, take); });
 }
+
+void Verb::require(const std::string& name) { verb_->get_option(name)->required(); }
 
 void Verb::takes(const std::string& name, bool& given, const std::string& help) {
   verb_->add_flag(name, given, help);
@@ -53,10 +91,28 @@ void Verb::showDefault(const std::string& name, const std::string& text) {
   verb_->get_option(name)->default_str(text);
 }
 
-void Verb::hide() { verb_->group(""); }
-
-void Verb::does(Action action) {
-  verb_->callback([chosen = chosen_, action = std::move(action)] { *chosen = action; });
+void Verb::oneOf(const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i + 1 < names.size(); ++i)
+    excludes(names[i], {names.begin() + static_cast<std::ptrdiff_t>(i) + 1, names.end()});
 }
+
+void Verb::excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why) {
+  checks_->ofOptions.push_back([=, verb = verb_] {
+    for (const auto& other : others)
+      if (isGiven(*verb, name) && isGiven(*verb, other))
+        throw UsageError(name + " and " + other + ": give one of them" + (why.empty() ? "" : "; " + why));
+  });
+}
+
+void Verb::onlyWith(const std::vector<std::string>& names, const std::vector<std::string>& owners) {
+  checks_->ofOptions.push_back([=, verb = verb_] {
+    for (const auto& owner : owners)
+      if (isGiven(*verb, owner)) return;
+    for (const auto& name : names)
+      if (isGiven(*verb, name)) throw UsageError(name + ": only with " + anyOf(owners) + "; give it, too");
+  });
+}
+
+void Verb::hide() { verb_->group(""); }
 
 }  // namespace morula::cli

@@ -1,9 +1,16 @@
 #pragma once
-// A verb's place on the command line: what it wants to be told. Verbs reach CLI11 through this
-// header alone, since CLI11's own takes longer to compile than most verbs.
+// A verb's place on the command line. Each option is declared once: name, type and range, default, help, and what it
+// excludes; the verb's function gets values that have been checked. CLI11 stays in verb.cpp, since its header takes longer
+// to compile than most verbs.
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
+
+#include "base/number_text.h"
+#include "base/parse_choice.h"
 
 namespace CLI {
 class App;
@@ -14,39 +21,98 @@ namespace morula::cli {
 /// What is to be done once the command line is understood. Returns the exit code.
 using Action = std::function<int()>;
 
+/// Adds a verb, and what is to be done when it is chosen, to the program or to the verb above.
+using AddVerb = void(CLI::App& above, Action& chosen);
+
 /// A verb that only groups others, as `study` in `morula study plan`. Add those to what is returned.
 CLI::App& addGroup(CLI::App& program, const std::string& name, const std::string& purpose);
 
+/// Makes a value of an option's text. Throws InputError without the option's name.
+template <class T>
+using Reader = std::function<T(const std::string& text)>;
+
 class Verb {
  public:
-  Verb(CLI::App& program, Action& chosen, const std::string& name, const std::string& purpose);
+  Verb(CLI::App& above, Action& chosen, const std::string& name, const std::string& purpose);
 
-  /// What must be given: a word, or one and more. No word may be empty.
-  void needs(const std::string& name, std::string& word, const std::string& type, const std::string& help);
-  void needs(const std::string& name, std::vector<std::string>& words, const std::string& type,
-             const std::string& help);
+  /// What is done when the verb is chosen. Returns its options, which hold their defaults: declare each with `needs` or
+  /// `takes`.
+  template <class Options>
+  Options& does(int (*act)(const Options&)) {
+    auto options = std::make_shared<Options>();
+    does([options, act] { return act(*options); });
+    return *options;
+  }
+  void does(Action action);
 
-  /// What may be given. What stands in `word` is the default, which the help shows.
-  void takes(const std::string& name, std::string& word, const std::string& type, const std::string& help);
-  /// As often as wanted; where the type ends in ",..." also several with commas or blanks between.
-  void takes(const std::string& name, std::vector<std::string>& words, const std::string& type,
-             const std::string& help);
+  /// What must be given; takes what `takes` takes. No word may be empty.
+  template <class... Rest>
+  void needs(const std::string& name, Rest&&... rest) {
+    takes(name, std::forward<Rest>(rest)...);
+    require(name);
+  }
 
+  /// What may be given: a word, of which the help shows what stands in it as the default; or as many as wanted, where the
+  /// type ends in ",..." also several with commas or blanks between.
+  template <class Words>
+  void takes(const std::string& name, Words& words, const std::string& type, const std::string& help) {
+    takes(
+        name, words, type, [](const std::string& text) { return text; }, help);
+  }
   /// Given or not.
   void takes(const std::string& name, bool& given, const std::string& help);
+  /// A value; one that may be absent; or a list of them, one for each word.
+  template <class T>
+  void takes(const std::string& name, T& value, const std::string& type, std::type_identity_t<Reader<T>> read,
+             const std::string& help) {
+    add(name, type, help, textOf(value), [&value, read](const std::string& text) { value = read(text); });
+  }
+  template <class T>
+  void takes(const std::string& name, std::optional<T>& value, const std::string& type,
+             std::type_identity_t<Reader<T>> read, const std::string& help) {
+    add(name, type, help, value ? textOf(*value) : "",
+        [&value, read](const std::string& text) { value = read(text); });
+  }
+  template <class T>
+  void takes(const std::string& name, std::vector<T>& values, const std::string& type,
+             std::type_identity_t<Reader<T>> read, const std::string& help) {
+    addList(name, type, help, [&values, read](const std::string& text) { values.push_back(read(text)); });
+  }
 
   /// What the help shows as an option's default where that is no value which could be given: "as then".
   void showDefault(const std::string& name, const std::string& text);
 
+  /// Of these at most one may be given.
+  void oneOf(const std::vector<std::string>& names);
+  /// With `name`, which may be an option and its value ("--style lineage"), none of `others`; `why` is part of a sentence.
+  void excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why = "");
+  /// Each of `names` says something only where one of `owners` is given, too.
+  void onlyWith(const std::vector<std::string>& names, const std::vector<std::string>& owners);
+
   /// Not among the verbs for people.
   void hide();
 
-  /// What is done when the verb is chosen.
-  void does(Action action);
-
  private:
+  using Take = std::function<void(const std::string& text)>;
+
+  /// As the help shows a default.
+  template <class T>
+  static std::string textOf(const T& value) {
+    if constexpr (std::is_arithmetic_v<T>) return numberText(static_cast<double>(value), 12);
+    else if constexpr (requires { choices<T>[0]; }) return nameOf(value);
+    else if constexpr (std::is_convertible_v<T, std::string>) return value;
+    else return "";
+  }
+
+  void add(const std::string& name, const std::string& type, const std::string& help,
+           const std::string& shown, Take take);
+  void addList(const std::string& name, const std::string& type, const std::string& help, Take take);
+  void require(const std::string& name);
+
   CLI::App* verb_;
   Action* chosen_;
+  struct Checks;                    // what is done before the action
+  std::shared_ptr<Checks> checks_;  // lives as long as the action
 };
 
 }  // namespace morula::cli

@@ -1,7 +1,6 @@
 // morula compare: what a study has found; or how different two pictures look.
 #include <algorithm>
 #include <functional>
-#include <memory>
 
 #include "analysis/comparison.h"
 #include "analysis/into_golden.h"
@@ -20,7 +19,6 @@
 #include "study/plan.h"
 #include "study_verbs/study_verbs.h"
 #include "system/console.h"
-#include "system/signals.h"
 
 namespace morula::cli {
 
@@ -28,8 +26,8 @@ namespace {
 
 struct CompareCommand {
   std::vector<std::string> what;  // a study, or two pictures
-  std::string picture, organisms, moments, intoGolden;
-  std::vector<std::string> atTimes, atCells;
+  std::string picture, organisms, intoGolden;
+  GridMoments moments;
   CompareOptions options;
   bool csv = false;
   OutputOptions output;
@@ -45,27 +43,6 @@ std::filesystem::path databaseOf(const std::string& named) {
   return file / "study.db";
 }
 
-GridMoments momentsOf(const CompareCommand& command) {
-  GridMoments moments;
-  const int given = !command.moments.empty() + !command.atTimes.empty() + !command.atCells.empty();
-  if (given > 0 && command.organisms.empty())
-    throw UsageError(
-        "--moments, --at-times and --at-cells say what --pictures shows; give --pictures FILE, too");
-  if (given > 1) throw UsageError("--moments, --at-times and --at-cells: give one of them");
-  if (!command.moments.empty())
-    moments.count = naturalOption("--moments", command.moments, 1, mostGridColumns);
-  for (const std::string& time : command.atTimes)
-    moments.times.push_back(nonNegativeOption("--at-times", time));
-  for (const std::string& cells : command.atCells)
-    moments.cells.push_back(naturalOption("--at-cells", cells, 1, 1'000'000));
-  const auto rises = [](const auto& list) {
-    return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
-  };
-  if (!rises(moments.times)) throw UsageError("--at-times: needs rising times, as 0.5,1,2");
-  if (!rises(moments.cells)) throw UsageError("--at-cells: needs rising numbers of cells, as 4,16,64");
-  return moments;
-}
-
 /// Two pictures that should look the same. Nothing of a study is asked for.
 int actOnPictures(const CompareCommand& command) {
   const CompareOptions& options = command.options;
@@ -73,7 +50,6 @@ int actOnPictures(const CompareCommand& command) {
       !options.measures.empty() || !options.margins.empty() || options.within)
     throw UsageError(
         "of two pictures compare takes -o, --json and --quiet alone; the other options are for a study");
-  checkPictureName("compare", command.picture, true);
   const ComparedPictures compared = comparePictures(command.what[0], command.what[1]);
   const PictureDifference& d = compared.difference;
   if (!command.picture.empty()) writePicture(drawCompared(compared), command.picture);
@@ -102,11 +78,12 @@ int act(const CompareCommand& command) {
   if (contentOfFile(command.what[0]) == Content::picture)
     throw UsageError("compare: '" + command.what[0] +
                      "' is a picture; give a second one that it is compared with");
-  checkPictureName("compare", command.picture, true);
-  checkPictureName("compare", command.organisms, false);
-  const GridMoments moments = momentsOf(command);
-  if (command.csv && command.output.json)
-    throw UsageError("--csv and --json are two forms; leave out one of them");
+  const auto rises = [](const auto& list) {
+    return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
+  };
+  const GridMoments& moments = command.moments;
+  if (!rises(moments.times)) throw UsageError("--at-times: needs rising times, as 0.5,1,2");
+  if (!rises(moments.cells)) throw UsageError("--at-cells: needs rising numbers of cells, as 4,16,64");
   const std::filesystem::path file = databaseOf(command.what[0]);
   const StudyComparison comparison = compareStudy(readStudyResults(file), command.options);
   if (const std::string why = whyTooMany(comparison.results, moments);
@@ -119,9 +96,7 @@ int act(const CompareCommand& command) {
     pictures.push_back(command.picture);
   }
   if (!command.organisms.empty()) {
-    try {
-      writePicture(drawOrganisms(comparison.results, file, moments, command.output.quiet), command.organisms);
-    } catch (const Interrupted& by) { return signalled + by.signal; }
+    writePicture(drawOrganisms(comparison.results, file, moments, command.output.quiet), command.organisms);
     pictures.push_back(command.organisms);
   }
   if (command.csv) {
@@ -131,52 +106,51 @@ int act(const CompareCommand& command) {
     if (!pictures.empty()) json["pictures"] = pictures;
     printJson(json);
   } else {
-    std::string text = describe(comparison);
+    std::string text = textOf(describe(comparison));
     for (const std::string& picture : pictures) text += "\npicture  " + picture;
     print(text + (pictures.empty() ? "" : "\n"));
   }
   return fine;
 }
 
+}  // namespace
+
 /// To the program or to `study`: the same verb.
-void addCompareTo(CLI::App& above, Action& action) {
-  auto command = std::make_shared<CompareCommand>();
+void addCompare(CLI::App& above, Action& action) {
   Verb verb(
       above, action, "compare",
       "Hold the conditions of a study against each other: what differs, and how surely; or two pictures");
-  verb.needs("what", command->what, "FILE",
+  auto& command = verb.does<CompareCommand>(act);
+  verb.needs("what", command.what, "FILE",
              "The study.db of morula study merge, the folder that it lies in, or the study file; or two PNG "
              "pictures, to "
              "see how different they look");
-  verb.takes("--by", command->options.by, "AXIS,...",
+  verb.takes("--by", command.options.by, "AXIS,...",
              "Axes whose levels are compared, in the mean over the others; default: all");
-  verb.takes("--measure", command->options.measures, "NAME,...", "Only these measures");
-  verb.takes("--within", command->options.within,
+  verb.takes("--measure", command.options.measures, "NAME,...", "Only these measures");
+  verb.takes("--within", command.options.within,
              "Compare levels also at each level of the other axes that are compared");
-  verb.takes("--equivalent", command->options.margins, "MARGIN,...",
+  verb.takes("--equivalent", command.options.margins, "MARGIN,...",
              "Test whether differences stay within a margin (two one-sided tests): 0.01, 5% of the mean, "
              "sphericity=0.01");
-  verb.takes("--csv", command->csv, "One table for other programs");
-  verb.takes("-o,--output", command->picture, "FILE",
+  verb.takes("--csv", command.csv, "One table for other programs");
+  verb.takes("-o,--output", command.picture, "FILE", pictureName("compare", true),
              "Also draw all values, or of two pictures where they differ: a .png, .svg or .pdf");
-  verb.takes("--pictures", command->organisms, "FILE",
+  verb.takes("--pictures", command.organisms, "FILE", pictureName("compare", false),
              "Also draw the organisms, a row a condition and a column a moment, of one seed, by running them "
              "again: a .png");
-  verb.takes("--moments", command->moments, "N",
+  verb.takes("--moments", command.moments.count, "N", natural(1, mostGridColumns),
              "So many moments, evenly from the start to the end; 1: the end of each; default: 5");
-  verb.takes("--at-times", command->atTimes, "TIME,...", "These times");
-  verb.takes("--at-cells", command->atCells, "N,...", "When first so many cells live");
-  verb.takes("--into-golden", command->intoGolden, "SCENARIO",
+  verb.takes("--at-times", command.moments.times, "TIME,...", number(scenario::notNegative), "These times");
+  verb.takes("--at-cells", command.moments.cells, "N,...", natural(1, 1'000'000),
+             "When first so many cells live");
+  verb.oneOf({"--moments", "--at-times", "--at-cells"});
+  verb.onlyWith({"--moments", "--at-times", "--at-cells"}, {"--pictures"});
+  verb.oneOf({"--csv", "--json"});
+  verb.takes("--into-golden", command.intoGolden, "SCENARIO",
              "Also write the differences of the first level of --by into the golden of this scenario, which "
              "the study varies");
-  add(verb, command->output);
-  verb.does([command] { return act(*command); });
+  add(verb, command.output);
 }
-
-}  // namespace
-
-void addCompare(CLI::App& app, Action& action) { addCompareTo(app, action); }
-
-void addStudyCompare(CLI::App& study, Action& action) { addCompareTo(study, action); }
 
 }  // namespace morula::cli

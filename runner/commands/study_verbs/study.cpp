@@ -1,5 +1,4 @@
 // morula study: from a study file to its answer. One file per verb below it: study_plan.cpp, …
-#include "options/verb.h"
 #include "study_verbs/study_verbs.h"
 
 namespace morula::cli {
@@ -7,12 +6,20 @@ namespace morula::cli {
 void addStudy(CLI::App& app, Action& action) {
   auto& study =
       addGroup(app, "study", "Vary scenarios by policies and seeds, run them all, compare what comes of it");
-  addStudyPlan(study, action);
-  addStudyRun(study, action);
-  addStudyStatus(study, action);
-  addStudyMerge(study, action);
-  addStudyCompare(study, action);
-  addStudyEmit(study, action);
+  // In the order in which they are used.
+  for (AddVerb* add : {addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addCompare, addStudyEmit})
+    add(study, action);
+}
+
+void add(Verb& verb, StudyOptions& options) {
+  verb.needs("study", options.study, "FILE|DIR", "A study file, or the folder of a study");
+  addStudyFolder(verb, options.out);
+  add(verb, options.input);
+  add(verb, options.output);
+}
+
+void addStudyFolder(Verb& verb, std::string& out) {
+  verb.takes("--out", out, "FOLDER", "The study's folder; default: results/studies/NAME");
 }
 
 }  // namespace morula::cli

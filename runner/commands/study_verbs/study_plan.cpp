@@ -1,5 +1,4 @@
 // morula study plan: what a study will compute, and what that will cost.
-#include <memory>
 
 #include "base/error.h"
 #include "options/exit_codes.h"
@@ -14,7 +13,7 @@ namespace morula::cli {
 namespace {
 
 struct PlanCommand {
-  std::string study, to;
+  std::string study, out;
   InputOptions input;
   OutputOptions output;
   bool dryRun = false, noPredict = false;
@@ -24,7 +23,7 @@ int act(const PlanCommand& command) {
   const Study study = loadStudy(command.study, command.input.allowOutside);
   const Plan plan = makePlan(study, {.predict = !command.noPredict});
   const std::filesystem::path folder =
-      command.to.empty() ? studyFolder(study) : std::filesystem::path(command.to);
+      command.out.empty() ? studyFolder(study) : std::filesystem::path(command.out);
   tellWarnings(plan.warnings, command.output.quiet);
   const bool isNew = !command.dryRun && keepPlan(plan, folder);
   const std::string file = planFile(folder).string();
@@ -42,15 +41,14 @@ int act(const PlanCommand& command) {
 }  // namespace
 
 void addStudyPlan(CLI::App& study, Action& action) {
-  auto command = std::make_shared<PlanCommand>();
   Verb verb(study, action, "plan", "Decide what a study computes, and tell what that costs");
-  verb.needs("study", command->study, "FILE", "A study file");
-  verb.takes("--to", command->to, "DIR", "The study's folder; default: results/studies/NAME");
-  verb.takes("--dry-run", command->dryRun, "Tell it, and write nothing");
-  verb.takes("--no-predict", command->noPredict, "Do not predict what the runs cost");
-  add(verb, command->input);
-  add(verb, command->output);
-  verb.does([command] { return act(*command); });
+  auto& command = verb.does<PlanCommand>(act);
+  verb.needs("study", command.study, "FILE", "A study file");
+  addStudyFolder(verb, command.out);
+  verb.takes("--dry-run", command.dryRun, "Tell it, and write nothing");
+  verb.takes("--no-predict", command.noPredict, "Do not predict what the runs cost");
+  add(verb, command.input);
+  add(verb, command.output);
 }
 
 }  // namespace morula::cli

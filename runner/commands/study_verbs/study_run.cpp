@@ -1,6 +1,5 @@
 // morula study run: computes what a study has planned, or a share of it.
 #include <algorithm>
-#include <memory>
 
 #include "base/did_you_mean.h"
 #include "files/folders.h"
@@ -19,11 +18,11 @@ namespace morula::cli {
 namespace {
 
 struct RunCommand {
-  std::string study, to, jobs = "1", shard;
+  StudyOptions of;
+  int jobs = 1;
+  std::optional<Shard> shard;
   std::vector<std::string> tasks;
-  InputOptions input;
   ExecutionOptions execution;
-  OutputOptions output;
   bool resume = false, retryFailed = false, dryRun = false, noPredict = false;
 };
 
@@ -40,8 +39,7 @@ std::size_t taskNamed(const Plan& plan, const std::string& id) {
 }
 
 std::vector<std::size_t> chosenTasks(const RunCommand& command, const Plan& plan) {
-  if (command.tasks.empty())
-    return tasksOf(command.shard.empty() ? Shard{} : parseShard("--shard", command.shard), plan.tasks.size());
+  if (command.tasks.empty()) return tasksOf(command.shard.value_or(Shard{}), plan.tasks.size());
   std::vector<std::size_t> tasks;
   for (const std::string& id : command.tasks) tasks.push_back(taskNamed(plan, id));
   std::ranges::sort(tasks);
@@ -50,16 +48,16 @@ std::vector<std::size_t> chosenTasks(const RunCommand& command, const Plan& plan
 }
 
 /// Each of the runs has its share of the machine's memory.
-Execution executionOf(const RunCommand& command, int jobs) {
+Execution executionOf(const RunCommand& command) {
   Execution how = execution(command.execution);
-  if (command.execution.memoryLimit.empty()) how.memoryLimit /= jobs;
+  if (!command.execution.memoryLimit) how.memoryLimit /= command.jobs;
   return how;
 }
 
 int tellPlan(const RunCommand& command, const PlannedStudy& study, const std::vector<std::size_t>& tasks) {
   std::size_t there = 0;
   for (const std::size_t task : tasks) there += fileExists(study.folder.task(study.plan.tasks[task].id));
-  if (command.output.json) {
+  if (command.of.output.json) {
     Json json = summaryOf(study.plan);
     json["folder"] = study.folder.path().string();
     json["asked"] = tasks.size();
@@ -80,29 +78,27 @@ int exitCodeOf(const RunStudyReport& report, const MergeReport* merged) {
 }
 
 int act(const RunCommand& command) {
-  if (!command.shard.empty() && !command.tasks.empty())
-    throw UsageError("--shard and --task: give one of them");
-  if (!command.shard.empty()) parseShard("--shard", command.shard);
-  const int jobs = static_cast<int>(naturalOption("--jobs", command.jobs, 1, 1024));
   PlanOptions planning;
   planning.predict = !command.noPredict;
   planning.execution = execution(command.execution);
-  const PlannedStudy study =
-      openStudy({command.study, command.to, command.input.allowOutside, command.resume, false}, planning);
+  // Runs are forked off this process, which must therefore have no threads: predictions are made with one.
+  planning.execution.threads = 1;
+  const PlannedStudy study = openStudy(
+      {command.of.study, command.of.out, command.of.input.allowOutside, command.resume, false}, planning);
   const std::vector<std::size_t> tasks = chosenTasks(command, study.plan);
   if (command.dryRun) return tellPlan(command, study, tasks);
-  if (study.isNew) tell(describe(study.plan), command.output.quiet);
+  if (study.isNew) tell(describe(study.plan), command.of.output.quiet);
   keepPlan(study);
   const RunStudyOptions options{.tasks = tasks,
-                                .jobs = jobs,
+                                .jobs = command.jobs,
                                 .retryFailed = command.retryFailed,
-                                .settings = {executionOf(command, jobs), commandLine()},
-                                .quiet = command.output.quiet};
+                                .settings = {executionOf(command), commandLine()},
+                                .quiet = command.of.output.quiet};
   const RunStudyReport report = runStudy(study, options);
   std::optional<MergeReport> merged;
-  if (report.isComplete() && command.shard.empty() && command.tasks.empty())
+  if (report.isComplete() && !command.shard && command.tasks.empty())
     merged = mergeStudy(study, {{}, study.folder.merged()});
-  if (command.output.json) {
+  if (command.of.output.json) {
     Json json = toJson(report, study);
     if (merged) json["merged"] = toJson(*merged, study);
     printJson(json);
@@ -115,25 +111,22 @@ int act(const RunCommand& command) {
 }  // namespace
 
 void addStudyRun(CLI::App& study, Action& action) {
-  auto command = std::make_shared<RunCommand>();
   Verb verb(study, action, "run", "Compute what has no result yet; a whole study is then merged");
-  verb.needs("study", command->study, "FILE|DIR", "A study file, or the folder of a study");
-  verb.takes("--to", command->to, "DIR", "The study's folder; default: results/studies/NAME");
-  verb.takes("--jobs", command->jobs, "N", "So many runs at a time");
-  verb.takes("--shard", command->shard, "N/OF",
+  auto& command = verb.does<RunCommand>(act);
+  add(verb, command.of);
+  verb.takes("--jobs", command.jobs, "N", natural(1, 1024), "So many runs at a time");
+  verb.takes("--shard", command.shard, "N/OF", parseShard,
              "Only every OF-th run from the N-th on, for one machine of several: 3/40");
-  verb.takes("--task", command->tasks, "ID", "Only this run; may repeat");
-  verb.takes("--resume", command->resume,
+  verb.takes("--task", command.tasks, "ID", "Only this run; may repeat");
+  verb.oneOf({"--shard", "--task"});
+  verb.takes("--resume", command.resume,
              "Go on with the plan in the folder, also if the study file has changed since; runs that have a "
              "result are never "
              "computed again");
-  verb.takes("--retry-failed", command->retryFailed, "Compute those once more whose result is a failure");
-  verb.takes("--no-predict", command->noPredict, "Do not predict what a new study's runs cost");
-  verb.takes("--dry-run", command->dryRun, "Tell what would be computed, and write nothing");
-  add(verb, command->input);
-  add(verb, command->execution);
-  add(verb, command->output);
-  verb.does([command] { return act(*command); });
+  verb.takes("--retry-failed", command.retryFailed, "Compute those once more whose result is a failure");
+  verb.takes("--no-predict", command.noPredict, "Do not predict what a new study's runs cost");
+  verb.takes("--dry-run", command.dryRun, "Tell what would be computed, and write nothing");
+  add(verb, command.execution);
 }
 
 }  // namespace morula::cli

@@ -1,18 +1,24 @@
 #pragma once
 // `morula study`, the verbs below it, and `morula compare`, which is also one of them.
-#include "options/verb.h"
+#include "options/options.h"
+#include "tasks/study_folder.h"
 
 namespace morula::cli {
 
-void addStudy(CLI::App& app, Action& action);
-void addCompare(CLI::App& app, Action& action);
+AddVerb addStudy, addCompare;
 
-// Below `study`, in the order in which they are used.
-void addStudyPlan(CLI::App& study, Action& action);
-void addStudyRun(CLI::App& study, Action& action);
-void addStudyStatus(CLI::App& study, Action& action);
-void addStudyMerge(CLI::App& study, Action& action);
-void addStudyCompare(CLI::App& study, Action& action);
-void addStudyEmit(CLI::App& study, Action& action);
+// Below `study`.
+AddVerb addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addStudyEmit;
+
+/// What all verbs that work on a study's folder are told.
+struct StudyOptions {
+  std::string study, out;
+  InputOptions input;
+  OutputOptions output;
+};
+
+void add(Verb& verb, StudyOptions& options);
+/// `--out` alone, of `study plan`, which takes no folder of a study.
+void addStudyFolder(Verb& verb, std::string& out);
 
 }  // namespace morula::cli

@@ -71,8 +71,10 @@ std::vector<Parameter> parameters() {
                       "When so many times cycle.length have passed", AT(scene.stop.cycles)),
       optionalReal("stop.time", "time", positive, "", "no limit", "At this simulated time",
                    AT(scene.stop.time)),
-      optionalNatural("stop.cells", {1, 1'000'000'000}, "no limit", "When at least so many cells live",
-                      AT(scene.stop.cells)),
+      optionalNatural(
+          "stop.cells", {1, 1'000'000'000}, "no limit",
+          "When at least so many cells live; alone, it fails where they do not within 1000 cycles",
+          AT(scene.stop.cells)),
 
       timeStep(),
       choice("physics.integrator", PHYSICS(integrator)),

@@ -78,6 +78,15 @@ Parsed<std::uint64_t> parseNatural(std::string_view text) {
   return {value, ""};
 }
 
+Parsed<double> parseSize(std::string_view text) {
+  const auto units = std::string_view("kMGT");
+  const auto unit = text.empty() ? units.npos : units.find(text.back() == 'K' ? 'k' : text.back());
+  if (unit == units.npos) return parseReal(text);
+  auto size = parseReal(text.substr(0, text.size() - 1));
+  for (std::size_t i = 0; i <= unit; ++i) size.value *= 1000;
+  return size;
+}
+
 std::string Range::text() const {
   if (std::isfinite(low) && std::isfinite(high) && openLow)
     return "> " + exactText(low) + " and ≤ " + exactText(high);

@@ -22,6 +22,9 @@ Parsed<double> parseReal(std::string_view text);
 /// Decimal digits.
 Parsed<std::uint64_t> parseNatural(std::string_view text);
 
+/// [byte] "500M", "8G", "1.5G", "200000000": k, M, G and T are powers of 1000.
+Parsed<double> parseSize(std::string_view text);
+
 /// An interval of numbers. Open ends exclude their value.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();

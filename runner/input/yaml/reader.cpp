@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <sstream>
+#include <unordered_map>
 
 #include "files/printable.h"
 #include "yaml/node.h"
@@ -109,6 +110,7 @@ class TreeBuilder : public YAML::EventHandler {
     Node* node;           // a map or list that is being filled; stays where it is until it is closed
     bool hasKey = false;  // of a map: the last member waits for its value
     std::string key{};    // of that member, or of the one whose value is open
+    std::unordered_map<std::string, int> lines{};  // of the map's keys so far
   };
 
   std::string path() const {
@@ -191,11 +193,12 @@ class TreeBuilder : public YAML::EventHandler {
       problems_.add(key.place, owner, "a merge key", "write the values themselves");
       key.text.clear();
     }
-    if (const auto* first = isText && !key.text.empty() ? map.find(key.text) : nullptr) {
-      problems_.add(key.place, owner.empty() ? key.text : owner + "." + key.text,
-                    "given twice, first in line " + std::to_string(first->place.line), "keep one");
-      key.text.clear();
-    }
+    if (isText && !key.text.empty())
+      if (const auto [first, isNew] = open_.back().lines.emplace(key.text, key.place.line); !isNew) {
+        problems_.add(key.place, owner.empty() ? key.text : owner + "." + key.text,
+                      "given twice, first in line " + std::to_string(first->second), "keep one");
+        key.text.clear();
+      }
     map.members.push_back({isText ? key.text : "", key.place, {}});
     return &unread_.emplace_back(std::move(key));
   }

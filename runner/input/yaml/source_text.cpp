@@ -55,17 +55,31 @@ SourceText::SourceText(std::string_view bytes, Problems& problems) {
     bytes.remove_prefix(length);
     ++at.column;
   }
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    inside += isContinuation(text_[i]);
+    if ((i + 1) % blockBytes == 0) continuations_.push_back(inside);
+  }
 }
 
 std::string_view SourceText::line(int line) const {
   if (!hasLine(line)) return {};
-  const auto rest = std::string_view(text_).substr(lineStarts_[line - 1]);
-  return rest.substr(0, rest.find('\n'));
+  const std::size_t begin = lineStarts_[line - 1];
+  const std::size_t end = hasLine(line + 1) ? lineStarts_[line] - 1 : text_.size();
+  return std::string_view(text_).substr(begin, end - begin);
+}
+
+std::size_t SourceText::continuationsBefore(std::size_t place) const {
+  const std::size_t block = place / blockBytes;
+  const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(block * blockBytes);
+  const auto end = text_.begin() + static_cast<std::ptrdiff_t>(place);
+  return continuations_[block] + static_cast<std::size_t>(std::count_if(begin, end, isContinuation));
 }
 
 Place SourceText::place(int lineNumber, int byte) const {
   const auto before = line(lineNumber).substr(0, byte);
-  const auto inside = std::count_if(before.begin(), before.end(), isContinuation);
+  const std::size_t begin = before.empty() ? 0 : static_cast<std::size_t>(before.data() - text_.data());
+  const auto inside = continuationsBefore(begin + before.size()) - continuationsBefore(begin);
   return {lineNumber, byte + 1 - static_cast<int>(inside), ""};
 }
 

@@ -24,8 +24,13 @@ class SourceText {
   Place place(int line, int byte) const;
 
  private:
+  std::size_t continuationsBefore(std::size_t place) const;
   std::string text_;
   std::vector<std::size_t> lineStarts_{0};
+  // Before each block of bytes, how many there are that are no letter's first: a line may be as long as the file, and
+  // its columns are asked for at each of its words.
+  static constexpr std::size_t blockBytes = 256;
+  std::vector<std::size_t> continuations_{0};
 };
 
 }  // namespace morula::scenario

@@ -9,7 +9,7 @@
 #include "accuracy/mesh_error.h"
 #include "accuracy/trial.h"
 #include "charts/chart.h"
-#include "system/json.h"
+#include "document/document.h"
 
 namespace morula {
 
@@ -41,6 +41,7 @@ struct ErrorParts {
 
 struct AccuracyRow : Outcome {
   std::string series, engine = "morula";
+  std::vector<std::string> set;  // makes a scenario of the scene compute so, as --set takes it
   // Up to `partedAt`, the largest of all times of comparison, against the reference on the scenario's mesh
   std::optional<double> error;  // the largest of the three in `errors`
   ErrorParts parts;
@@ -107,9 +108,9 @@ struct AccuracyReport {
 /// Throws InputError for a scene without bodies, or whose own settings cannot run.
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options);
 
-/// The rows of ours whose error on the scenario's mesh, with the reference's own added, is no more than
-/// `target`, by CPU time.
-std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target);
+/// The rows of ours, or of Bullet's, whose error on the scenario's mesh, with the reference's own added, is no more than `target`,
+/// by CPU time.
+std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target, bool ours = true);
 
 /// Between neighbouring runs of a series, or one that is more exact and not dearer.
 std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<AccuracyRow>& rows);
@@ -121,15 +122,22 @@ std::vector<SeriesOrder> findOrders(const std::vector<AccuracyRow>& rows);
 std::vector<SpeedAtError> findSpeeds(const std::vector<AccuracyRow>& rows, const std::string& usual);
 
 /// For people.
-std::string describe(const AccuracyReport& report);
+Document describe(const AccuracyReport& report);
 
 /// For other programs. `picture`: where it lies.
 Json toJson(const AccuracyReport& report, const std::string& picture);
 Json toJson(const Setting& setting);
 
+/// The same, read back as far as people are shown it. Throws for other JSON.
+AccuracyReport accuracyFrom(const Json& json);
+/// All rows for other programs, CSV.
+std::string accuracyCsv(const Json& rows);
+
 /// As a picture: error over CPU time, both on logarithmic scales, one line per series, each point labelled with
 /// its time step; what failed or is not resolved is not drawn. A run in which other cells live from some time
 /// on is a hollow point by itself, with that time.
 Drawing drawAccuracy(const AccuracyReport& report);
+/// Where Bullet has many series, those that are not drawn: others of its own beat them in error and time.
+std::vector<std::string> beatenBullets(const AccuracyReport& report);
 
 }  // namespace morula

@@ -228,7 +228,7 @@ class Experiment {
   AccuracyRow judged(const Trial& t, const std::string& series, const std::string& engine) const {
     AccuracyRow row;
     static_cast<Outcome&>(row) = t;
-    row.series = series, row.engine = engine;
+    row.series = series, row.engine = engine, row.set = changesFor(row.setting);
     if (row.failure.empty()) {
       const RunDistance d = compareRuns(t, reference_, radius_);
       row.partedAt = d.partedAt;

@@ -34,10 +34,10 @@ std::vector<WorkPoint> work(const std::vector<const AccuracyRow*>& series, bool 
 
 }  // namespace
 
-std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target) {
+std::vector<const AccuracyRow*> thatHold(const AccuracyReport& report, double target, bool ours) {
   std::vector<const AccuracyRow*> rows;
   for (const AccuracyRow& row : report.rows)
-    if (row.engine == "morula" && row.error && !row.partedAt &&
+    if ((row.engine == "morula") == ours && row.failure.empty() && row.error && !row.partedAt &&
         *row.error + report.reference.left.error <= target)
       rows.push_back(&row);
   std::stable_sort(rows.begin(), rows.end(),

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "files/quote.h"
 #include "files/scratch_folder.h"
 #include "system/child_process.h"
 
@@ -84,17 +84,10 @@ class Runner {
   double spent_ = 0;
 };
 
-std::string quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789-_=./,:+@%") == std::string::npos;
-  return plain ? word : "'" + std::regex_replace(word, std::regex("'"), "'\\''") + "'";
-}
-
 /// "morula run file --set path=value", words in quotes where a shell needs them.
 std::string commandText(const std::vector<std::string>& command) {
   std::string text = "morula";
-  for (const std::string& word : command) text += " " + quoted(word);
+  for (const std::string& word : command) text += " " + shellWord(word);
   return text;
 }
 

@@ -13,12 +13,19 @@
 #include "bench/work.h"
 #include "charts/chart.h"
 #include "contacts/contact_search.h"
+#include "document/document.h"
 
 namespace morula {
 
 enum class Stage { step, internal, contact, rebuild, integrate };
-inline constexpr const char* stageNames[] = {"step", "internal", "contact", "rebuild", "integrate"};
-constexpr const char* name(Stage stage) { return stageNames[static_cast<int>(stage)]; }
+template <>
+inline constexpr auto choices<Stage> = std::to_array<Choice<Stage>>({
+    {Stage::step, "step", "a whole step"},
+    {Stage::internal, "internal", "the forces of cells on themselves"},
+    {Stage::contact, "contact", "the forces between cells"},
+    {Stage::rebuild, "rebuild", "the search for neighbours"},
+    {Stage::integrate, "integrate", "from forces to positions"},
+});
 
 struct BenchOptions {
   std::vector<int> cells;        // of packed scenes
@@ -88,7 +95,7 @@ struct BenchReport {
 BenchReport runBench(const BenchOptions& options);
 
 /// For people.
-std::string describe(const BenchReport& report);
+Document describe(const BenchReport& report);
 
 /// As a picture: time per vertex and step over the number of cells, both on logarithmic scales. One line per
 /// engine and instruction set, for whole steps of packed cells of 162 vertices; the thesis' own times, scaled

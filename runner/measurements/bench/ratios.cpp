@@ -10,9 +10,9 @@ namespace {
 
 constexpr int cellVertices = 162;
 
-class Table {
+class BenchTable {
  public:
-  explicit Table(const std::vector<BenchRow>& rows) : rows_(rows) {
+  explicit BenchTable(const std::vector<BenchRow>& rows) : rows_(rows) {
     for (const BenchRow& row : rows) {
       if (row.engine == "morula") isas_.insert(row.isa);
       cells_.insert(row.cells);
@@ -41,7 +41,7 @@ class Table {
 
 double ns(const BenchRow& row) { return row.nsPerVertexStep; }
 
-void againstBullet(const Table& t, std::vector<BenchRatio>& ratios) {
+void againstBullet(const BenchTable& t, std::vector<BenchRatio>& ratios) {
   for (const int cells : {64, 128, 256}) {
     const BenchRow *ours = t.packed(Stage::step, cells, t.reference()),
                    *bullet = t.other("bullet-b1", Stage::step, cells);
@@ -51,7 +51,7 @@ void againstBullet(const Table& t, std::vector<BenchRatio>& ratios) {
   }
 }
 
-void againstOrdinaryCode(const Table& t, std::vector<BenchRatio>& ratios) {
+void againstOrdinaryCode(const BenchTable& t, std::vector<BenchRatio>& ratios) {
   const BenchRow* ordinary = t.other("scalar", Stage::internal, 64);
   if (!ordinary) return;
   const std::pair<int, double> promised[] = {{64, 1}, {512, 75.0 / 45}, {2048, 95.0 / 45}};
@@ -62,7 +62,7 @@ void againstOrdinaryCode(const Table& t, std::vector<BenchRatio>& ratios) {
            ns(*step) / ns(*ordinary), most, false});
 }
 
-void scaling(const Table& t, std::vector<BenchRatio>& ratios) {
+void scaling(const BenchTable& t, std::vector<BenchRatio>& ratios) {
   struct Promise {
     int many, few;
     double most;
@@ -76,7 +76,7 @@ void scaling(const Table& t, std::vector<BenchRatio>& ratios) {
   }
 }
 
-void kernels(const Table& t, std::vector<BenchRatio>& ratios) {
+void kernels(const BenchTable& t, std::vector<BenchRatio>& ratios) {
   for (const std::string& isa : t.isas()) {
     if (const BenchRow* row = t.packed(Stage::internal, 64, isa); row && row->shareOfPeak)
       ratios.push_back({fmt::format("inner forces, share of the multiply–add peak, 64 cells, {}", isa),
@@ -91,7 +91,7 @@ void kernels(const Table& t, std::vector<BenchRatio>& ratios) {
   }
 }
 
-void threads(const Table& t, std::vector<BenchRatio>& ratios) {
+void threads(const BenchTable& t, std::vector<BenchRatio>& ratios) {
   for (const int cells : t.cells())
     for (const std::string& isa : t.isas()) {
       const BenchRow *one = t.packed(Stage::step, cells, isa, 1, true),
@@ -108,7 +108,7 @@ void threads(const Table& t, std::vector<BenchRatio>& ratios) {
 }  // namespace
 
 std::vector<BenchRatio> findRatios(const std::vector<BenchRow>& rows) {
-  const Table table(rows);
+  const BenchTable table(rows);
   std::vector<BenchRatio> ratios;
   againstBullet(table, ratios);
   againstOrdinaryCode(table, ratios);

@@ -1,3 +1,4 @@
+// What a bench has measured, for people.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,22 +9,23 @@ namespace morula {
 
 namespace {
 
-constexpr int columnWidth = 17;
+Cell fixed(double value, int digits) { return {value, fmt::format("{:.{}f}", value, digits)}; }
 
 std::string size(std::size_t bytes) {
   return bytes < (1u << 20) ? fmt::format("{} KiB", bytes >> 10) : fmt::format("{} MiB", bytes >> 20);
 }
 
-std::string machine(const MachineLimits& limits) {
-  std::string text = "one thread of this machine, in this run\n";
+Table machine(const MachineLimits& limits) {
+  Table table{"Limits of this machine", {}};
   for (const auto& [isa, a] : limits.arithmetic)
-    text += fmt::format("  {:<9}{:5.1f} G multiplications and additions/s, {:.2f} G roots with division/s\n",
-                        name(isa), 1e-9 * a.operations, 1e-9 * a.roots);
-  text += "  memory   ";
+    table.rows.push_back(
+        {name(isa), fmt::format("{:.1f} G multiplications and additions/s, {:.2f} G roots with division/s",
+                                1e-9 * a.operations, 1e-9 * a.roots)});
+  std::string rates;
   for (const auto& [bytes, rate] : limits.bandwidth)
-    text += fmt::format("{}{} {:.0f}", bytes == limits.bandwidth.begin()->first ? "" : ", ", size(bytes),
-                        1e-9 * rate);
-  return text + " GB/s\n";
+    rates += fmt::format("{}{} {:.0f}", rates.empty() ? "" : ", ", size(bytes), 1e-9 * rate);
+  table.rows.push_back({"memory", rates + " GB/s"});
+  return table;
 }
 
 /// The rows of one scene stand together.
@@ -41,130 +43,111 @@ std::vector<std::string> isasOf(const std::vector<BenchRow>& rows) {
   return isas;
 }
 
-std::string cell(const BenchRow& row) {
-  return fmt::format("{:.2f}", row.nsPerVertexStep) +
-         (row.shareOfLimit ? fmt::format(" {:>4.0f} %", 100 * *row.shareOfLimit) : "       ");
-}
-
-/// One line: a stage's times on every instruction set.
-std::string line(const std::string& label, const Rows& rows, const std::vector<std::string>& isas) {
-  std::string text = fmt::format("  {:<22}", label);
-  for (const auto& isa : isas) {
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const BenchRow* r) { return r->isa == isa; });
-    text += fmt::format("{:>{}}", row == rows.end() ? "" : cell(**row), columnWidth);
-  }
-  return text;
-}
-
 std::string labelOf(const BenchRow& row) {
-  std::string label = name(row.stage);
-  if (row.wallClock)
-    return fmt::format("{}, {} thread{}, wall", label, row.threads, row.threads == 1 ? "" : "s");
+  if (row.engine != "morula") return row.engine == "scalar" ? "internal, ordinary code" : row.engine;
+  std::string label = nameOf(row.stage);
+  if (row.wallClock) return fmt::format("{}, {}, wall", label, counted(std::uint64_t(row.threads), "thread"));
   return row.search.empty() ? label : label + ", " + row.search;
 }
 
-/// What Bullet was at its best with, and what its other settings took.
-std::string settings(const BenchRow& row) {
+/// What Bullet was at its best with and what its other settings took, or what a search takes.
+std::string noteOf(const BenchRow& row) {
+  if (row.nsPerVertexSearch) return fmt::format("{:.0f} ns/search", *row.nsPerVertexSearch);
   if (row.bulletSettings.empty()) return "";
   const BulletSettingRow &best = row.bulletSettings.front(), &worst = row.bulletSettings.back();
-  return fmt::format("   margin {:g}, {} iteration{}; {:.0f} to {:.0f} over {} settings", best.margin,
-                     best.iterations, best.iterations == 1 ? "" : "s", best.nsPerVertexStep,
+  return fmt::format("margin {:g}, {}; {:.0f} to {:.0f} over {} settings", best.margin,
+                     counted(std::uint64_t(best.iterations), "iteration"), best.nsPerVertexStep,
                      worst.nsPerVertexStep, row.bulletSettings.size());
 }
 
-std::string heading(const BenchRow& row, const Rows& rows) {
-  std::string text = fmt::format("\n{} scene, {} cells of {} vertices", row.scene, row.cells, row.vertices);
+std::string heading(const Rows& rows) {
+  const BenchRow& row = *rows.front();
+  const std::string text =
+      fmt::format("{} scene, {} cells of {} vertices", row.scene, row.cells, row.vertices);
   for (const BenchRow* r : rows)
-    if (r->pairsPerVertexStep) {
-      text += fmt::format(": {:.2f} pairs per vertex, ", *r->pairsPerVertexStep);
-      return text + (*r->rebuildsPerStep > 0
-                         ? fmt::format("a search every {:.0f} steps\n", 1 / *r->rebuildsPerStep)
-                         : "no search fell due\n");
-    }
-  return text + "\n";
+    if (r->pairsPerVertexStep)
+      return text + fmt::format(": {:.2f} pairs per vertex, ", *r->pairsPerVertexStep) +
+             (*r->rebuildsPerStep > 0 ? fmt::format("a search every {:.0f} steps", 1 / *r->rebuildsPerStep)
+                                      : "no search fell due");
+  return text;
 }
 
-std::string scene(const Rows& rows, const std::vector<std::string>& isas) {
-  std::string text = heading(*rows.front(), rows);
-  std::vector<std::string> done;
+/// A stage's times on every instruction set in one row.
+Table sceneTable(const Rows& rows, const std::vector<std::string>& isas) {
+  Table table{"Times of a scene", {"ns per vertex and step"}};
+  for (const std::string& isa : isas) table.columns.insert(table.columns.end(), {isa, "limit"});
+  table.columns.push_back("");
   for (const BenchRow* row : rows) {
     const std::string label = labelOf(*row);
-    if (row->engine != "morula") {
-      text += fmt::format("  {:<22}{:>10.2f}{}\n",
-                          row->engine == "scalar" ? "internal, ordinary code" : row->engine,
-                          row->nsPerVertexStep, settings(*row));
-      continue;
+    auto known =
+        std::ranges::find(table.rows, label, [](const auto& cells) { return cells[0].words.text(); });
+    if (known == table.rows.end()) {
+      known = table.rows.emplace(known, table.columns.size(), Cell({}, " "));
+      (*known)[0] = label;
     }
-    if (std::find(done.begin(), done.end(), label) != done.end()) continue;
-    done.push_back(label);
-    Rows alike;
-    for (const BenchRow* r : rows)
-      if (r->engine == "morula" && labelOf(*r) == label) alike.push_back(r);
-    text += line(label, alike, isas);
-    if (const auto& search = alike.back()->nsPerVertexSearch)
-      text += fmt::format("   {:.0f} ns/search", *search);
-    text += "\n";
+    auto& cells = *known;
+    const auto isa = static_cast<std::size_t>(std::ranges::find(isas, row->isa) - isas.begin());
+    const std::size_t place = isa < isas.size() ? 1 + 2 * isa : 1;
+    cells[place] = fixed(row->nsPerVertexStep, 2);
+    if (row->shareOfLimit)
+      cells[place + 1] = {*row->shareOfLimit, fmt::format("{:.0f} %", 100 * *row->shareOfLimit)};
+    cells.back() = noteOf(*row);
   }
-  return text;
+  return table;
 }
 
-std::string scenes(const std::vector<BenchRow>& rows) {
+void addScenes(const std::vector<BenchRow>& rows, Document& text) {
   const auto isas = isasOf(rows);
-  std::string text = fmt::format("\n{:<24}", "ns per vertex and step");
-  for (const auto& isa : isas) text += fmt::format("{:>{}}", isa + "  limit", columnWidth);
-  text += "\n";
   for (std::size_t first = 0; first < rows.size();) {
     Rows same;
-    for (; first + same.size() < rows.size() && sameScene(rows[first], rows[first + same.size()]);)
-      same.push_back(&rows[first + same.size()]);
-    text += scene(same, isas);
-    first += same.size();
+    while (first < rows.size() && (same.empty() || sameScene(*same.front(), rows[first])))
+      same.push_back(&rows[first++]);
+    text.heading(heading(same)).add(sceneTable(same, isas));
   }
-  return text;
 }
 
 /// How either grows with the number of cells, each in units of its own 8 cells.
-std::string thesis(const std::vector<BenchRow>& rows) {
+void addThesis(const std::vector<BenchRow>& rows, Document& text) {
   const auto isas = isasOf(rows);
-  if (isas.empty()) return "";
+  if (isas.empty()) return;
   const auto ours = [&](int cells) {
     return find(rows, "packed", "morula", Stage::step, cells, 162, isas.back());
   };
   const BenchRow* eight = ours(8);
-  std::string text = fmt::format(
-      "\ncost of a cell and step     thesis, table 5.1 (2008)     morula {}, one thread\n"
-      "  cells                         ms   over 8 cells             µs   over 8 cells\n",
-      isas.back());
+  Table table{"Cost of a cell and step",
+              {"cells", "thesis [ms]", "over 8 cells", "morula [µs]", "over 8 cells"}};
   for (const ThesisRow& row : thesisTable) {
-    text += fmt::format("  {:<22}{:>10.2f}{:>15.2f}", row.cells, row.msPerCell,
-                        row.msPerCell / thesisTable[0].msPerCell);
-    if (const BenchRow* own = ours(row.cells)) {
-      text += fmt::format("{:>15.2f}", 1e-3 * own->nsPerVertexStep * own->vertices);
-      if (eight) text += fmt::format("{:>15.2f}", own->nsPerVertexStep / eight->nsPerVertexStep);
-    }
-    text += "\n";
+    const BenchRow* own = ours(row.cells);
+    table.rows.push_back(
+        {row.cells, fixed(row.msPerCell, 2), fixed(row.msPerCell / thesisTable[0].msPerCell, 2),
+         own ? fixed(1e-3 * own->nsPerVertexStep * own->vertices, 2) : Cell({}, " "),
+         own && eight ? fixed(own->nsPerVertexStep / eight->nsPerVertexStep, 2) : Cell({}, " ")});
   }
-  return text;
+  text.heading(fmt::format("cost of a cell and step: thesis, table 5.1 (2008); morula {}, one thread",
+                           isas.back()))
+      .add(std::move(table));
 }
 
-std::string ratios(const std::vector<BenchRatio>& list) {
-  if (list.empty()) return "";
-  std::string text = "\nratios within this run\n";
-  for (const BenchRatio& r : list)
-    text +=
-        fmt::format("  {:<72}{:>8.2f}   {} {:<5.3g} {}\n", r.what, r.value, r.atLeast ? "≥" : "≤", r.bound,
-                    !r.notJudged.empty() ? "not judged: " + r.notJudged
-                    : r.holds()          ? "holds"
-                                         : "does not hold");
-  return text;
+void addRatios(const std::vector<BenchRatio>& ratios, Document& text) {
+  if (ratios.empty()) return;
+  Table table{"Ratios within this run", {}};
+  for (const BenchRatio& r : ratios)
+    table.rows.push_back({r.what, fixed(r.value, 2), fmt::format("{} {:.3g}", r.atLeast ? "≥" : "≤", r.bound),
+                          !r.notJudged.empty() ? "not judged: " + r.notJudged
+                          : r.holds()          ? "holds"
+                                               : "does not hold"});
+  text.heading("ratios within this run").add(std::move(table));
 }
 
 }  // namespace
 
-std::string describe(const BenchReport& report) {
-  std::string text =
-      machine(report.machine) + scenes(report.rows) + thesis(report.rows) + ratios(report.ratios);
-  for (const std::string& remark : report.remarks) text += "\n" + remark + "\n";
+Document describe(const BenchReport& report) {
+  Document text;
+  text.say("one thread of this machine, in this run").add(machine(report.machine));
+  addScenes(report.rows, text);
+  addThesis(report.rows, text);
+  addRatios(report.ratios, text);
+  for (const std::string& remark : report.remarks) text.heading(remark);
   return text;
 }
 

@@ -1,4 +1,4 @@
-// The prediction as people read it.
+// The prediction as people and other programs read it.
 #include <fmt/format.h>
 
 #include <optional>
@@ -20,23 +20,9 @@ std::string plural(double count, const std::string& word) {
   return fmt::format("{:.0f} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-/// A column's value, or "–" where there is none.
 template <class Text>
-std::string column(const std::optional<double>& value, const Text& textOf) {
-  return value ? textOf(*value) : "–";
-}
-
-std::string line(const Prediction& f, const PartCost& c) {
-  const auto fixed = [](int digits, double scale, const char* unit) {
-    return [=](double value) { return fmt::format("{:.{}f}{}", scale * value, digits, unit); };
-  };
-  std::string text = fmt::format("  {:<12} {:>9}{:>9}", c.part.name, column(c.seconds, timeText),
-                                 column(c.share, fixed(1, 100, " %")));
-  if (f.vertices)
-    text += fmt::format("{:>11}{:>10}", column(c.nsPerVertexStep, fixed(2, 1, "")),
-                        column(c.bytesPerVertex, fixed(1, 1, "")));
-  text += fmt::format("{:>11}  {}", column(c.bytes, memoryText), c.part.why);
-  return text + (c.part.what.empty() ? "" : " (" + c.part.what + ")") + "\n";
+Cell valued(const std::optional<double>& value, const Text& textOf) {
+  return value ? Cell(*value, textOf(*value)) : exact({});
 }
 
 }  // namespace
@@ -50,24 +36,56 @@ std::string timeText(double seconds) {
   return fmt::format("{:.0f} d", seconds / 86400);
 }
 
-std::string describe(const Prediction& f, const std::string& title) {
-  std::string text = title + (f.life.whole ? ": up to " : ": at least ") + plural(double(f.cells), "cell");
-  if (f.vertices)
-    text += fmt::format(" of {} {}, {}", f.vertices, f.vertices == 1 ? "vertex" : "vertices",
+Table costTable(const Prediction& f) {
+  using Row = PartCost;
+  const auto fixed = [](int digits, double scale, const char* unit) {
+    return [=](double value) { return fmt::format("{:.{}f}{}", scale * value, digits, unit); };
+  };
+  const auto ofBodies = [&](const char* title) {
+    return f.vertices ? title : "";
+  };  // only they have vertices
+  const std::vector<FieldOf<Row>> fields{
+      {{"part", "", "part"}, [](const Row& c) { return c.part.name; }},
+      {{"engaged", "", ""}, [](const Row&) { return exact(true); }},
+      {{"how", "", ""}, [](const Row& c) { return c.part.what; }},
+      {{"why", "", ""}, [](const Row& c) { return c.part.why; }},
+      {{"seconds", "", "time"}, [](const Row& c) { return valued(c.seconds, timeText); }},
+      {{"share", "", "share"}, [=](const Row& c) { return valued(c.share, fixed(1, 100, " %")); }},
+      {{"ns_per_vertex_step", "", ofBodies("ns/v·step")},
+       [=](const Row& c) { return valued(c.nsPerVertexStep, fixed(2, 1, "")); }},
+      {{"bytes_per_vertex", "", ofBodies("B/vertex")},
+       [=](const Row& c) { return valued(c.bytesPerVertex, fixed(1, 1, "")); }},
+      {{"bytes", "", "memory"}, [](const Row& c) { return valued(c.bytes, memoryText); }},
+      {{"", "", "asked for by"},
+       [](const Row& c) { return c.part.why + (c.part.what.empty() ? "" : " (" + c.part.what + ")"); }},
+  };
+  return tableOf("What each part costs", fields, f.costs);
+}
+
+Table absentTable(const Prediction& f) {
+  const std::vector<FieldOf<Part>> fields{
+      {{"part", "", "part"}, [](const Part& part) { return part.name; }},
+      {{"engaged", "", ""}, [](const Part&) { return exact(false); }},
+      {{"needs", "", "needs"}, [](const Part& part) { return part.why; }},
+  };
+  return tableOf("What is absent", fields, f.absent);
+}
+
+Document describe(const Prediction& f, const std::string& title) {
+  std::string size = title + (f.life.whole ? ": up to " : ": at least ") + plural(double(f.cells), "cell");
+  std::string cost =
+      fmt::format("foreseen on one thread: {}, {} of arrays", timeText(f.seconds()), memoryText(f.bytes()));
+  if (f.vertices) {
+    size += fmt::format(" of {} {}, {}", f.vertices, f.vertices == 1 ? "vertex" : "vertices",
                         plural(f.steps, "step"));
-  text += fmt::format("\n  foreseen on one thread: {}, {} of arrays", timeText(f.seconds()),
-                      memoryText(f.bytes()));
-  if (f.vertices)
-    text += f.triedWhole
+    cost += f.triedWhole
                 ? "; the whole run was rehearsed"
                 : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);
-  text += fmt::format("\n\n  {:<12} {:>9}{:>9}", "part", "time", "share");
-  if (f.vertices) text += fmt::format("{:>11}{:>10}", "ns/v·step", "B/vertex");
-  text += fmt::format("{:>11}  asked for by\n", "memory");
-  for (const PartCost& c : f.costs) text += line(f, c);
-  text += "\n  absent, and free:\n";
-  for (const Part& part : f.absent) text += fmt::format("  {:<12} needs {}\n", part.name, part.why);
-  for (const std::string& remark : f.remarks) text += "\n  " + remark + "\n";
+  }
+  Document text;
+  text.say(size).add(PlainList{{cost}}).heading("what each part costs").add(costTable(f));
+  text.heading("absent, and free").add(absentTable(f));
+  for (const std::string& remark : f.remarks) text.heading(remark);
   return text;
 }
 

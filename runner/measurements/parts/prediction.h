@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "document/document.h"
 #include "parts/parts.h"
 #include "parts/trial_run.h"
 
@@ -49,7 +50,10 @@ Prediction predictCost(const Scenario& scenario, const PredictionOptions& option
 /// "350 ms", "12.5 s", "40 min".
 std::string timeText(double seconds);
 
-/// As a table for people.
-std::string describe(const Prediction& prediction, const std::string& title);
+/// What each part costs, and what is not there.
+Table costTable(const Prediction& prediction);
+Table absentTable(const Prediction& prediction);
+/// For people.
+Document describe(const Prediction& prediction, const std::string& title);
 
 }  // namespace morula

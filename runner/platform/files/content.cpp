@@ -35,27 +35,9 @@ Content contentOf(std::string_view head) {
 Content contentOfFile(const std::filesystem::path& file) { return contentOf(readHead(file, 4096)); }
 
 const char* name(Content content) {
-  switch (content) {
-    case Content::empty:
-      return "empty";
-    case Content::picture:
-      return "a picture";
-    case Content::database:
-      return "a database";
-    case Content::golden:
-      return "a golden file";
-    case Content::scenario:
-      return "a scenario";
-    case Content::dna:
-      return "DNA";
-    case Content::report:
-      return "a report";
-    case Content::page:
-      return "a page";
-    case Content::other:
-      break;
-  }
-  return "a file of another kind";
+  constexpr const char* names[] = {"empty", "a picture", "a database", "a golden file",         "a scenario",
+                                   "DNA",   "a report",  "a page",     "a file of another kind"};
+  return names[static_cast<int>(content)];
 }
 
 }  // namespace morula

@@ -25,17 +25,6 @@ constexpr std::string_view beginning = ".morula-", ending = ".part";
   throw FileError("'" + file.string() + "' cannot be written: " + std::strerror(errno));
 }
 
-/// A name in the same folder that nothing else uses. Processes of several machines may share the folder.
-fs::path draftFor(const fs::path& file) {
-  static std::atomic<unsigned> number{0};
-  char host[65] = {};
-  ::gethostname(host, sizeof host - 1);
-  for (char& c : host)
-    if (c == '/') c = '_';
-  return file.parent_path() / (std::string(beginning) + host + "-" + std::to_string(::getpid()) + "-" +
-                               std::to_string(++number) + std::string(ending));
-}
-
 /// Between its making and its locking a draft looks abandoned: it may be gone once it is locked.
 bool isThere(int descriptor) {
   struct stat status {};
@@ -46,7 +35,7 @@ bool isThere(int descriptor) {
 
 Draft::Draft(fs::path file) : file_(std::move(file)), descriptor_(-1) {
   do {
-    draft_ = draftFor(file_);
+    draft_ = draftIn(file_.parent_path());
     descriptor_ =
         Descriptor(::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
     if (!descriptor_.isOpen() && errno == EEXIST) continue;  // of a process of this number on another machine
@@ -69,6 +58,16 @@ void Draft::takePlace() {
   if (!descriptor_.close()) refuse(file_);
 }
 
+fs::path draftIn(const fs::path& folder) {
+  static std::atomic<unsigned> number{0};
+  char host[65] = {};
+  ::gethostname(host, sizeof host - 1);
+  for (char& c : host)
+    if (c == '/') c = '_';
+  return folder / (std::string(beginning) + host + "-" + std::to_string(::getpid()) + "-" +
+                   std::to_string(++number) + std::string(ending));
+}
+
 std::size_t removeAbandonedDrafts(const fs::path& folder) {
   std::size_t removed = 0;
   if (!isFolder(folder)) return removed;
@@ -78,7 +77,8 @@ std::size_t removeAbandonedDrafts(const fs::path& folder) {
     const fs::path file = folder / name;
     const Descriptor held(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (!held.isOpen() || ::flock(held.number(), LOCK_EX | LOCK_NB) != 0) continue;
-    if (removeFile(file)) ++removed;
+    std::error_code ignored;
+    if (fs::remove_all(file, ignored) > 0) ++removed;  // links in it are removed, not followed
   }
   return removed;
 }

@@ -56,10 +56,9 @@ void makeFolder(const fs::path& folder) {
   if (error) refuse(folder, "cannot be made", error);
 }
 
-void makeEmptyFolder(const fs::path& folder) {
-  if (fileExists(folder) && !(isFolder(folder) && namesIn(folder).empty()))
-    throw FileError("'" + folder.string() + "' is there already; give a folder that is not, or an empty one");
-  makeFolder(folder);
+void requireAbsent(const fs::path& path) {
+  if (fileExists(path) && !(isFolder(path) && namesIn(path).empty()))
+    throw FileError("'" + path.string() + "' is there already; give another name, or an empty folder");
 }
 
 bool removeFile(const fs::path& file) {

@@ -19,15 +19,16 @@ std::uintmax_t fileSize(const std::filesystem::path& file);
 
 /// Makes the folder and those above it; does nothing for "".
 void makeFolder(const std::filesystem::path& folder);
-/// Makes the folder; throws if there is anything in it already.
-void makeEmptyFolder(const std::filesystem::path& folder);
+/// Throws if there is anything already, unless it is an empty folder.
+void requireAbsent(const std::filesystem::path& path);
 /// Removes a file or a link. What is not there, or cannot be removed, is no error: false.
 bool removeFile(const std::filesystem::path& file);
 
 /// The names of the folder's files and folders, sorted.
 std::vector<std::filesystem::path> namesIn(const std::filesystem::path& folder);
 /// All files below the folder with this extension, as `folder`/…, sorted. Links to folders are not followed.
-std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder, const std::string& extension);
+std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder,
+                                              const std::string& extension);
 
 std::filesystem::path currentFolder();
 /// From the root, without "." and "..", links as they are.

@@ -1,23 +1,67 @@
 #include "files/scratch_folder.h"
 
-#include <stdlib.h>
+#include <fcntl.h>
+#include <sys/file.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 #include "base/error.h"
+#include "files/draft.h"
+#include "files/folders.h"
 
 namespace morula {
 
-ScratchFolder::ScratchFolder(const std::filesystem::path& parent) {
-  std::string name = (parent / ".morula-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw FileError("'" + name + "' cannot be made: " + std::strerror(errno));
-  path_ = name;
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuseFolder(const fs::path& folder) {
+  throw FileError("'" + folder.string() + "' cannot be made: " + std::strerror(errno));
+}
+
+/// "a/b" of "a/b/" and "a/./b".
+fs::path withoutSlash(const fs::path& folder) {
+  const fs::path normal = folder.lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+/// Where a draft of the folder is made.
+fs::path parentFor(const fs::path& folder) {
+  requireAbsent(folder);
+  makeFolder(folder.parent_path());
+  return folder.parent_path();
+}
+
+}  // namespace
+
+ScratchFolder::ScratchFolder(const fs::path& parent) : lock_(-1) {
+  removeAbandonedDrafts(parent.empty() ? fs::path(".") : parent);
+  do {
+    path_ = draftIn(parent);
+    if (::mkdir(path_.c_str(), 0777) != 0 && errno != EEXIST) refuseFolder(path_);
+    lock_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+    // Until it is locked it looks abandoned, and may be gone.
+  } while (!lock_.isOpen() || ::flock(lock_.number(), LOCK_EX) != 0 || !fileExists(path_));
 }
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);  // links in it are removed, not followed
+  fs::remove_all(path_, ignored);  // links in it are removed, not followed
+}
+
+DraftFolder::DraftFolder(const fs::path& folder)
+    : folder_(withoutSlash(folder)), scratch_(parentFor(folder_)) {}
+
+void DraftFolder::takePlace() {
+  const bool isThere = fileExists(folder_);
+  const fs::path target = isThere ? fs::canonical(folder_) : folder_;
+  // Whoever stands in a folder must not find it replaced by another one.
+  if (isThere && fs::equivalent(target, currentFolder())) {
+    for (const fs::path& name : namesIn(path()))
+      if (::rename((path() / name).c_str(), (target / name).c_str()) != 0) refuseFolder(folder_);
+  } else if (::rename(path().c_str(), target.c_str()) != 0) refuseFolder(folder_);
 }
 
 }  // namespace morula

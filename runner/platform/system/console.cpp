@@ -18,6 +18,25 @@ std::string red(const std::string& text) {
   return isTerminal() && !(plain && *plain) ? "\x1b[31m" + text + "\x1b[0m" : text;
 }
 
+/// A message, in which no word of others is longer than a screen's line or two: what it says must be seen.
+std::string message(const std::string& text) {
+  constexpr std::size_t most = 400, shown = 100;
+  std::string all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+    std::size_t length = end - at;
+    if (length > most) {
+      length = shown;
+      while ((text[at + length] & 0xC0) == 0x80) --length;  // a letter is not cut
+    }
+    all += text.substr(at, length);
+    if (length < end - at) all += "… (" + std::to_string(end - at) + " bytes)";
+    if (end < text.size()) all += text[end];
+    at = end + 1;
+  }
+  return printable(all);
+}
+
 }  // namespace
 
 void print(const std::string& text) { std::cout << printable(text); }
@@ -31,12 +50,12 @@ void printJson(const Json& members) {
 }
 
 void tell(const std::string& text, bool quiet) {
-  if (!quiet) std::cerr << printable(text) << "\n";
+  if (!quiet) std::cerr << message(text) << "\n";
 }
 
-void tellError(const std::string& text) { std::cerr << red("morula: ") << printable(text) << "\n"; }
+void tellError(const std::string& text) { std::cerr << red("morula: ") << message(text) << "\n"; }
 
-void tellInputError(const std::string& text) { std::cerr << printable(text) << "\n"; }
+void tellInputError(const std::string& text) { std::cerr << message(text) << "\n"; }
 
 void showProgress(const std::string& line) {
   if (isTerminal()) std::cerr << "\r\x1b[K" << printableLine(line) << std::flush;

@@ -41,6 +41,15 @@ std::uint64_t addressSpace() {
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
+/// Of this process.
+int threadsNow() {
+  const std::string stat = readHead("/proc/self/stat", 1024);
+  std::istringstream words(stat.substr(stat.rfind(')') + 1));  // behind the program's name
+  std::string word;
+  for (int i = 0; i < 18; ++i) words >> word;  // its 20th field
+  return std::stoi(word);
+}
+
 void limit(const ForkedLimits& limits) {
   lower(RLIMIT_CORE, 0);  // what SIGXCPU ends is no mistake to look into
   if (limits.cpuSeconds) {
@@ -66,6 +75,10 @@ void limit(const ForkedLimits& limits) {
 }  // namespace
 
 Forked::Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& what) {
+#if !defined(__SANITIZE_THREAD__)  // which has a thread of its own
+  MORULA_CHECK(threadsNow() == 1,
+               "others would be missing in the new process, with whatever they hold locked");
+#endif
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw processError("no pipe");
   const pid_t parent = ::getpid();

@@ -3,21 +3,9 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "files/quote.h"
 
 namespace morula {
-
-namespace {
-
-std::string quotedIfNeeded(std::string_view text) {
-  const bool plain = !text.empty() && text.find_first_of("\",\r\n") == text.npos && text.front() != ' ' &&
-                     text.back() != ' ';
-  if (plain) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
-}  // namespace
 
 CsvTable::CsvTable(const std::vector<std::string>& columns) {
   for (const std::string& c : columns) add(std::string_view(c));
@@ -31,7 +19,7 @@ void CsvTable::separate() {
 
 CsvTable& CsvTable::add(std::string_view text) {
   separate();
-  text_ += quotedIfNeeded(text);
+  text_ += csvField(text);
   return *this;
 }
 

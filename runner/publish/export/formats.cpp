@@ -16,6 +16,7 @@
 #include "export/surfaces.h"
 #include "export/vtk.h"
 #include "files/folders.h"
+#include "files/scratch_folder.h"
 #include "files/text.h"
 #include "files/write_file.h"
 #include "loop/stored_scenario.h"
@@ -103,20 +104,33 @@ std::vector<std::string> formatNames() {
   return names;
 }
 
-void requireAbsent(const fs::path& output) {
-  if (fileExists(output) && !(isFolder(output) && namesIn(output).empty()))
-    throw FileError("'" + output.string() + "' is there already; give another name, or remove it");
-}
-
-std::vector<fs::path> write(const Files& files) {
-  std::vector<fs::path> names;
-  for (const NewFile& f : files) {
-    makeFolder(f.path.parent_path());
-    writeNewFile(f.path, f.bytes);
-    names.push_back(f.path);
+/// Where files go: to a folder, which is there only when all of them are, or the one file itself.
+class Destination {
+ public:
+  Destination(const fs::path& output, bool isFolder) : output_(output), isFolder_(isFolder) {
+    requireAbsent(output);
   }
-  return names;
-}
+  /// The files' paths begin with `output`. Returns them.
+  std::vector<fs::path> write(const Files& files) {
+    if (isFolder_ && !draft_) draft_.emplace(output_);
+    std::vector<fs::path> names;
+    for (const NewFile& f : files) {
+      const fs::path path = draft_ ? draft_->path() / f.path.lexically_relative(output_) : f.path;
+      makeFolder(path.parent_path());
+      writeNewFile(path, f.bytes);
+      names.push_back(f.path);
+    }
+    return names;
+  }
+  void finish() {
+    if (draft_) draft_->takePlace();
+  }
+
+ private:
+  fs::path output_;
+  bool isFolder_;
+  std::optional<DraftFolder> draft_;
+};
 
 /// Of one run.
 Files tableFiles(Store& store, const ExportRequest& request, const std::string& id) {
@@ -144,7 +158,11 @@ Exported exportTables(Store& store, const ExportRequest& request) {
   const std::string id = request.run.empty() ? "" : store.find(request.run).id;
   for (const StoredRun& run : store.runs())
     if (id.empty() || run.id == id) requireWholeRecord(store, run);
-  return {{{id, write(tableFiles(store, request, id))}}, 0};
+  const Files files = tableFiles(store, request, id);
+  Destination to(request.output, request.output.extension() != ".csv");
+  Exported all{{{id, to.write(files)}}, 0};
+  to.finish();
+  return all;
 }
 
 /// Why a run cannot be exported among others; "" if it can.
@@ -163,6 +181,8 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
   else runs = {store.find(request.run)};
   if (runs.empty()) throw FileError("'" + store.file().string() + "': there are no runs in it");
   const bool several = runs.size() > 1;
+  const bool oneFile = *format.ending && (!format.mayBeSeries || request.output.extension() == format.ending);
+  Destination to(request.output, several || !oneFile);
   Exported all;
   for (const StoredRun& run : runs) {
     if (const std::string why = several ? whyNot(run, format) : ""; !why.empty()) {
@@ -182,11 +202,12 @@ Exported exportEach(Store& store, const ExportRequest& request, const Format& fo
       all.signal = exported.signal;
       return all;
     }
-    all.runs.push_back({run.id, write(format.files(exported, path))});
+    all.runs.push_back({run.id, to.write(format.files(exported, path))});
   }
   if (all.runs.empty())
     throw FileError("'" + store.file().string() + "': none of its runs has what --format " + format.name +
                     " needs");
+  to.finish();
   return all;
 }
 
@@ -202,12 +223,11 @@ std::string formatCalled(const std::string& text) {
   const auto names = formatNames();
   if (std::ranges::find(names, text) != names.end()) return text;
   const std::string near = closest(text, names);
-  throw UsageError("--format: there is no format '" + text + "'; " +
+  throw InputError("there is no format '" + text + "'; " +
                    (near.empty() ? "needs one of " + join(names) : "did you mean " + near + "?"));
 }
 
 Exported exportRuns(Store& store, const ExportRequest& request) {
-  requireAbsent(request.output);
   if (request.format == csv) return exportTables(store, request);
   if (!request.table.empty()) throw UsageError("--table: only --format csv has tables; leave it out");
   for (const Format& f : formats)

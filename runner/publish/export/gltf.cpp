@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "export/little_endian.h"
+#include "files/bytes.h"
 #include "system/json.h"
 
 namespace morula {

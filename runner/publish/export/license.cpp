@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/did_you_mean.h"
-#include "system/usage_error.h"
+#include "base/error.h"
 
 namespace morula {
 
@@ -67,7 +67,7 @@ std::string licenseUri(const std::string& license) {
   for (const std::string& id : identifiers)
     if (equalButForCase(id, license)) return "https://spdx.org/licenses/" + id;
   const std::string meant = probablyMeant(license);
-  throw UsageError("export: --license: '" + license + "' is no SPDX identifier that is known here" +
+  throw InputError("'" + license + "' is no SPDX identifier that is known here" +
                    (meant.empty() ? "" : "; did you mean " + meant + "?") +
                    " Give an identifier as CC-BY-4.0 or CC0-1.0, or the licence's address (https://…)");
 }

@@ -5,7 +5,7 @@
 namespace morula {
 
 /// The URI of a licence: a URI as it is, an SPDX identifier (case does not count) as
-/// https://spdx.org/licenses/…; "" for "". Throws UsageError for anything else, with what was probably meant.
+/// https://spdx.org/licenses/…; "" for "". Throws InputError for anything else, with what was probably meant.
 std::string licenseUri(const std::string& license);
 
 }  // namespace morula

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "export/little_endian.h"
+#include "files/bytes.h"
 
 namespace morula {
 

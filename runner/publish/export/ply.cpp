@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.h"
-#include "export/little_endian.h"
+#include "files/bytes.h"
 
 namespace morula {
 

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-CrateFile crateFile(const Document& d) {
+CrateFile crateFile(const SourceText& d) {
   using Role = CrateFile::Role;
   if (d.role == "resolved")
     return {"scenario/resolved.json",
@@ -77,10 +77,9 @@ void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
 
 CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures, const fs::path& folder) {
   CrateRun crate{run, "", "", {}};
-  for (const Document& document : store.documents(run.id)) crate.files.push_back(crateFile(document));
+  for (const SourceText& document : store.documents(run.id)) crate.files.push_back(crateFile(document));
   addGolden(crate.files);
   if (!pictures.empty() && !isFolder(pictures)) throw FileError("'" + pictures + "': no such folder");
-  makeEmptyFolder(folder);
   store.copyRun(run.id, folder / "run.db");
   crate.files.push_back({"run.db",
                          CrateFile::Role::result,

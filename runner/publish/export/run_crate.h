@@ -4,7 +4,7 @@
 
 namespace morula {
 
-/// Makes the folder, which must be empty or absent, and writes run.db into it; the other files are named. `pictures`: the
+/// Writes run.db into the folder, which is there; the other files are named. `pictures`: the
 /// folder where the run's lie; "": beside a database of one run. Throws FileError.
 CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures,
                  const std::filesystem::path& folder);

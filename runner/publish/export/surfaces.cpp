@@ -98,11 +98,10 @@ int simulateAgain(const Store& store, const StoredRun& run, const Scenario& scen
                    kept.empty() ? "no surfaces (record.meshes keeps them)" : "surfaces at " + kept + " alone",
                    exactText(run.time)),
        request.quiet);
-  Progress progress(run.record.scenario, request.quiet);
-  auto again =
-      simulate(makeScenarioWorld(scenario, request.execution),
-               RecordOptions{.nameOf = scenario.names.function(), .meshesAt = std::move(times)}, progress);
+  auto again = simulate(scenario, request.execution,
+                        {.quiet = request.quiet, .record = {.meshesAt = std::move(times)}});
   if (again.signal) return again.signal;
+  requireEnough(again.end);
   requireSameEnd(store, run, again.end);
   tell("its end is the stored one, bit for bit", request.quiet);
   results = std::move(again.results);

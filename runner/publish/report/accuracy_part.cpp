@@ -1,8 +1,10 @@
-// What accuracy costs, as a page: the verdict of an accuracy run, and its blocks.
+// What accuracy costs, as a page: the verdict of an accuracy run, and its sections.
+#include <cmath>
+
+#include "accuracy/tables.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "files/read_file.h"
-#include "page/html.h"
 #include "report/accuracy_blocks.h"
 #include "report/parts.h"
 
@@ -12,95 +14,97 @@ namespace {
 
 using Kind = Finding::Kind;
 
-constexpr double wellConverged = 1;  // least order by which errors must fall from mesh to mesh
-
 /// "error 0.0927 up to time 4 of 31.25: 0.00535 of the time step, 0.0874 of the mesh".
-std::string sentenceOf(const AccuracyRead& read) {
-  const AccuracyEntry& own = read.own;
-  const std::string start = shown(read.scenario) + " as it is";
+std::string sentenceOf(const AccuracyReport& report) {
+  const AccuracyRow& own = report.own;
+  const std::string start = report.scenario + " as it is";
   if (!own.failure.empty()) return start + " does not come to its end.";
-  if (!own.whole) return start + ": not compared, for other cells live.";
-  std::string text = start + ": error " + (own.mesh ? "" : "at least ") + numberText(*own.whole, 3);
+  if (!own.error) return start + ": not compared, for other cells live.";
+  std::string text =
+      start + ": error " + (own.parts.mesh ? "" : "at least ") + numberText(own.parts.sum(), 3);
   const auto add = [&](const std::optional<double>& part, const std::string& of) {
     text += (part ? numberText(*part, 3) : std::string("an unknown part")) + " of " + of;
   };
   text += ": ";
-  add(own.time, "the time step");
+  add(own.parts.time, "the time step");
   text += ", ";
-  add(own.mesh, "the mesh");
+  add(own.parts.mesh, "the mesh");
   return text + " [radii of the egg, relative volume].";
 }
 
-void judgeReference(const AccuracyRead& read, std::vector<Finding>& findings) {
-  const auto& r = read.reference;
-  if (!r.error || !(r.order > 0))
+void judgeReference(const AccuracyReport& report, std::vector<Finding>& findings) {
+  const AccuracyReference& r = report.reference;
+  const std::string witness = nameOf(r.witness.integrator);
+  const bool converged = std::isfinite(r.left.error) && r.left.order > 0;
+  if (!converged)
     findings.push_back(
         {Kind::bad,
          "No converged reference: its own error does not fall with its time step, so no error on this "
          "page is sure"});
   if (!r.agrees)
-    findings.push_back({Kind::bad, "The reference is not confirmed: the witness, " + shown(r.witness) +
+    findings.push_back({Kind::bad, "The reference is not confirmed: the witness, " + witness +
                                        ", is farther away than both their errors allow"});
-  if (r.agrees && r.error && r.order > 0)
-    findings.push_back({Kind::good, "The reference, good to " + numberText(*r.error, 2) +
-                                        ", is confirmed by another integrator, " + shown(r.witness)});
+  if (r.agrees && converged)
+    findings.push_back({Kind::good, "The reference, good to " + numberText(r.left.error, 2) +
+                                        ", is confirmed by another integrator, " + witness});
 }
 
-void judgeMesh(const AccuracyRead& read, std::vector<Finding>& findings) {
-  const auto& m = read.mesh;
+void judgeMesh(const AccuracyReport& report, std::vector<Finding>& findings) {
+  const MeshError& m = report.mesh;
   if (!m.unknown.empty())
     findings.push_back(
-        {Kind::warning, "What the mesh adds is not known, so whole errors are at least what is stated: " +
-                            shown(m.unknown)});
-  else if (!m.levels.empty() && m.order < wellConverged)
+        {Kind::warning,
+         "What the mesh adds is not known, so whole errors are at least what is stated: " + m.unknown});
+  else if (!m.levels.empty() && m.order < leastMeshOrder)
     findings.push_back(
         {Kind::warning, "Errors hardly fall from mesh to mesh: the mesh's error may be larger than stated"});
-  if (!m.limit.empty()) findings.push_back({Kind::warning, "No finer mesh took part: " + shown(m.limit)});
+  if (!m.limit.empty()) findings.push_back({Kind::warning, "No finer mesh took part: " + m.limit});
   if (m.partedAt)
     findings.push_back(
         {Kind::warning, "On another mesh other cells live from " + numberText(*m.partedAt) + " on"});
-  if (m.error && read.own.time && *m.error > 3 * *read.own.time && *m.error > 0)
-    findings.push_back({Kind::warning, "The mesh costs " +
-                                           (*read.own.time > 0 ? numberText(*m.error / *read.own.time, 2) +
-                                                                     " times what the time step does"
-                                                               : std::string("all, the time step nothing")) +
-                                           ": shorter time steps gain little"});
+  const auto error = m.error(), time = report.own.parts.time;
+  if (error && time && *error > 3 * *time && *error > 0)
+    findings.push_back(
+        {Kind::warning, "The mesh costs " +
+                            (*time > 0 ? numberText(*error / *time, 2) + " times what the time step does"
+                                       : "all, the time step nothing") +
+                            ": shorter time steps gain little"});
 }
 
-void judgeRows(const AccuracyRead& read, std::vector<Finding>& findings) {
-  if (!read.own.failure.empty())
-    findings.push_back({Kind::bad, "The scenario as it is failed: " + shown(read.own.failure)});
-  else if (read.own.partedAt)
+void judgeRows(const AccuracyReport& report, std::vector<Finding>& findings) {
+  if (!report.own.failure.empty())
+    findings.push_back({Kind::bad, "The scenario as it is failed: " + report.own.failure});
+  else if (report.own.partedAt)
     findings.push_back({Kind::bad, "The scenario as it is has other cells than the reference from time " +
-                                       numberText(*read.own.partedAt) + " on"});
-  else if (!read.own.resolved)
+                                       numberText(*report.own.partedAt) + " on"});
+  else if (!report.own.resolved)
     findings.push_back(
         {Kind::warning, "The error of the scenario as it is is below ten times the reference's own"});
-  if (read.end && read.until < *read.end * (1 - 1e-6))
-    findings.push_back({Kind::warning, "Compared up to time " + numberText(read.until, 6) + " of " +
-                                           numberText(*read.end, 6) +
+  const double until = report.times.back();
+  if (report.end && until < *report.end * (1 - 1e-6))
+    findings.push_back({Kind::warning, "Compared up to time " + numberText(until, 6) + " of " +
+                                           numberText(*report.end, 6) +
                                            ": nothing is said of what comes later"});
   std::size_t failed = 0, parted = 0;
-  for (const AccuracyEntry& e : read.rows) failed += !e.failure.empty(), parted += e.partedAt.has_value();
+  for (const AccuracyRow& row : report.rows)
+    failed += !row.failure.empty(), parted += row.partedAt.has_value();
   if (failed)
     findings.push_back({Kind::warning, std::to_string(failed) + " of " +
-                                           counted(read.rows.size(), "setting") +
+                                           counted(report.rows.size(), "setting") +
                                            " failed; a table says why"});
   if (parted)
     findings.push_back({Kind::warning, std::to_string(parted) + " of " +
-                                           counted(read.rows.size(), "setting") +
+                                           counted(report.rows.size(), "setting") +
                                            " come to other cells than the reference"});
-  for (const std::string& remark : read.remarks) findings.push_back({Kind::warning, shown(remark)});
-  if (!read.rival.empty())
-    findings.push_back({Kind::good, "As exact on this mesh, and the cheapest tried: " + shown(read.rival) +
-                                        ", " + numberText(read.rivalSpeed, 3) +
+  for (const std::string& remark : report.remarks) findings.push_back({Kind::warning, remark});
+  if (report.rival)
+    findings.push_back({Kind::good, "As exact on this mesh, and the cheapest tried: " + report.rival->series +
+                                        ", " + numberText(report.rival->speed, 3) +
                                         " times as fast as the scenario as it is"});
 }
 
 /// What --target has found.
-void judgeTarget(const AccuracyRead& read, std::vector<Finding>& findings) {
-  const Json& t = read.target;
-  if (!t.is_object()) return;
+void judgeTarget(const Json& t, std::vector<Finding>& findings) {
   const std::string error = numberText(t.at("error").get<double>(), 3);
   const Json& best = t.at("run_to_the_end");
   if (!best.is_object()) {
@@ -113,8 +117,8 @@ void judgeTarget(const AccuracyRead& read, std::vector<Finding>& findings) {
   const bool holds = t.at("mesh_holds").is_boolean() && t.at("mesh_holds").get<bool>();
   findings.push_back({holds ? Kind::good : Kind::warning,
                       "An error of " + error + " on the scenario's mesh is held for the least CPU time, " +
-                          numberText(best.at("cpu_seconds").get<double>(), 3) + " s to its end, by <code>" +
-                          shown(command) + "</code>" +
+                          numberText(best.at("cpu_seconds").get<double>(), 3) + " s to its end, by " +
+                          code(command) +
                           (holds ? "; with the mesh's, too"
                            : t.at("mesh_error").is_number()
                                ? "; the mesh itself adds " + numberText(t.at("mesh_error").get<double>(), 3) +
@@ -125,22 +129,20 @@ void judgeTarget(const AccuracyRead& read, std::vector<Finding>& findings) {
                                            std::to_string(t.at("icosphere_that_holds").get<int>())});
 }
 
-std::string download(const std::string& name, const char* type, const std::string& bytes) {
-  return "<a download=\"" + htmlText(name) + "\" href=\"" + dataUri(type, bytes) + "\">" + htmlText(name) +
-         " <span class=\"note\">(" + numberText(static_cast<double>(bytes.size()) / 1000, 3) +
-         " kB)</span></a>\n";
-}
-
-PageBlock madeBy(const AccuracyRead& read, const std::string& file) {
-  std::vector<std::vector<std::string>> rows;
-  for (const auto& [name, value] : read.provenance) rows.push_back({shown(name), shown(value)});
-  PageBlock block{"made-by", "Where it comes from", "", {}};
-  block.html = rows.empty() ? "<p>The output does not say by which program and machine it was made.</p>\n"
-                            : htmlTable("Where it comes from", {}, rows);
-  block.commands = {"./morula accuracy " + (read.file.empty() ? "SCENARIO" : shellWord(read.file)) +
-                        " --json > " + shellWord(file),
-                    "./morula report " + shellWord(file)};
-  return block;
+PageSection madeBy(const Json& json, const std::string& scenario, const std::string& file) {
+  PageSection section{"made-by",
+                  "Where it comes from",
+                  {},
+                  {"./morula accuracy " + scenario + " --json > " + shellWord(file),
+                   "./morula report " + shellWord(file)}};
+  Table table{section.title, {}};
+  if (json.contains("made_by"))
+    for (const auto& [name, value] : json.at("made_by").items())
+      table.rows.push_back({name, value.get<std::string>()});
+  if (table.rows.empty())
+    section.body.say("The output does not say by which program and machine it was made.");
+  else section.body.add(std::move(table));
+  return section;
 }
 
 }  // namespace
@@ -152,44 +154,44 @@ PagePart accuracyPart(const std::string& file) {
   if (!json.is_object() || !json.contains("rows"))
     throw InputError(file + ": no rows of an accuracy run" + right);
   try {
-    const AccuracyRead read = accuracyFrom(json);
-    PagePart part{.title = "Accuracy of " + read.scenario,
+    const AccuracyReport report = accuracyFrom(json);
+    const std::string scenario =
+        json.contains("file") ? shellWord(json.at("file").get<std::string>()) : "SCENARIO";
+    PagePart part{.title = "Accuracy of " + report.scenario,
                   .summary = "What accuracy costs: error against CPU time",
-                  .verdict = {},
-                  .change = {},
-                  .blocks = {}};
+                  .verdict = {}};
     std::vector<Finding> findings;
-    judgeTarget(read, findings);
-    judgeReference(read, findings);
-    judgeMesh(read, findings);
-    judgeRows(read, findings);
-    part.verdict = "<p class=\"said\">" + sentenceOf(read) + "</p>\n" + findingsHtml(findings);
-    part.blocks = {cheapestBlock(read), accuracyChartBlock(read), settingsBlock(read), referenceBlock(read),
-                   madeBy(read, file)};
-    part.blocks.push_back({"rows-download",
-                           "Downloads",
-                           "<div class=\"downloads\">\n" +
-                               download("settings.csv", "text/csv", accuracyCsv(json.at("rows"))) +
-                               download("accuracy.json", "application/json", text) + "</div>\n",
-                           {}});
+    if (json.contains("target")) judgeTarget(json.at("target"), findings);
+    judgeReference(report, findings);
+    judgeMesh(report, findings);
+    judgeRows(report, findings);
+    part.verdict = verdict(sentenceOf(report), std::move(findings));
+    part.sections = {cheapestSection(report, scenario),
+                     accuracyChartSection(report),
+                     {"rows", "Settings", settingTables(report)},
+                     referenceSection(report),
+                     madeBy(json, scenario, file)};
+    part.sections.push_back(
+        {"rows-download", "Downloads",
+         Document().add(Downloads{{{"settings.csv", "text/csv", accuracyCsv(json.at("rows"))},
+                                   {"accuracy.json", "application/json", text}}})});
     return part;
-  } catch (const Json::exception&) {
+  } catch (const std::exception&) {  // JSON of other kinds, and choices that are none
     throw InputError(file + ": rows that are none of an accuracy run" + right);
   }
 }
 
-PageBlock programBlock() {
+PageSection programSection() {
   const BuildInfo& build = buildInfo();
-  return {"provenance",
-          "Provenance",
-          htmlTable("Provenance", {},
-                    {{"Version", shown(build.version)},
-                     {"Commit", shown(build.gitCommit + " (" + build.gitState + ")")},
-                     {"Build", "<code>" + buildId(build) + "</code>"},
-                     {"Compiler", shown(build.compiler)},
-                     {"Target", shown(build.target)},
-                     {"Libraries", shown(librariesText(build))}}),
-          {}};
+  return {"provenance", "Provenance",
+          Document().add(Table{"Provenance",
+                               {},
+                               {{"Version", build.version},
+                                {"Commit", build.gitCommit + " (" + build.gitState + ")"},
+                                {"Build", code(buildId(build))},
+                                {"Compiler", build.compiler},
+                                {"Target", build.target},
+                                {"Libraries", librariesText(build)}}})};
 }
 
 }  // namespace morula

@@ -7,7 +7,6 @@
 #include "base/number_text.h"
 #include "mesh/distance.h"
 #include "mesh/measures.h"
-#include "page/html.h"
 #include "pictures/pictures.h"
 #include "simulation/measures.h"
 
@@ -93,36 +92,35 @@ std::string digits(const std::string& text) {
   return problem == std::errc() && end == text.data() + text.size() ? numberText(number, 10) : text;
 }
 
-std::string resultTable(const Scenario& scenario, const std::vector<CheckResult>& results) {
-  std::vector<std::vector<std::string>> rows;
+Table resultTable(const Scenario& scenario, const std::vector<CheckResult>& results) {
+  Table table{"What decides",
+              {"Compared", "Ours", "Bullet's", "Tolerance", "Share of it", "Result", "Worst of"}};
   for (const CheckResult& r : results) {
     const bool off = r.field == "positions";
-    rows.push_back({shown(quantityWords(r)), off ? shown(digits(r.actual)) + " off" : shown(digits(r.actual)),
-                    off ? "" : shown(digits(r.expected)), shown(r.tolerance),
-                    r.share ? (*r.share == 0 ? "0" : numberText(100 * *r.share, 3)) + " %" : "",
-                    r.passed ? "<span class=\"mark good\">✓ holds</span>"
-                             : "<span class=\"mark bad\">✗ does not hold</span>",
-                    r.cell ? shown(withNames(cellName(*r.cell), scenario.names.function())) : ""});
+    table.rows.push_back({quantityWords(r), digits(r.actual) + (off ? " off" : ""),
+                          off ? "" : digits(r.expected), r.tolerance,
+                          r.share ? (*r.share == 0 ? "0" : numberText(100 * *r.share, 3)) + " %" : "",
+                          mark(r.passed, "holds", "does not hold"),
+                          r.cell ? withNames(cellName(*r.cell), scenario.names.function()) : ""});
   }
-  return htmlTable("What decides",
-                   {"Compared", "Ours", "Bullet's", "Tolerance", "Share of it", "Result", "Worst of"}, rows);
+  return table;
 }
 
-std::string distanceTable(std::vector<CellDistance> all, double radius) {
+Document distances(std::vector<CellDistance> all, double radius) {
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.largest > b.largest; });
-  std::vector<std::vector<std::string>> rows;
+  Table table{"Distances of the surfaces",
+              {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]",
+               "Our volume [length³]", "Bullet's volume [length³]"}};
   for (std::size_t i = 0; i < std::min(all.size(), mostCells); ++i)
-    rows.push_back({shown(all[i].cell), numberText(all[i].largest / radius, 3),
-                    numberText(std::sqrt(all[i].meanSquare) / radius, 3), numberText(all[i].ourVolume, 8),
-                    numberText(all[i].bulletVolume, 8)});
-  return htmlTable("Distances of the surfaces",
-                   {"Cell", "Largest distance [radii of the egg]", "Root mean square [radii]",
-                    "Our volume [length³]", "Bullet's volume [length³]"},
-                   rows) +
-         (all.size() > mostCells ? "<p class=\"note\">The " + std::to_string(mostCells) + " farthest of " +
-                                       std::to_string(all.size()) + " cells.</p>\n"
-                                 : "");
+    table.rows.push_back({all[i].cell, number(all[i].largest / radius, 3),
+                          number(std::sqrt(all[i].meanSquare) / radius, 3), number(all[i].ourVolume, 8),
+                          number(all[i].bulletVolume, 8)});
+  Document body;
+  body.add(std::move(table));
+  if (all.size() > mostCells)
+    body.note("The " + std::to_string(mostCells) + " farthest of " + std::to_string(all.size()) + " cells.");
+  return body;
 }
 
 std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
@@ -131,39 +129,32 @@ std::string farthestWords(const std::vector<CellDistance>& all, double radius) {
   // Rounding alone makes no place.
   const auto place = [&](double x) { return std::abs(x) < 1e-9 * radius ? "0" : numberText(x, 3); };
   if (worst->largest < roundingRadii * radius)
-    return "<p>The surfaces are nowhere farther apart than " + numberText(worst->largest / radius, 2) +
-           " radii of the egg, which is rounding: the map of distances shows nothing else.</p>\n";
+    return "The surfaces are nowhere farther apart than " + numberText(worst->largest / radius, 2) +
+           " radii of the egg, which is rounding: the map of distances shows nothing else.";
   double squares = 0, count = 0;
   for (const CellDistance& d : all)
     squares += d.meanSquare * static_cast<double>(d.vertices), count += static_cast<double>(d.vertices);
-  return "<p>The surfaces are farthest apart at " + shown(worst->cell) + ": " +
-         numberText(worst->largest / radius, 3) + " radii of the egg, near (" + place(worst->at.x) + ", " +
-         place(worst->at.y) + ", " + place(worst->at.z) +
-         ") [length]. The root mean square over all vertices is " +
-         numberText(std::sqrt(squares / count) / radius, 3) + " radii.</p>\n";
+  return "The surfaces are farthest apart at " + worst->cell + ": " + numberText(worst->largest / radius, 3) +
+         " radii of the egg, near (" + place(worst->at.x) + ", " + place(worst->at.y) + ", " +
+         place(worst->at.z) + ") [length]. The root mean square over all vertices is " +
+         numberText(std::sqrt(squares / count) / radius, 3) + " radii.";
 }
 
-std::string pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet,
-                     const BulletShown& where) {
+Document pictures(const Scenario& scenario, const World& ours, const ExternalRun& bullet,
+                  const BulletShown& where) {
   const ComparisonImages images = imagesBesideBullet(ours, bullet.shapes, scenario);
   const std::string when = "at time " + numberText(ours.clock.time, 6);
-  const auto picture = [&](const Image& image, const std::string& what, const std::string& caption) {
-    return htmlPicture("image/png", pngFile(image), what, caption);
-  };
-  std::string html =
-      "<div class=\"pictures\">\n<div" + std::string(where.swipe ? " data-picture=\"ours\"" : "") + ">" +
-      picture(images.one, "our cells " + when, "ours, " + when) + "</div>\n<div" +
-      (where.picture.empty() ? "" : " id=\"" + where.picture + "\"") + "><div" +
-      (where.swipe ? " data-picture=\"bullet\"" : "") + ">" +
-      picture(images.other, "Bullet's cells " + when, "Bullet's, " + when) + "</div></div>\n<div>" +
-      picture(images.distance, "a map of the distances of the surfaces",
-              "how far each vertex of ours is from Bullet's surface") +
-      "</div>\n</div>\n";
-  if (where.swipe)
-    html +=
-        "<div class=\"compare\" data-first=\"ours\" data-second=\"bullet\" data-names=\"ours | "
-        "Bullet's\"></div>\n";
-  return html;
+  Picture theirs =
+      pngPicture(images.other, "Bullet's cells " + when, "Bullet's, " + when, where.swipe ? "bullet" : "");
+  theirs.id = where.picture;
+  Document three, all;
+  three.add(pngPicture(images.one, "our cells " + when, "ours, " + when, where.swipe ? "ours" : ""))
+      .add(std::move(theirs));
+  three.add(pngPicture(images.distance, "a map of the distances of the surfaces",
+                       "how far each vertex of ours is from Bullet's surface"));
+  all.add(Group{Group::Kind::pictures, "", std::move(three)});
+  if (where.swipe) all.add(Swipe{"ours", "bullet", "ours | Bullet's"});
+  return all;
 }
 
 /// What is wrong with Bullet's run as a whole; "" if it came to an end that can be compared.
@@ -189,39 +180,37 @@ std::string sentenceOf(const std::vector<CheckResult>& results) {
   return text + ".";
 }
 
-std::string storedWords(const std::vector<CheckResult>& found, const std::vector<CheckResult>* stored) {
-  if (!stored) return {};
-  switch (compareWithStored(found, *stored)) {
+Words storedWords(const std::vector<CheckResult>& found, const std::vector<CheckResult>& stored) {
+  switch (compareWithStored(found, stored)) {
     case BulletStored::none:
-      return "<p>The database holds no comparison with Bullet; this one was made for the page.</p>\n";
+      return "The database holds no comparison with Bullet; this one was made for the page.";
     case BulletStored::same:
-      return "<p>Made again for this page, it gives the numbers that are stored with the run, digit for "
-             "digit.</p>\n";
+      return "Made again for this page, it gives the numbers that are stored with the run, digit for digit.";
     case BulletStored::other:
-      return "<p><span class=\"mark warn\">! Warning</span>Made again for this page, it gives other numbers "
-             "than "
-             "are stored with the run, which the checks show.</p>\n";
+      return warning() +
+             "Made again for this page, it gives other numbers than are stored with the run, which the "
+             "checks show.";
   }
   return {};
 }
 
 }  // namespace
 
-std::string besideBullet(const Scenario& scenario, const World& ours, const BulletAgain& again,
-                         const std::vector<CheckResult>* stored, const BulletShown& where) {
-  if (const std::string why = whyNone(again); !why.empty())
-    return "<p><span class=\"mark warn\">! Warning</span>" + shown(why) + ".</p>\n";
+Document besideBullet(const Scenario& scenario, const World& ours, const BulletAgain& again,
+                      const std::vector<CheckResult>* stored, const BulletShown& where) {
+  if (const std::string why = whyNone(again); !why.empty()) return Document().say(warning() + why + ".");
   if (!again.found.bullet) return {};
   const BulletCheck check = tolerancesFor(scenario);
   const double radius = scenario.scene.mechanics->physics.cell.radius;
-  const auto distances = distancesOf(scenario, ours, again.found.bullet->shapes);
+  const auto apart = distancesOf(scenario, ours, again.found.bullet->shapes);
   const bool touching = scenario.scene.mechanics->contact && scenario.scene.cells.size() > 1;
-  return "<p><b>" + shown(sentenceOf(again.found.results)) + "</b> " +
-         shown(bulletName() + ", " + baselineWords(check.baseline)) + "; margin " +
-         numberText(check.margin, 4) + " radii.</p>\n" + storedWords(again.found.results, stored) +
-         pictures(scenario, ours, *again.found.bullet, where) + farthestWords(distances, radius) +
-         distanceTable(distances, radius) + "<p>" + shown(decidingWords(check, touching)) + "</p>\n" +
-         resultTable(scenario, again.found.results);
+  Document body;
+  body.say(bold(sentenceOf(again.found.results)) + " " + bulletName() + ", " + baselineWords(check.baseline) +
+           "; margin " + numberText(check.margin, 4) + " radii.");
+  if (stored) body.say(storedWords(again.found.results, *stored));
+  body.add(pictures(scenario, ours, *again.found.bullet, where));
+  body.say(farthestWords(apart, radius)).add(distances(apart, radius));
+  return body.say(decidingWords(check, touching)).add(resultTable(scenario, again.found.results));
 }
 
 void judgeBullet(const RunFacts& run, std::vector<Finding>& findings) {
@@ -231,7 +220,7 @@ void judgeBullet(const RunFacts& run, std::vector<Finding>& findings) {
   const bool stored = std::any_of(run.checks.begin(), run.checks.end(),
                                   [](const CheckResult& r) { return r.kind == "bullet" && !wasSkipped(r); });
   if (const std::string why = whyNone(*run.bullet); !why.empty()) {
-    findings.push_back({Kind::warning, shown(why) + (stored ? "; the stored checks stand" : "")});
+    findings.push_back({Kind::warning, why + (stored ? "; the stored checks stand" : "")});
     return;
   }
   const bool sameProgram = buildId(run.run.record.build) == buildId(buildInfo());
@@ -243,27 +232,27 @@ void judgeBullet(const RunFacts& run, std::vector<Finding>& findings) {
                                      : ", with another program; the checks are the stored ones")});
   if (!stored)
     for (const CheckResult& r : found.results)
-      if (!r.passed) findings.push_back({Kind::bad, "Beside Bullet: " + shown(r.message)});
+      if (!r.passed) findings.push_back({Kind::bad, "Beside Bullet: " + r.message});
 }
 
-PageBlock bulletBlock(const std::vector<RunFacts>& runs) {
-  PageBlock block{"bullet", "Beside Bullet", "", {}};
+PageSection bulletSection(const std::vector<RunFacts>& runs) {
+  PageSection section{"bullet", "Beside Bullet", {}};
   std::size_t asked = 0, made = 0;
   for (const RunFacts& run : runs) {
     asked += run.scenario.check.bullet && run.again;
     if (!run.bullet) continue;
     const std::string source = shellWord(sourceOf(run));
-    block.html += (runs.size() > 1 ? "<h3>" + shown(titleOf(run)) + "</h3>\n" : "") +
-                  besideBullet(run.scenario, run.again->simulation.world, *run.bullet, &run.checks,
-                               {"picture-" + std::to_string(runs.size() + made), runs.size() == 1});
+    if (runs.size() > 1) section.body.heading(titleOf(run));
+    section.body.add(besideBullet(run.scenario, run.again->simulation.world, *run.bullet, &run.checks,
+                                  {"picture-" + std::to_string(runs.size() + made), runs.size() == 1}));
     if (made++ == 0)
-      block.commands = {"./morula run " + source, "./morula check " + source,
-                        "./morula report " + shellWord(run.database)};
+      section.commands = {"./morula run " + source, "./morula check " + source,
+                          "./morula report " + shellWord(run.database)};
   }
   if (made > 0 && asked > made)
-    block.html += "<p class=\"note\">The first " + std::to_string(made) + " of " + counted(asked, "run") +
-                  " that " + "are held against Bullet.</p>\n";
-  return block;
+    section.body.note("The first " + std::to_string(made) + " of " + counted(asked, "run") +
+                      " that are held against Bullet.");
+  return section;
 }
 
 }  // namespace morula

@@ -1,6 +1,5 @@
 #pragma once
 // Ours beside Bullet's: the numbers that decide, pictures, and how far the surfaces are apart.
-#include "page/page.h"
 #include "report/parts.h"
 #include "report_data/words.h"
 
@@ -11,20 +10,20 @@ struct BulletShown {
   bool swipe = false;   // ours and Bullet's over each other; once in a block
 };
 
-/// HTML. `stored`: the checks that are stored with the run, and null where none can be. `ours`: the run made again.
-std::string besideBullet(const Scenario& scenario, const World& ours, const BulletAgain& again,
-                         const std::vector<CheckResult>* stored, const BulletShown& shown);
+/// `stored`: the checks that are stored with the run, and null where none can be. `ours`: the run made again.
+Document besideBullet(const Scenario& scenario, const World& ours, const BulletAgain& again,
+                      const std::vector<CheckResult>* stored, const BulletShown& shown);
 
 /// What must be known first of Bullet: that it was not asked, gave no answer, or another one than is stored.
 void judgeBullet(const RunFacts& run, std::vector<Finding>& findings);
 
-/// Of all runs that were made again in Bullet; no HTML where there is none. Bullet's runs stand in the explorer behind all others.
-PageBlock bulletBlock(const std::vector<RunFacts>& runs);
+/// Of all runs that were made again in Bullet; empty where there is none. Bullet's runs stand in the explorer behind all others.
+PageSection bulletSection(const std::vector<RunFacts>& runs);
 
 /// Of a check: the first scenarios that were held against Bullet, those that differ before others, run again in both. Returns the
 /// signal that interrupted it, or 0.
 int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuestion& question);
-/// A block of each of these.
-std::vector<PageBlock> bulletBlocks(const std::vector<CheckedScenario>& checked);
+/// A section of each of these.
+std::vector<PageSection> bulletSections(const std::vector<CheckedScenario>& checked);
 
 }  // namespace morula

@@ -35,23 +35,23 @@ int runCheckedInBullet(std::vector<CheckedScenario>& checked, const ReportQuesti
   return 0;
 }
 
-std::vector<PageBlock> bulletBlocks(const std::vector<CheckedScenario>& checked) {
-  std::vector<PageBlock> blocks;
+std::vector<PageSection> bulletSections(const std::vector<CheckedScenario>& checked) {
+  std::vector<PageSection> sections;
   for (const CheckedScenario& c : checked) {
     if (!c.bullet) continue;
-    blocks.push_back(
-        {"bullet-" + std::to_string(blocks.size() + 1),
+    sections.push_back(
+        {"bullet-" + std::to_string(sections.size() + 1),
          "Beside Bullet: " + c.report.scenario,
          besideBullet(c.again->scenario, c.again->simulation.world, *c.bullet, &c.report.results, {}),
          {"./morula check " + shellWord(c.file), "./morula run " + shellWord(c.file)}});
   }
   const auto held =
       static_cast<std::size_t>(std::count_if(checked.begin(), checked.end(), heldAgainstBullet));
-  if (!blocks.empty() && held > blocks.size())
-    blocks.back().html += "<p class=\"note\">Shown of " + std::to_string(blocks.size()) + " of " +
-                          counted(held, "scenario") +
-                          " that were held against Bullet; morula report shows it of any run.</p>\n";
-  return blocks;
+  if (!sections.empty() && held > sections.size())
+    sections.back().body.note("Shown of " + std::to_string(sections.size()) + " of " +
+                              counted(held, "scenario") +
+                              " that were held against Bullet; morula report shows it of any run.");
+  return sections;
 }
 
 }  // namespace morula

@@ -1,7 +1,6 @@
 // Charts of runs: measures over time, who touches whom, which way cells divided.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "analysis/measure_words.h"
@@ -71,23 +70,13 @@ void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Sp
   chart.lines.push_back({label, seriesColour(number), std::move(points), number % 2 == 1, {}});
 }
 
-std::string htmlOf(const Drawing& drawing, const std::string& what, const std::string& caption) {
-  return htmlPicture("image/svg+xml", drawing.file(PictureFormat::svg), what, caption);
-}
-
 /// Which number and colour each run has in the charts.
-std::string keyOf(const std::vector<RunFacts>& runs, std::size_t count) {
-  if (count < 2) return {};
-  std::string html = "<ul class=\"key\">\n";
-  for (std::size_t i = 0; i < count; ++i) {
-    const Colour c = seriesColour(i);
-    char hex[8];
-    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", c.r, c.g, c.b);
-    html += std::string("<li><i class=\"") + (i % 2 ? "dashed" : "solid") + "\" style=\"color: " + hex +
-            "\"></i>" + (count <= mostLabels ? std::to_string(i + 1) + " " : "") + shown(titleOf(runs[i])) +
-            "</li>\n";
-  }
-  return html + "</ul>\n";
+LineKey keyOf(const std::vector<RunFacts>& runs, std::size_t count) {
+  LineKey key;
+  for (std::size_t i = 0; i < count; ++i)
+    key.lines.push_back({seriesColour(i), i % 2 == 1,
+                         (count <= mostLabels ? std::to_string(i + 1) + " " : "") + titleOf(runs[i])});
+  return key;
 }
 
 /// Of each cell, and what the scenario asked to be measured.
@@ -103,13 +92,12 @@ std::vector<std::string> moreMeasures(const RunFacts& run) {
 }
 
 /// As morula chart draws them, but smaller.
-void addOfOneRun(const RunFacts& run, PageBlock& block) {
+void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>& commands) {
   const auto add = [&](const std::string& what, const std::string& caption, const auto& draw) {
     try {
-      const Drawing drawing = draw();
-      const std::string html = htmlOf(drawing, caption, caption);
-      block.html += what == "divisions" ? "<div class=\"double\">" + html + "</div>\n" : html;
-      block.commands.push_back(commandFor(run, "chart", what + " -o " + what + ".svg"));
+      charts.add(svgPicture(draw(), caption, caption,
+                            what == "divisions" ? Picture::Size::wide : Picture::Size::usual));
+      commands.push_back(commandFor(run, "chart", what + " -o " + what + ".svg"));
     } catch (const InputError&) {  // there is nothing of this kind in the run
     }
   };
@@ -146,15 +134,15 @@ void addOfOneRun(const RunFacts& run, PageBlock& block) {
 
 }  // namespace
 
-PageBlock chartBlock(const std::vector<RunFacts>& runs) {
-  PageBlock block{"charts", "Charts", "", {}};
+PageSection chartSection(const std::vector<RunFacts>& runs) {
+  PageSection section{"charts", "Charts", {}};
+  Document charts;
   const std::size_t count = std::min(runs.size(), mostLines);
-  block.html = keyOf(runs, count) + "<div class=\"charts\">\n";
   Chart cells = timeChart("Living cells", "");
   for (std::size_t i = 0; i < count; ++i) addLine(cells, i, count, cellsOverTime(runs[i]));
   if (!cells.lines.empty())
-    block.html += htmlOf(drawChart(cells), "Living cells over time",
-                         "One more at each division, one fewer at each death");
+    charts.add(svgPicture(drawChart(cells), "Living cells over time",
+                          "One more at each division, one fewer at each death"));
   const auto measures = sampledMeasures<Observation>();
   for (std::size_t m = 0; m < measures.size(); ++m) {
     const std::string measure = measures[m].name;
@@ -163,16 +151,16 @@ PageBlock chartBlock(const std::vector<RunFacts>& runs) {
     for (std::size_t i = 0; i < count; ++i) addLine(chart, i, count, measureOverTime(runs[i], m));
     if (chart.lines.empty()) continue;
     const std::string title = titleOfMeasure(measure);
-    block.html += htmlOf(drawChart(chart), title + " over time", measures[m].meaning);
+    charts.add(svgPicture(drawChart(chart), title + " over time", measures[m].meaning));
     if (count == 1)
-      block.commands.push_back(commandFor(runs[0], "chart", measure + " -o " + measure + ".svg"));
+      section.commands.push_back(commandFor(runs[0], "chart", measure + " -o " + measure + ".svg"));
   }
-  if (count == 1) addOfOneRun(runs[0], block);
-  block.html += "</div>\n";
+  if (count == 1) addOfOneRun(runs[0], charts, section.commands);
+  else section.body.add(keyOf(runs, count));
+  section.body.add(Group{Group::Kind::charts, "", std::move(charts)});
   if (runs.size() > mostLines)
-    block.html += "<p class=\"note\">The first " + std::to_string(mostLines) + " of " +
-                  counted(runs.size(), "run") + ".</p>\n";
-  return block;
+    section.body.note("The first " + std::to_string(mostLines) + " of " + counted(runs.size(), "run") + ".");
+  return section;
 }
 
 }  // namespace morula

@@ -7,7 +7,6 @@
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "golden/check_json.h"
-#include "page/html.h"
 #include "pictures/pictures.h"
 #include "report/check_tables.h"
 #include "report/golden_pictures.h"
@@ -43,35 +42,33 @@ std::optional<double> largestShare(const CheckReport& report) {
   return largest;
 }
 
-std::string overview(const std::vector<CheckedScenario>& checked) {
-  std::vector<std::vector<std::string>> rows;
+Table overview(const std::vector<CheckedScenario>& checked) {
+  Table table{"Scenarios", {"Scenario", "Checks", "What differs", "Largest share of a tolerance"}};
   for (const bool wantFailed : {true, false})
     for (const CheckedScenario& c : checked) {
       const std::size_t failed = failures(c.report);
-      if ((failed > 0) != wantFailed) continue;
-      rows.push_back({shown(c.report.scenario),
-                      failed ? "<span class=\"mark bad\">✗ " + std::to_string(failed) + " of " +
-                                   std::to_string(c.report.results.size()) + " differ</span>"
-                             : "<span class=\"mark good\">✓ all " + std::to_string(c.report.results.size()) +
-                                   " pass</span>",
-                      shown(classesOf(c.report)), shareText(largestShare(c.report))});
+      const std::string all = std::to_string(c.report.results.size());
+      if ((failed > 0) == wantFailed)
+        table.rows.push_back(
+            {c.report.scenario,
+             mark(failed == 0, "all " + all + " pass", std::to_string(failed) + " of " + all + " differ"),
+             classesOf(c.report), shareText(largestShare(c.report))});
     }
-  return htmlTable("Scenarios", {"Scenario", "Checks", "What differs", "Largest share of a tolerance"}, rows);
+  return table;
 }
 
-std::string blockOf(const CheckedScenario& c) {
-  std::string html;
+Document bodyOf(const CheckedScenario& c) {
+  Document body;
   const CellNames names = c.again ? c.again->scenario.names : CellNames{};
-  if (!c.report.change.empty()) html += changeTable(c.report.change, names);
-  if (c.again && c.again->beside) html += goldenPictures(*c.again->beside, c.report.scenario);
+  if (!c.report.change.empty()) body.add(changeTable(c.report.change, names));
+  if (c.again && c.again->beside) body.add(goldenPictures(*c.again->beside, c.report.scenario));
   else if (c.again && c.again->simulation.world.bodies && c.again->simulation.end.status == RunStatus::done)
-    html += "<div class=\"pictures\">" +
-            htmlPicture("image/png",
-                        pngFile(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario))),
-                        c.report.scenario + ": the organism as it is now",
-                        "as it is now, at time " + numberText(c.again->simulation.end.time, 6)) +
-            "</div>\n";
-  return html + checksOf(c.report.results, names);
+    body.add(Group{
+        Group::Kind::pictures, "",
+        Document().add(pngPicture(drawOrganism(pictureOf(c.again->simulation.world, c.again->scenario)),
+                                  c.report.scenario + ": the organism as it is now",
+                                  "as it is now, at time " + numberText(c.again->simulation.end.time, 6)))});
+  return body.add(checksOf(c.report.results, names));
 }
 
 [[noreturn]] void refuse(const std::string& file, const std::string& why) {
@@ -115,9 +112,8 @@ int runCheckedAgain(CheckedScenario& c, const ReportQuestion& question) {
     const auto end = plannedEnd(scenario.scene);
     if (!end) return 0;
     FrameTaker taker(*end, question.frames, ForceMeter(makeScenarioWorld(scenario, question.execution)));
-    Progress progress(scenario.scene.name, question.quiet);
-    auto run = simulate(std::move(world), {.nameOf = scenario.names.function()}, progress,
-                        [&](const World& w) { taker.observe(w); });
+    auto run = simulate(scenario, std::move(world),
+                        {.quiet = question.quiet, .watch = [&](const World& w) { taker.observe(w); }});
     if (run.signal) return run.signal;
     c.again = std::make_unique<FailedAgain>(
         FailedAgain{std::move(scenario), std::move(run), std::move(taker.frames())});
@@ -144,7 +140,7 @@ int runFailedAgain(std::vector<CheckedScenario>& checked, std::size_t most, cons
 PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::string& file) {
   std::vector<Finding> findings;
   std::size_t failed = 0, told = 0;
-  PagePart part{.title = "morula check", .summary = {}, .verdict = {}, .change = {}, .blocks = {}};
+  PagePart part{.title = "morula check", .summary = {}, .verdict = {}};
   for (const CheckedScenario& c : checked) {
     const std::size_t differ = failures(c.report);
     if (differ == 0) continue;
@@ -152,17 +148,17 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
     const CellNames names = c.again ? c.again->scenario.names : CellNames{};
     findings.push_back(
         {Finding::Kind::bad,
-         "<b>" + shown(c.report.scenario) + "</b>: " + std::to_string(differ) + " of " +
+         bold(c.report.scenario) + ": " + std::to_string(differ) + " of " +
              counted(c.report.results.size(), "check") + (differ == 1 ? " differs: " : " differ: ") +
-             shown(classesOf(c.report)) +
-             (c.report.change.empty() ? ""
-                                      : ". <i>" + shown(changeSentence(c.report.change, names)) + "</i>")});
+             classesOf(c.report) +
+             (c.report.change.empty() ? Words()
+                                      : ". " + Words(changeSentence(c.report.change, names), Emphasis::italic))});
     if (++told > mostTold) continue;
-    part.blocks.push_back({"check-" + std::to_string(told), c.report.scenario, blockOf(c), {}});
+    part.sections.push_back({"check-" + std::to_string(told), c.report.scenario, bodyOf(c)});
     if (!c.file.empty())
-      part.blocks.back().commands = {"./morula check " + shellWord(c.file),
-                                     "./morula explain " + shellWord(c.file),
-                                     "./morula review " + shellWord(c.file)};
+      part.sections.back().commands = {"./morula check " + shellWord(c.file),
+                                       "./morula explain " + shellWord(c.file),
+                                       "./morula review " + shellWord(c.file)};
   }
   part.title = failed ? "morula check: " + std::to_string(failed) + " of " +
                             counted(checked.size(), "scenario") + (failed == 1 ? " differs" : " differ")
@@ -172,19 +168,20 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
   if (told > mostTold)
     findings.push_back({Finding::Kind::warning,
                         "What differs is shown of the first " + std::to_string(mostTold) + " scenarios"});
-  part.verdict = "<p class=\"said\">" + std::to_string(checked.size() - failed) + " of " +
-                 counted(checked.size(), "scenario") + (checked.size() == 1 ? " passes" : " pass") +
-                 ".</p>\n" + findingsHtml(findings);
+  part.verdict =
+      verdict(std::to_string(checked.size() - failed) + " of " + counted(checked.size(), "scenario") +
+                  (checked.size() == 1 ? " passes" : " pass") + ".",
+              std::move(findings));
   std::string files;
   for (const CheckedScenario& c : checked)
     if (!c.file.empty()) files += ' ' + shellWord(c.file);
   // Without files it checks all that are shipped.
   if (checked.size() > mostFiles) files.clear();
   const std::string folder = std::filesystem::path(file).parent_path().generic_string();
-  part.blocks.push_back(
+  part.sections.push_back(
       {"checks",
        "Scenarios",
-       overview(checked),
+       Document().add(overview(checked)),
        {"./morula check" + files + " --reports " + shellWord(folder.empty() ? "." : folder)}});
   return part;
 }

@@ -4,8 +4,6 @@
 
 #include "base/number_text.h"
 #include "files/text.h"
-#include "page/html.h"
-#include "page/page.h"
 
 namespace morula {
 
@@ -22,18 +20,16 @@ std::string placeOf(const CheckResult& r, const CellNames& names) {
   return text;
 }
 
-std::vector<std::string> rowOf(const CheckResult& r, const CellNames& names) {
+std::vector<Cell> rowOf(const CheckResult& r, const CellNames& names) {
   const bool limit = r.tolerance == "exact" && (r.kind == "sanity" || r.kind == "invariant");
-  return {shown(r.check),
-          shown(r.kind),
-          r.passed ? "<span class=\"mark good\">✓ passed</span>"
-                   : "<span class=\"mark bad\" title=\"" + htmlText(r.failureClass) + "\">✗ " +
-                         (limit ? "failed" : "differs") + "</span>",
-          limit ? "a limit" : shown(r.tolerance),
+  return {r.check,
+          r.kind,
+          mark(r.passed, "passed", limit ? "failed" : "differs", r.passed ? "" : r.failureClass),
+          limit ? "a limit" : r.tolerance,
           shareText(r.share),
-          shownValue(r.expected),
-          shownValue(r.actual),
-          shown(placeOf(r, names))};
+          r.expected,
+          r.actual,
+          placeOf(r, names)};
 }
 
 struct ChangeLine {
@@ -72,28 +68,28 @@ std::string shareText(const std::optional<double>& share) {
   return *share < 10 ? numberText(100 * *share, 3) + " %" : numberText(*share, 3) + " times";
 }
 
-std::string checksOf(const std::vector<CheckResult>& checks, const CellNames& names) {
-  std::vector<std::vector<std::string>> rows;
-  std::string messages;
+Document checksOf(const std::vector<CheckResult>& checks, const CellNames& names) {
+  Table table{"Checks", {"Check", "Kind", "Result", "Tolerance", "Share used", "Expected", "Found", "Where"}};
+  Document messages;
   for (const bool passed : {false, true})
     for (const CheckResult& r : checks)
-      if (r.passed == passed) rows.push_back(rowOf(r, names));
+      if (r.passed == passed) table.rows.push_back(rowOf(r, names));
   for (const CheckResult& r : checks)
     if (!r.passed && !r.message.empty())
-      messages += htmlFolded(
-          r.check, "<pre tabindex=\"0\">" + shown(withNames(r.message, names.function())) + "</pre>\n");
-  return htmlTable("Checks",
-                   {"Check", "Kind", "Result", "Tolerance", "Share used", "Expected", "Found", "Where"},
-                   rows) +
-         (messages.empty() ? "" : "<h3>All that differs</h3>\n" + messages);
+      messages.add(folded(r.check, Document().add(Verbatim{withNames(r.message, names.function())})));
+  Document all;
+  all.add(std::move(table));
+  if (!messages.empty()) all.heading("All that differs").add(std::move(messages));
+  return all;
 }
 
-std::string changeTable(const std::string& change, const CellNames& names) {
-  std::vector<std::vector<std::string>> rows;
+Table changeTable(const std::string& change, const CellNames& names) {
+  Table table{"What changed", {}};
   for (const ChangeLine& line : linesOfChange(change, names))
-    if (line.heading.empty() && !rows.empty()) rows.back()[1] += "<br>" + shown(line.text);
-    else rows.push_back({shown(line.heading), shown(line.text)});
-  return htmlTable("What changed", {}, rows);
+    if (line.heading.empty() && !table.rows.empty())
+      table.rows.back()[1].words += Words("", Emphasis::lineBreak) + line.text;
+    else table.rows.push_back({line.heading, line.text});
+  return table;
 }
 
 std::string changeSentence(const std::string& change, const CellNames& names) {

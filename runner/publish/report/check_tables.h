@@ -4,14 +4,14 @@
 
 namespace morula {
 
-/// HTML: all checks with their shares of the tolerances, those that failed first and with all that differs.
-std::string checksOf(const std::vector<CheckResult>& checks, const CellNames& names);
+/// All checks with their shares of the tolerances, those that failed first and with all that differs.
+Document checksOf(const std::vector<CheckResult>& checks, const CellNames& names);
 
 /// A share of a tolerance: in per cent, beyond ten times the tolerance as a multiple; "" where there is none.
 std::string shareText(const std::optional<double>& share);
 
-/// HTML: a table of the lines of `change`, which changeInWords (golden/change.h) has made.
-std::string changeTable(const std::string& change, const CellNames& names);
+/// The lines of `change`, which changeInWords (golden/change.h) has made.
+Table changeTable(const std::string& change, const CellNames& names);
 
 /// The same in one sentence without a full stop, plain text: "physics.pressure.constant: 155 → 155.5; same lineage; …".
 std::string changeSentence(const std::string& change, const CellNames& names);

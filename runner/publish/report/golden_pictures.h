@@ -3,11 +3,12 @@
 #include <string>
 
 #include "check/beside_golden.h"
+#include "document/document.h"
 
 namespace morula {
 
-/// HTML: the three pictures, or the only one that there is, and what is to be known of them. Where programs run, golden and now lie
+/// The three pictures, or the only one that there is, and what is to be known of them. Where programs run, golden and now lie
 /// over each other, too, to be swiped and blinked between. `name`: of what.
-std::string goldenPictures(const BesideGolden& beside, const std::string& name);
+Document goldenPictures(const BesideGolden& beside, const std::string& name);
 
 }  // namespace morula

@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "check/beside_golden.h"
-#include "report_data/explorer_data.h"
 #include "report/report.h"
+#include "report_data/explorer_data.h"
 #include "report_data/words.h"
 
 namespace morula {
 
 struct PagePart {
-  std::string title, summary;     // plain text
-  std::string verdict;            // HTML
-  std::vector<PageBlock> change;  // what stands before the pictures
-  std::vector<PageBlock> blocks;
-  bool isAside = false;  // it belongs to another part; its blocks' titles say what they are of
+  std::string title, summary;
+  Document verdict;
+  std::vector<PageSection> change = {};  // what stands before the pictures
+  std::vector<PageSection> sections = {};
+  bool isAside = false;  // it belongs to another part; the titles of its sections say what they are of
 };
 
 /// Runs, with all that is known of them but their frames. Downloads take a tenth of `mostBytes`.
@@ -49,6 +49,6 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
 PagePart accuracyPart(const std::string& file);
 
 /// The program that makes the page, where no run says where it comes from.
-PageBlock programBlock();
+PageSection programSection();
 
 }  // namespace morula

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "base/number_text.h"
-#include "page/html.h"
 #include "pictures/pictures.h"
 #include "report/golden_pictures.h"
 #include "report/run_blocks.h"
@@ -26,15 +25,15 @@ std::string treeKey(const RunFacts& facts) {
   return key;
 }
 
-std::string treeOf(const RunFacts& facts, const std::string& of) {
+Picture treeOf(const RunFacts& facts, const std::string& of) {
   const auto describe = [&](StateId state) { return facts.results.stateTexts.at(state); };
   TreePicture tree = lineagePictureOf(facts.results.lineage, describe, facts.run.time, facts.scenario);
   const bool few = facts.results.lineage.size() <= fewCells;
   if (few) tree.width = 560, tree.height = 420;
   const Drawing drawing = drawLineage(tree);
-  return htmlPicture(few ? "image/svg+xml" : "image/png",
-                     few ? drawing.file(PictureFormat::svg) : pngFile(drawing.pixels()),
-                     of + "the tree of " + counted(facts.results.lineage.size(), "cell"), of + "the lineage");
+  const std::string what = of + "the tree of " + counted(facts.results.lineage.size(), "cell"),
+                    caption = of + "the lineage";
+  return few ? svgPicture(drawing, what, caption) : pngPicture(drawing.pixels(), what, caption);
 }
 
 /// Whether its last state can be drawn: that of a failed run may hold what are no numbers.
@@ -61,42 +60,41 @@ std::pair<std::size_t, std::size_t> firstTwo(const std::vector<Pictured>& all) {
   return {0, 0};
 }
 
-std::string overlay(std::vector<Pictured>& all) {
+void overlay(std::vector<Pictured>& all, Document& body) {
   const auto [a, b] = firstTwo(all);
-  if (a == b) return {};
+  if (a == b) return;
   std::vector<OrganismPicture> both{all[a].picture, all[b].picture};
   shareLegend(both);
   both[0].camera.framing = both[1].camera.framing = fitFraming(both);
   all[a].picture = both[0], all[b].picture = both[1];
-  return "<div class=\"compare\" data-first=\"" + std::to_string(a) + "\" data-second=\"" +
-         std::to_string(b) + "\" data-names=\"" +
-         htmlText(shown(titleOf(*all[a].run)) + " | " + shown(titleOf(*all[b].run))) + "\"></div>\n";
+  body.add(Swipe{std::to_string(a), std::to_string(b), titleOf(*all[a].run) + " | " + titleOf(*all[b].run)});
 }
 
 }  // namespace
 
-PageBlock pictureBlock(const std::vector<RunFacts>& runs) {
-  PageBlock block{"pictures", "Pictures", "", {}};
+PageSection pictureSection(const std::vector<RunFacts>& runs) {
+  PageSection section{"pictures", "Pictures", {}};
   std::vector<Pictured> pictured;
   for (const RunFacts& r : runs)
     if (pictured.size() < mostPictured && canBeDrawn(r))
       pictured.push_back({&r, pictureOf(r.again->simulation.world, r.scenario)});
-  block.html = overlay(pictured) + "<div class=\"pictures\">\n";
+  overlay(pictured, section.body);
+  Document pictures;
   const auto before = [&](const RunFacts& r) { return runs.size() > 1 ? titleOf(r) + ": " : ""; };
   for (std::size_t i = 0; i < pictured.size(); ++i) {
     const RunFacts& r = *pictured[i].run;
     const std::string when = r.run.status == RunStatus::done ? "at the end" : "where it failed";
-    block.html += "<div id=\"picture-" + std::to_string(i) + "\" data-picture=\"" + std::to_string(i) +
-                  "\">" +
-                  htmlPicture("image/png", pngFile(drawOrganism(pictured[i].picture)),
-                              before(r) + "the organism at time " + numberText(r.run.time, 6) + ", " +
-                                  counted(r.run.cells, "cell"),
-                              before(r) + "the organism " + when) +
-                  "</div>\n";
+    Picture picture = pngPicture(
+        drawOrganism(pictured[i].picture),
+        before(r) + "the organism at time " + numberText(r.run.time, 6) + ", " + counted(r.run.cells, "cell"),
+        before(r) + "the organism " + when, std::to_string(i));
+    picture.id = "picture-" + std::to_string(i);
+    pictures.add(std::move(picture));
     if (runs.size() == 1)
-      block.html += htmlPicture("image/png", pngFile(drawOrganism(pictured[i].picture, Style::wireframe)),
-                                before(r) + "the same as meshes", before(r) + "the meshes");
-    if (r.run.status == RunStatus::done) block.commands.push_back(commandFor(r, "render", "-o organism.png"));
+      pictures.add(pngPicture(drawOrganism(pictured[i].picture, Style::wireframe),
+                              before(r) + "the same as meshes", before(r) + "the meshes"));
+    if (r.run.status == RunStatus::done)
+      section.commands.push_back(commandFor(r, "render", "-o organism.png"));
   }
   std::set<std::string> trees;
   std::size_t drawn = 0;
@@ -104,15 +102,15 @@ PageBlock pictureBlock(const std::vector<RunFacts>& runs) {
     if (r.results.lineage.empty() || r.results.lineage.size() > treeLimit || drawn >= mostPictured) continue;
     if (!trees.insert(treeKey(r)).second) continue;
     ++drawn;
-    block.html += treeOf(r, before(r));
-    block.commands.push_back(commandFor(r, "lineage", "-o lineage.png"));
+    pictures.add(treeOf(r, before(r)));
+    section.commands.push_back(commandFor(r, "lineage", "-o lineage.png"));
   }
-  block.html += "</div>\n";
-  if (runs.size() == 1 && runs[0].beside) block.html += goldenPictures(*runs[0].beside, titleOf(runs[0]));
+  section.body.add(Group{Group::Kind::pictures, "", std::move(pictures)});
+  if (runs.size() == 1 && runs[0].beside) section.body.add(goldenPictures(*runs[0].beside, titleOf(runs[0])));
   if (runs.size() > 1 && trees.size() == 1 && drawn == 1)
-    block.html += "<p class=\"note\">The lineage is the same in all runs.</p>\n";
-  if (block.commands.size() > 6) block.commands.resize(6);
-  return block;
+    section.body.note("The lineage is the same in all runs.");
+  if (section.commands.size() > 6) section.commands.resize(6);
+  return section;
 }
 
 }  // namespace morula

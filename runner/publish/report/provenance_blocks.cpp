@@ -58,31 +58,25 @@ const std::vector<Row>& provenanceRows() {
 }
 
 /// One row a name, one column a run; rows whose values differ are marked.
-std::string sideBySide(const std::string& caption, const std::vector<RunFacts>& runs,
-                       const std::vector<std::pair<std::string, std::vector<std::string>>>& rows) {
-  std::vector<std::string> head{""};
-  const std::size_t columns = std::min(runs.size(), mostColumns);
-  for (std::size_t i = 0; i < columns; ++i) head.push_back(shown(titleOf(runs[i])));
-  std::vector<std::vector<std::string>> cells;
+Table sideBySide(const std::string& caption, const std::vector<RunFacts>& runs,
+                 const std::vector<std::pair<std::string, std::vector<std::string>>>& rows) {
+  Table table{caption, {}};
+  if (runs.size() > 1) {
+    table.columns.push_back("");
+    for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i)
+      table.columns.push_back(titleOf(runs[i]));
+  }
   for (const auto& [label, values] : rows) {
     const bool same = std::all_of(values.begin(), values.end(),
                                   [&, &first = values.front()](const auto& v) { return v == first; });
-    std::vector<std::string> row{shown(label) +
-                                 (same ? "" : " <span class=\"mark warn\" title=\"differs\">≠</span>")};
-    for (const std::string& v : values) row.push_back(shownValue(v));
-    cells.push_back(std::move(row));
+    table.rows.push_back({same ? label : label + " " + Words("≠", Emphasis::warning, "differs")});
+    table.rows.back().insert(table.rows.back().end(), values.begin(), values.end());
   }
-  return htmlTable(caption, runs.size() > 1 ? head : std::vector<std::string>{}, cells);
-}
-
-std::string leftOut(const std::vector<RunFacts>& runs, std::size_t most) {
-  if (runs.size() <= most) return {};
-  return "<p class=\"note\">The first " + std::to_string(most) + " of " + counted(runs.size(), "run") +
-         ".</p>\n";
+  return table;
 }
 
 /// What decides the results and differs between the runs.
-std::string differences(const std::vector<RunFacts>& runs) {
+Document differences(const std::vector<RunFacts>& runs) {
   const std::size_t columns = std::min(runs.size(), mostColumns);
   if (columns < 2) return {};
   std::vector<std::string> keys;
@@ -103,8 +97,8 @@ std::string differences(const std::vector<RunFacts>& runs) {
     if (std::any_of(row.begin(), row.end(), [&](const auto& v) { return v != row.front(); }))
       rows.push_back({key, std::move(row)});
   }
-  if (rows.empty()) return "<p>The scenarios are the same but for their seeds.</p>\n";
-  return "<h3>What differs</h3>\n" + sideBySide("Parameters that differ", runs, rows);
+  if (rows.empty()) return Document().say("The scenarios are the same but for their seeds.");
+  return Document().heading("What differs").add(sideBySide("Parameters that differ", runs, rows));
 }
 
 /// JSON with line breaks, for people; as it is if it cannot be read.
@@ -115,7 +109,7 @@ std::string indented(const std::string& json) {
 
 }  // namespace
 
-PageBlock provenanceBlock(const std::vector<RunFacts>& runs) {
+PageSection provenanceSection(const std::vector<RunFacts>& runs) {
   std::vector<std::pair<std::string, std::vector<std::string>>> rows;
   for (const Row& row : provenanceRows()) {
     std::vector<std::string> values;
@@ -124,37 +118,39 @@ PageBlock provenanceBlock(const std::vector<RunFacts>& runs) {
     if (std::all_of(values.begin(), values.end(), [](const std::string& v) { return v.empty(); })) continue;
     rows.push_back({row.name, std::move(values)});
   }
-  PageBlock block{
-      "provenance", "Provenance", sideBySide("Provenance", runs, rows) + leftOut(runs, mostColumns), {}};
+  PageSection section{"provenance", "Provenance", {}};
+  section.body.add(sideBySide("Provenance", runs, rows));
+  if (runs.size() > mostColumns)
+    section.body.note("The first " + std::to_string(mostColumns) + " of " + counted(runs.size(), "run") +
+                      ".");
   for (const RunFacts& r : runs)
-    if (block.commands.size() < mostColumns && r.run.status != RunStatus::running)
-      block.commands.push_back(commandFor(r, "replay"));
-  return block;
+    if (section.commands.size() < mostColumns && r.run.status != RunStatus::running)
+      section.commands.push_back(commandFor(r, "replay"));
+  return section;
 }
 
-PageBlock parameterBlock(const std::vector<RunFacts>& runs) {
-  std::string html = differences(runs);
+PageSection parameterSection(const std::vector<RunFacts>& runs) {
+  PageSection section{"parameters", "Parameters", differences(runs)};
   std::set<std::string> shownAlready;
   for (const RunFacts& r : runs) {
     if (shownAlready.size() >= mostColumns) break;
     if (!shownAlready.insert(r.run.record.scenarioHash).second) continue;
     const std::string of = runs.size() > 1 ? " of " + titleOf(r) : "";
-    for (const Document& d : r.documents) {
+    for (const SourceText& d : r.documents) {
       const bool resolved = d.role == "resolved";
       const std::string title = resolved               ? "All parameters, defaults filled in"
                                 : d.role == "scenario" ? "The scenario as it was read"
                                 : d.role == "diff"
                                     ? "What the program's sources had that their commit had not"
                                     : "The file that it names as " + d.role;
-      html += htmlFolded(title + of + (d.path.empty() ? "" : ": " + d.path),
-                         shownBlock(resolved ? indented(d.content) : d.content));
+      section.body.add(folded(title + of + (d.path.empty() ? "" : ": " + d.path),
+                              Document().add(Verbatim{resolved ? indented(d.content) : d.content})));
     }
   }
-  PageBlock block{"parameters", "Parameters", html, {}};
   for (const RunFacts& r : runs)
-    if (block.commands.size() < mostColumns && r.run.status == RunStatus::done)
-      block.commands.push_back(commandFor(r, "export", "--ro-crate " + shellWord("crate-" + r.run.id)));
-  return block;
+    if (section.commands.size() < mostColumns && r.run.status == RunStatus::done)
+      section.commands.push_back(commandFor(r, "export", "--ro-crate " + shellWord("crate-" + r.run.id)));
+  return section;
 }
 
 }  // namespace morula

@@ -42,16 +42,12 @@ std::vector<RunFacts> factsOfAll(const Sources& sources, const ReportQuestion& q
   return facts;
 }
 
-PageBlock explorerBlock(const ReportQuestion& question, const std::vector<ExplorerRun>& runs) {
-  std::string html;
+PageSection explorerSection(const ReportQuestion& question, const std::vector<ExplorerRun>& runs) {
+  PageSection section{"explorer", "Explorer", {}};
   if (question.program.empty())
-    html = "<p>This page was made without its explorer: " + shown(question.whyNone) + "</p>\n";
-  else
-    html =
-        "<noscript><p>The explorer needs JavaScript; the pictures below do without.</p></noscript>\n<div "
-        "id=\"explore\"></div>\n" +
-        leftOutOf(runs);
-  return {"explorer", "Explorer", html, {}};
+    section.body.say("This page was made without its explorer: " + question.whyNone);
+  else section.body.add(ExplorerPlace{}).add(leftOutOf(runs));
+  return section;
 }
 
 /// "1 check, 2 studies and 3 runs".
@@ -80,23 +76,25 @@ std::string commandOf(const ReportQuestion& question) {
 
 /// The parts, one after the other: what must be known first of each, then the explorer, then the rest.
 /// Parts are told apart by their titles, unless they are of `one` source.
-void putTogether(const std::vector<PagePart>& parts, bool one, const PageBlock* explorer, Page& page) {
+void putTogether(const std::vector<PagePart>& parts, bool one, const PageSection* explorer, Page& page) {
   page.verdict.clear(), page.blocks.clear();
   std::map<std::string, int> known;  // ids
-  const auto add = [&](PageBlock block, const std::string& part) {
-    if (const int count = ++known[block.id]; count > 1) block.id += "-" + std::to_string(count);
-    if (!part.empty()) block.title += ": " + part;
-    page.blocks.push_back(std::move(block));
+  const auto add = [&](const PageSection& section, const std::string& part) {
+    const int count = ++known[section.id];
+    page.blocks.push_back({section.id + (count > 1 ? "-" + std::to_string(count) : ""),
+                           section.title + (part.empty() ? "" : ": " + part), htmlOf(section.body),
+                           section.commands});
   };
   const auto titleOf = [&](const PagePart& part) { return !one || part.isAside ? part.title : ""; };
   for (const PagePart& part : parts)
     if (!part.verdict.empty())
-      page.verdict += (one ? std::string() : "<h2>" + shown(part.title) + "</h2>\n") + part.verdict;
+      page.verdict += (one ? "" : htmlOf(Document().add(Sentence{part.title, Sentence::Kind::part}))) +
+                      htmlOf(part.verdict);
   for (const PagePart& part : parts)
-    for (const PageBlock& block : part.change) add(block, titleOf(part));
+    for (const PageSection& section : part.change) add(section, titleOf(part));
   if (explorer) add(*explorer, "");
   for (const PagePart& part : parts)
-    for (const PageBlock& block : part.blocks) add(block, titleOf(part));
+    for (const PageSection& section : part.sections) add(section, titleOf(part));
 }
 
 }  // namespace
@@ -125,7 +123,8 @@ ReportAnswer makeReport(const ReportQuestion& question) {
         (answer.signal = runCheckedInBullet(checks.back(), question)))
       return answer;
     parts.push_back(checkPart(checks.back(), file));
-    for (PageBlock& block : bulletBlocks(checks.back())) parts.back().blocks.push_back(std::move(block));
+    for (PageSection& section : bulletSections(checks.back()))
+      parts.back().sections.push_back(std::move(section));
   }
   for (auto& checked : checks) exploreChecked(checked, explored);
   if ((answer.signal = exploreRuns(runs, question, explored))) return answer;
@@ -138,7 +137,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   }
   if (!runs.empty()) parts.push_back(runPart(runs, question.mostBytes));
   for (const std::string& file : sources.accuracies) parts.push_back(accuracyPart(file));
-  if (runs.empty()) parts.back().blocks.push_back(programBlock());
+  if (runs.empty()) parts.back().sections.push_back(programSection());
 
   // The runs that stand for a study's conditions are told by the study.
   const auto own = static_cast<std::size_t>(
@@ -154,7 +153,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
             .command = commandOf(question),
             .program = explored.runs.empty() ? "" : question.program};
   const auto compose = [&] {
-    const PageBlock explorer = explorerBlock(question, explored.runs);
+    const PageSection explorer = explorerSection(question, explored.runs);
     putTogether(parts, one, explored.runs.empty() ? nullptr : &explorer, page);
     if (!page.program.empty()) page.data = jsonText(explorerData(explored.runs));
   };

@@ -1,24 +1,23 @@
 #pragma once
 // The blocks of a page that say what runs look like and where they come from.
-#include "page/page.h"
 #include "report_data/words.h"
 
 namespace morula {
 
-/// HTML: how runs differ from their goldens, and those of one scenario from the first of them; "" where there is nothing to hold
+/// How runs differ from their goldens, and those of one scenario from the first of them; empty where there is nothing to hold
 /// them against.
-std::string changesOf(const std::vector<RunFacts>& runs);
+Document changesOf(const std::vector<RunFacts>& runs);
 /// The organism at the end and the tree of its cells, of each run that was run again; of others the tree alone. The first two
 /// organisms of one scenario lie over each other, seen by one camera, to be swiped and blinked between where programs run.
-PageBlock pictureBlock(const std::vector<RunFacts>& runs);
+PageSection pictureSection(const std::vector<RunFacts>& runs);
 /// Cells and measures over time, all runs in one chart, at most the first 24; of one run also who touches whom and which way
 /// cells divided.
-PageBlock chartBlock(const std::vector<RunFacts>& runs);
+PageSection chartSection(const std::vector<RunFacts>& runs);
 /// Where the runs come from, side by side; what they differ in is marked.
-PageBlock provenanceBlock(const std::vector<RunFacts>& runs);
+PageSection provenanceSection(const std::vector<RunFacts>& runs);
 /// The scenarios as they were read, and with all defaults filled in.
-PageBlock parameterBlock(const std::vector<RunFacts>& runs);
+PageSection parameterSection(const std::vector<RunFacts>& runs);
 /// Tables and trees as links that hold them; what is larger than `mostBytes` is named, and the commands write all of it.
-PageBlock downloadBlock(const std::vector<RunFacts>& runs, std::size_t mostBytes);
+PageSection downloadSection(const std::vector<RunFacts>& runs, std::size_t mostBytes);
 
 }  // namespace morula

@@ -27,19 +27,20 @@ std::string titleOfRuns(const std::vector<RunFacts>& runs, std::size_t own) {
          (ofStudies ? " and " + std::to_string(ofStudies) + " for conditions of studies" : "");
 }
 
-std::string checksOfAll(const std::vector<RunFacts>& runs) {
-  std::string html;
+Document checksOfAll(const std::vector<RunFacts>& runs) {
+  Document all;
   for (const RunFacts& run : runs) {
     if (run.checks.empty()) continue;
     const bool differs =
         std::any_of(run.checks.begin(), run.checks.end(), [](const CheckResult& c) { return !c.passed; });
-    const std::string checks = checksOf(run.checks, run.scenario.names);
-    if (runs.size() == 1) html += checks;
-    else if (differs) html += "<h3>" + shown(titleOf(run)) + "</h3>\n" + checks;
+    Document checks = checksOf(run.checks, run.scenario.names);
+    if (runs.size() == 1) all.add(std::move(checks));
+    else if (differs) all.heading(titleOf(run)).add(std::move(checks));
     else if (runs.size() <= mostExplored)
-      html += htmlFolded(titleOf(run) + ": all " + counted(run.checks.size(), "check") + " passed", checks);
+      all.add(folded(titleOf(run) + ": all " + counted(run.checks.size(), "check") + " passed",
+                     std::move(checks)));
   }
-  return html;
+  return all;
 }
 
 }  // namespace
@@ -52,26 +53,24 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   PagePart part{.title = titleOfRuns(runs, judged.size()),
                 .summary = areOfOneScenario(runs) ? printable(runs[0].scenario.summary) : "",
                 .verdict = {},
-                .change = {},
-                .blocks = {},
                 .isAside = judged.empty()};
   if (!judged.empty()) part.verdict = verdictOf(judged);
-  if (const std::string changes = changesOf(runs); !changes.empty())
-    part.change.push_back({"change", "What changed", changes, {}});
-  if (PageBlock bullet = bulletBlock(runs); !bullet.html.empty()) part.blocks.push_back(std::move(bullet));
-  part.blocks.push_back(pictureBlock(runs));
-  part.blocks.push_back(chartBlock(runs));
-  if (const std::string checks = checksOfAll(runs); !checks.empty()) {
-    part.blocks.push_back({"checks", "Checks", checks, {}});
+  if (Document changes = changesOf(runs); !changes.empty())
+    part.change.push_back({"change", "What changed", std::move(changes)});
+  if (PageSection bullet = bulletSection(runs); !bullet.body.empty()) part.sections.push_back(std::move(bullet));
+  part.sections.push_back(pictureSection(runs));
+  part.sections.push_back(chartSection(runs));
+  if (Document checks = checksOfAll(runs); !checks.empty()) {
+    part.sections.push_back({"checks", "Checks", std::move(checks)});
     const auto ofGolden = [](const CheckResult& c) { return c.kind == "golden"; };
     if (runs.size() == 1 && !runs[0].golden.empty() &&
         std::any_of(runs[0].checks.begin(), runs[0].checks.end(), ofGolden))
-      part.blocks.back().commands = {"./morula check " + shellWord(sourceOf(runs[0])),
-                                     "./morula explain " + shellWord(sourceOf(runs[0]))};
+      part.sections.back().commands = {"./morula check " + shellWord(sourceOf(runs[0])),
+                                       "./morula explain " + shellWord(sourceOf(runs[0]))};
   }
-  part.blocks.push_back(provenanceBlock(runs));
-  part.blocks.push_back(parameterBlock(runs));
-  part.blocks.push_back(downloadBlock(runs, mostBytes / 10));
+  part.sections.push_back(provenanceSection(runs));
+  part.sections.push_back(parameterSection(runs));
+  part.sections.push_back(downloadSection(runs, mostBytes / 10));
   return part;
 }
 

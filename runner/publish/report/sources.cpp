@@ -17,7 +17,8 @@ namespace {
 
 /// By what a file holds, not by its name. Whether it is one.
 bool addSource(const std::string& file, Sources& sources) {
-  if (isDatabase(file)) return (isStudy(file) ? sources.studies : sources.databases).push_back(file), true;
+  if (isDatabase(file))
+    return (isMergedStudy(file) ? sources.studies : sources.databases).push_back(file), true;
   const auto first = readHead(file, 1);
   if (first != "{") return false;
   const Json json = Json::tryParse(readFile(file));
@@ -34,11 +35,13 @@ Sources sourcesOf(const std::vector<std::string>& what) {
   for (const std::string& name : what) {
     if (!fileExists(name)) throw FileError("'" + name + "': no such file or folder");
     if (!isFolder(name)) {
-      if (!addSource(name, sources))
+      if (!addSource(name, sources)) {
+        requireRegularFile(name);
         throw UsageError("'" + name + "' is " + std::string(morula::name(contentOfFile(name))) +
                          "; report needs a database that morula run has written, a report.json of morula "
                          "check --reports, what "
                          "morula accuracy --json has printed, or a folder of these");
+      }
       continue;
     }
     bool any = false;

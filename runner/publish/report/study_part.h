@@ -9,7 +9,7 @@
 namespace morula {
 
 /// Whether the database is a merged study.
-bool isStudy(const std::string& database);
+bool isMergedStudy(const std::string& database);
 
 PagePart studyPart(const std::string& database);
 

@@ -34,8 +34,8 @@ void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
       same->second.push_back(std::to_string(r.seeds[s]));
     }
   for (const auto& [trouble, seeds] : found) {
-    const std::string which = "<b>" + shown(trouble.condition) + "</b>, " +
-                              (seeds.size() == 1 ? "seed " : "seeds ") + listed(seeds, 12) + ": ";
+    const Words which =
+        bold(trouble.condition) + ", " + (seeds.size() == 1 ? "seed " : "seeds ") + listed(seeds, 12) + ": ";
     if (trouble.status == "done")
       findings.push_back(
           {Finding::Kind::bad,
@@ -43,26 +43,27 @@ void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
     else if (trouble.status == "missing")
       findings.push_back(
           {Finding::Kind::warning, which + "missing; morula study run goes on with the study"});
-    else
-      findings.push_back(
-          {Finding::Kind::bad, which + shown(trouble.status) +
-                                   (trouble.reason.empty() ? "" : ": " + failureHtml(trouble.reason))});
+    else {
+      Finding failed = failedBecause(Finding::Kind::bad, trouble.reason.empty() ? "" : ": ", trouble.reason);
+      failed.words = which + trouble.status + failed.words;
+      findings.push_back(std::move(failed));
+    }
   }
 }
 
 /// Conditions that are the same runs, and those whose seeds change nothing.
 void judgeConditions(const StudyComparison& c, std::vector<Finding>& findings) {
   const StudyResults& r = c.results;
-  std::map<std::vector<std::size_t>, std::vector<std::string>> byTasks;
+  std::map<std::vector<std::size_t>, std::vector<Words>> byTasks;
   for (const ResultCondition& condition : r.conditions)
-    byTasks[condition.tasks].push_back("<b>" + shown(r.nameOf(condition)) + "</b>");
+    byTasks[condition.tasks].push_back(bold(r.nameOf(condition)));
   for (const auto& [tasks, names] : byTasks)
     if (names.size() > 1)
       findings.push_back({Finding::Kind::warning, listed(names, 12) + " are the same runs"});
   for (const std::size_t k : c.seedless)
-    findings.push_back({Finding::Kind::warning,
-                        "Seeds change nothing under <b>" + shown(r.nameOf(r.conditions[k])) +
-                            "</b>: its runs are one run, no replicates, and its mean has no interval"});
+    findings.push_back(
+        {Finding::Kind::warning, "Seeds change nothing under " + bold(r.nameOf(r.conditions[k])) +
+                                     ": its runs are one run, no replicates, and its mean has no interval"});
 }
 
 /// Runs with divisions whose axis is ambiguous.
@@ -75,7 +76,7 @@ void judgeDivisions(const StudyResults& r, const std::string& database, std::vec
     while (find.next()) suspects.insert(find.line(0));
   }
   auto store = Store::openForReading(database);
-  std::vector<std::string> conditions;
+  std::vector<Words> conditions;
   std::size_t runs = 0;
   std::set<std::string> seen;
   for (const ResultCondition& condition : r.conditions) {
@@ -91,7 +92,7 @@ void judgeDivisions(const StudyResults& r, const std::string& database, std::vec
                    [&](StateId state) { return results.stateTexts.at(state); }, results.divisions)
                    .empty();
     }
-    if (runs > before) conditions.push_back("<b>" + shown(r.nameOf(condition)) + "</b>");
+    if (runs > before) conditions.push_back(bold(r.nameOf(condition)));
   }
   if (runs)
     findings.push_back(

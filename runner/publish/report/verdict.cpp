@@ -5,7 +5,6 @@
 #include <set>
 
 #include "base/number_text.h"
-#include "page/page.h"
 #include "report/bullet_block.h"
 #include "store/records.h"
 
@@ -24,7 +23,7 @@ std::string namesOf(const std::vector<CheckResult>& failed) {
   for (const CheckResult& r : failed) {
     if (!said.insert(r.check).second) continue;
     if (said.size() > 6) return names + ", …";
-    names += (names.empty() ? "" : ", ") + shown(r.check);
+    names += (names.empty() ? "" : ", ") + r.check;
   }
   return names;
 }
@@ -48,12 +47,12 @@ void judgeChecks(const RunFacts& facts, std::vector<Finding>& findings) {
     std::string message = withNames(r.message.empty() ? r.check : r.message, facts.scenario.names.function());
     if (const std::string known = "not sane at the end: "; message.starts_with(known))
       message.erase(0, known.size());
-    findings.push_back({Kind::bad, "Not sane: " + failureHtml(message)});
+    findings.push_back(failedBecause(Kind::bad, "Not sane: ", message));
   }
   if (insane.empty() && !sanity.empty()) {
     if (facts.scenario.check.sane)
       findings.push_back({Kind::good, "Sane: no cell is crushed, torn or turned inside out"});
-    else findings.push_back({Kind::good, "Need not be sane: " + shown(facts.scenario.check.because)});
+    else findings.push_back({Kind::good, "Need not be sane: " + facts.scenario.check.because});
   }
 }
 
@@ -66,8 +65,7 @@ void judgeDivisions(const RunFacts& facts, std::vector<Finding>& findings) {
       {Kind::warning,
        counted(count, "division") + (count == 1 ? " has an" : " have an") +
            " ambiguous axis: the mother's longest extent is hardly longer than her next one, " +
-           (count == 1 ? "" : "first ") + "that of " + shown(cell) + " at time " + numberText(first.time) +
-           ", " +
+           (count == 1 ? "" : "first ") + "that of " + cell + " at time " + numberText(first.time) + ", " +
            (*first.extentRatio - 1 < 1e-6
                 ? "longer by less than a millionth"
                 : "longer by " + numberText(100 * (*first.extentRatio - 1), 2) + " %") +
@@ -123,28 +121,27 @@ void judgeSeeds(const std::vector<const RunFacts*>& runs, std::vector<Finding>& 
     if (same == seeds.end() || same->second.size() < 2) continue;
     findings.push_back(
         {Kind::warning,
-         counted(same->second.size(), "seed") + " of " + shown(r.run.record.scenario) +
+         counted(same->second.size(), "seed") + " of " + r.run.record.scenario +
              " gave one and the same result, bit for bit: they are no replicates" +
              (usesSeed(r.scenario.scene) ? "" : ", since nothing in this scenario varies with the seed")});
     seeds.erase(same);  // said
   }
 }
 
-std::string runTable(const std::vector<const RunFacts*>& runs) {
-  std::vector<std::vector<std::string>> rows;
+Table runTable(const std::vector<const RunFacts*>& runs) {
+  Table table{"Runs", {"Run", "Status", "Cells", "Time", "Checks", "End state", "Id"}};
   for (const RunFacts* run : runs) {
     const RunFacts& r = *run;
     const auto failed =
         std::count_if(r.checks.begin(), r.checks.end(), [](const CheckResult& c) { return !c.passed; });
-    rows.push_back({shown(titleOf(r)), name(r.run.status), std::to_string(r.run.cells),
-                    numberText(r.run.time, 6),
-                    r.checks.empty() ? "none"
-                    : failed ? std::to_string(failed) + " of " + std::to_string(r.checks.size()) + " failed"
-                             : "all " + std::to_string(r.checks.size()) + " passed",
-                    "<code>" + shown(r.run.stateHash.substr(0, 12)) + "</code>",
-                    "<code>" + shown(r.run.id) + "</code>"});
+    table.rows.push_back({titleOf(r), name(r.run.status), r.run.cells, number(r.run.time, 6),
+                          r.checks.empty() ? "none"
+                          : failed
+                              ? std::to_string(failed) + " of " + std::to_string(r.checks.size()) + " failed"
+                              : "all " + std::to_string(r.checks.size()) + " passed",
+                          code(r.run.stateHash.substr(0, 12)), code(r.run.id)});
   }
-  return htmlTable("Runs", {"Run", "Status", "Cells", "Time", "Checks", "End state", "Id"}, rows);
+  return table;
 }
 
 }  // namespace
@@ -153,10 +150,9 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   std::vector<Finding> findings;
   const StoredRun& run = facts.run;
   if (run.status == RunStatus::failed)
-    findings.push_back(
-        {facts.scenario.check.fails.empty() ? Kind::bad : Kind::good,
-         (facts.scenario.check.fails.empty() ? "The run failed: " : "The run failed, as it has to: ") +
-             failureHtml(run.failure)});
+    findings.push_back(facts.scenario.check.fails.empty()
+                           ? failedBecause(Kind::bad, "The run failed: ", run.failure)
+                           : failedBecause(Kind::good, "The run failed, as it has to: ", run.failure));
   if (run.status == RunStatus::killed)
     findings.push_back({Kind::warning, "The run was interrupted; morula run --resume goes on with it"});
   if (run.status == RunStatus::running)
@@ -167,9 +163,8 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
   judgeAgain(facts, findings);
   judgeBullet(facts, findings);
   if (!facts.unusableGolden.empty())
-    findings.push_back({Kind::warning, "The golden file cannot be used: " + shown(facts.unusableGolden)});
-  for (const std::string& warning : facts.scenario.warnings)
-    findings.push_back({Kind::warning, shown(warning)});
+    findings.push_back({Kind::warning, "The golden file cannot be used: " + facts.unusableGolden});
+  for (const std::string& warning : facts.scenario.warnings) findings.push_back({Kind::warning, warning});
   return findings;
 }
 
@@ -177,27 +172,28 @@ namespace {
 
 /// The findings of all runs but those that say that all is well; what is found of several runs is said once.
 void gather(const std::vector<const RunFacts*>& runs, std::vector<Finding>& findings) {
-  std::vector<std::pair<Finding, std::vector<std::string>>> found;  // with the titles of its runs
+  std::vector<std::pair<Finding, std::vector<Words>>> found;  // with the titles of its runs
   for (const RunFacts* run : runs)
     for (Finding& f : findingsOf(*run)) {
       if (f.kind == Kind::good || f.kind == Kind::note) continue;
-      const auto same = std::find_if(found.begin(), found.end(),
-                                     [&](const auto& known) { return known.first.html == f.html; });
-      const std::string title = "<b>" + shown(titleOf(*run)) + "</b>";
+      const auto same =
+          std::find_if(found.begin(), found.end(), [&](const auto& known) { return known.first == f; });
+      const Words title = bold(titleOf(*run));
       if (same == found.end()) found.push_back({std::move(f), {title}});
       else same->second.push_back(title);
     }
   for (auto& [finding, titles] : found) {
-    finding.html = (titles.size() == runs.size() ? std::string(runs.size() == 2 ? "Both" : "All") + " runs"
-                                                 : listed(titles, 3)) +
-                   ": " + finding.html;
+    finding.words = (titles.size() < runs.size() ? listed(titles, 3)
+                     : runs.size() == 2          ? "Both runs"
+                                                 : "All runs") +
+                    ": " + finding.words;
     findings.push_back(std::move(finding));
   }
 }
 
 }  // namespace
 
-std::string verdictOf(const std::vector<const RunFacts*>& runs) {
+Document verdictOf(const std::vector<const RunFacts*>& runs) {
   std::vector<Finding> findings;
   judgeSeeds(runs, findings);
   if (runs.size() == 1) findings = findingsOf(*runs[0]);
@@ -205,8 +201,10 @@ std::string verdictOf(const std::vector<const RunFacts*>& runs) {
   const auto has = [&](Kind kind) {
     return std::any_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.kind == kind; });
   };
-  return "<p class=\"said\">" + sentenceOf(runs, has(Kind::bad), has(Kind::warning)) + "</p>\n" +
-         findingsHtml(findings) + (runs.size() > 1 ? runTable(runs) : "");
+  Words sentence = sentenceOf(runs, has(Kind::bad), has(Kind::warning));
+  Document all = verdict(std::move(sentence), std::move(findings));
+  if (runs.size() > 1) all.add(runTable(runs));
+  return all;
 }
 
 }  // namespace morula

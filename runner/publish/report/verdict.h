@@ -7,7 +7,7 @@ namespace morula {
 /// Of one run.
 std::vector<Finding> findingsOf(const RunFacts& run);
 
-/// HTML: one sentence and the findings; of several runs also a table of them.
-std::string verdictOf(const std::vector<const RunFacts*>& runs);
+/// One sentence and the findings; of several runs also a table of them.
+Document verdictOf(const std::vector<const RunFacts*>& runs);
 
 }  // namespace morula

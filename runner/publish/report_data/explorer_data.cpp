@@ -133,11 +133,10 @@ std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs) {
   return all;
 }
 
-std::string leftOutOf(const std::vector<ExplorerRun>& runs) {
-  std::string html;
+Document leftOutOf(const std::vector<ExplorerRun>& runs) {
+  Document all;
   const auto say = [&](const ExplorerRun& run, const std::string& what) {
-    html +=
-        "<p class=\"note\">" + (runs.size() > 1 ? shown(run.title) + ": " : std::string()) + what + "</p>\n";
+    all.note((runs.size() > 1 ? run.title + ": " : "") + what);
   };
   for (const ExplorerRun& run : runs) {
     if (run.lineage->size() > mostTreeCells)
@@ -155,7 +154,7 @@ std::string leftOutOf(const std::vector<ExplorerRun>& runs) {
       say(run, "Thinned: " + std::to_string(kept) + " of " + std::to_string(taken) +
                    " frames fit into the page; a larger --size-limit keeps more.");
   }
-  return html;
+  return all;
 }
 
 }  // namespace morula

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "document/document.h"
 #include "loop/simulate.h"
 #include "page/page.h"
 #include "report_data/frames.h"
@@ -27,7 +28,7 @@ inline constexpr std::size_t mostTreeCells = 20000;
 Json explorerData(const std::vector<ExplorerRun>& runs);
 std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs);
 
-/// What to say below the explorer of what was left out, HTML; "" if nothing was.
-std::string leftOutOf(const std::vector<ExplorerRun>& runs);
+/// What to say below the explorer of what was left out; empty if nothing was.
+Document leftOutOf(const std::vector<ExplorerRun>& runs);
 
 }  // namespace morula

@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "contacts/contacts.h"
+#include "files/bytes.h"
 #include "physics/integrator.h"
-#include "report_data/bytes.h"
 #include "simulation/checkpoint.h"
 
 namespace morula {
@@ -68,7 +68,7 @@ void putNetForces(std::string& bytes, const std::vector<ForcesByKind>& forces, s
   for (std::size_t i = 0; i < cells; ++i)
     for (const ForceKind kind : kinds) {
       const Vector net = i < forces.size() ? netForce(forces[i], kind) : Vector{none, none, none};
-      for (const double x : {net.x, net.y, net.z}) putBytes(bytes, static_cast<float>(x));
+      for (const double x : {net.x, net.y, net.z}) putFloat(bytes, x);
     }
 }
 
@@ -82,7 +82,7 @@ void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces
       const auto& onVertex = cell[std::size_t(kind)];
       const double ofKind = largest(onVertex);
       const float step = ofKind > 1e-9 * most ? static_cast<float>(ofKind / 127) : 0;
-      putBytes(bytes, step);
+      putFloat(bytes, step);
       if (!(step > 0)) continue;
       for (const Vector& f : onVertex)
         for (const double x : {f.x, f.y, f.z}) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "report_data/bytes.h"
+#include "files/bytes.h"
 
 namespace morula {
 
@@ -80,28 +80,28 @@ void FrameTaker::take(const World& world) {
   for (std::size_t i = 0; i < count; ++i) {
     const Mesh mesh = cellMesh(world, world.cells.path[i]);
     const Grid grid(mesh.vertices);
-    putBytes(frame.bytes, world.cells.entry[i]);
-    putBytes(frame.bytes, meshNumber(mesh.faces));
-    putBytes(frame.bytes, stateNumber(world.cells.state[i]));
-    for (const float x : grid.low) putBytes(frame.bytes, x);
-    for (const float x : grid.step) putBytes(frame.bytes, x);
+    put32(frame.bytes, world.cells.entry[i]);
+    put32(frame.bytes, meshNumber(mesh.faces));
+    put32(frame.bytes, stateNumber(world.cells.state[i]));
+    for (const float x : grid.low) putFloat(frame.bytes, x);
+    for (const float x : grid.step) putFloat(frame.bytes, x);
     for (const auto& value : measured[i].values)
-      putBytes(frame.bytes, value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN());
+      putFloat(frame.bytes, value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN());
     for (const Point& p : mesh.vertices)
       for (const std::uint16_t n : {grid.place(0, p.x), grid.place(1, p.y), grid.place(2, p.z)})
-        putBytes(places, n);
+        put16(places, n);
   }
   for (const ContactArea& contact : now.contacts()) {
-    putBytes(frame.bytes, static_cast<std::uint32_t>(contact.a));
-    putBytes(frame.bytes, static_cast<std::uint32_t>(contact.b));
-    putBytes(frame.bytes, static_cast<float>(contact.area));
+    put32(frame.bytes, static_cast<std::uint32_t>(contact.a));
+    put32(frame.bytes, static_cast<std::uint32_t>(contact.b));
+    putFloat(frame.bytes, contact.area);
     ++frame.contacts;
   }
   if (world.connections)
     for (const std::size_t place : world.connections->active) {
       const ConnectionRecord& held = world.connections->history[place];
-      putBytes(frame.bytes, numberAmong(world, held.a));
-      putBytes(frame.bytes, numberAmong(world, held.b));
+      put32(frame.bytes, numberAmong(world, held.a));
+      put32(frame.bytes, numberAmong(world, held.b));
       ++frame.connections;
     }
   if (meter_) lastForces_ = meter_->at(world);

@@ -7,9 +7,7 @@
 #include "files/folders.h"
 #include "golden/accept.h"
 #include "golden/change.h"
-#include "golden/facts.h"
 #include "loop/stored_scenario.h"
-#include "scenario/deciding_values.h"
 
 namespace morula {
 
@@ -19,8 +17,8 @@ namespace {
 
 /// The golden file of the scenario that the run was read from, if it is here: below the current folder, for the database
 /// says where the scenario was, and must not reach other files.
-std::string goldenOf(const std::vector<Document>& documents) {
-  for (const Document& document : documents) {
+std::string goldenOf(const std::vector<SourceText>& documents) {
+  for (const SourceText& document : documents) {
     if (document.role != "scenario" || document.path.empty()) continue;
     const fs::path golden = goldenPath(document.path);
     if (fileExists(golden) && liesWithin(golden, currentFolder()) && contentOfFile(golden) == Content::golden)
@@ -29,26 +27,7 @@ std::string goldenOf(const std::vector<Document>& documents) {
   return {};
 }
 
-/// What the run's golden would say, from what is stored of it.
-GoldenData goldenDataOf(const RunFacts& facts) {
-  const RunResults& results = facts.results;
-  GoldenFacts golden;
-  golden.scenario = facts.run.record.scenario;
-  golden.scenarioHash = facts.run.record.scenarioHash;
-  golden.seed = facts.run.record.seed;
-  golden.steps = facts.run.steps;
-  golden.lineage = results.lineage;
-  golden.describe = [&](StateId state) { return results.stateTexts.at(state); };
-  for (const TimeStepRecord& t : results.timeSteps) golden.timeSteps.push_back({t.step, t.time, t.timeStep});
-  golden.mechanics = facts.scenario.scene.mechanics.has_value() && !results.samples.empty();
-  if (golden.mechanics) {
-    golden.end = results.samples.back().world;
-    golden.cells = results.samples.back().cells;
-  }
-  GoldenData data = makeGoldenData(golden);
-  data.parameters = decidingValues(facts.scenario);
-  return data;
-}
+GoldenData goldenDataOf(const RunFacts& facts) { return goldenOf(facts.run, facts.results, facts.scenario); }
 
 void compareWithGolden(RunFacts& facts) {
   facts.golden = goldenOf(facts.documents);
@@ -94,11 +73,11 @@ bool canRunAgain(const RunFacts& facts) {
 }
 
 int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool quiet) {
-  Progress progress(facts.run.record.scenario, quiet);
   FrameTaker taker(facts.run.time, frames, ForceMeter(makeScenarioWorld(facts.scenario, how)));
-  auto run = simulate(makeScenarioWorld(facts.scenario, how), {.nameOf = facts.scenario.names.function()},
-                      progress, [&](const World& world) { taker.observe(world); });
+  auto run = simulate(facts.scenario, how,
+                      {.quiet = quiet, .watch = [&](const World& world) { taker.observe(world); }});
   if (run.signal) return run.signal;
+  requireEnough(run.end);
   const bool same = facts.run.status == RunStatus::done
                         ? run.end.stateHash && run.end.stateHash->text() == facts.run.stateHash
                         : run.end.status == facts.run.status && run.end.failure == facts.run.failure;

@@ -27,7 +27,7 @@ struct RunFacts {
   std::string title = {};  // what it is called on its page
   StoredRun run;
   Scenario scenario;
-  std::vector<Document> documents;
+  std::vector<SourceText> documents;
   RunResults results;
   std::vector<CheckResult> checks;
   std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none

@@ -12,15 +12,15 @@ constexpr std::size_t mostKeys = 2;    // in a title
 constexpr std::size_t longest = 24;    // [byte] of a value in a title
 constexpr std::size_t mostNamed = 64;  // runs of one scenario that are told apart by their parameters
 
-using Group = std::vector<RunFacts*>;
+using RunGroup = std::vector<RunFacts*>;
 
-void addIds(const Group& group) {
+void addIds(const RunGroup& group) {
   for (RunFacts* run : group) run->title += " (" + run->run.id + ")";
 }
 
 /// The values that differ within the group, of each run; the seed stands in the titles. Where the page has no `others`, they
 /// alone are the titles.
-void tellApart(const Group& group, bool others) {
+void tellApart(const RunGroup& group, bool others) {
   if (group.size() > mostNamed) return addIds(group);
   std::vector<std::map<std::string, std::string>> values;
   std::map<std::string, std::size_t> known;  // key: how many have it
@@ -47,8 +47,8 @@ void tellApart(const Group& group, bool others) {
   }
 }
 
-std::map<std::string, Group> groupsOf(std::vector<RunFacts>& runs) {
-  std::map<std::string, Group> groups;
+std::map<std::string, RunGroup> groupsOf(std::vector<RunFacts>& runs) {
+  std::map<std::string, RunGroup> groups;
   for (RunFacts& run : runs) groups[run.title].push_back(&run);
   return groups;
 }

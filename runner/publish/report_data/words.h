@@ -1,39 +1,17 @@
 #pragma once
-// Small pieces of a page's HTML, and the words that it has for what results call by names.
+// The words that a page has for what results call by names.
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "document/document.h"
+#include "drawing/drawing.h"
+#include "files/quote.h"
 #include "report_data/run_facts.h"
 
 namespace morula {
 
-/// Text of unknown origin as HTML: characters that a reader would not see are made visible.
-std::string shown(std::string_view text);
-/// The same in a table: a hash may be broken anywhere, words may not.
-std::string shownValue(const std::string& text);
-/// The same in a <pre>; a text longer than `mostBytes` is cut, which is said.
-std::string shownBlock(std::string_view text, std::size_t mostBytes = 200'000);
-
-/// One thing that the verdict says.
-struct Finding {
-  enum class Kind { good, note, warning, bad };
-  Kind kind;
-  std::string html;
-};
-std::string findingsHtml(const std::vector<Finding>& findings);
-
-/// "1 cell", "2 cells".
-std::string counted(std::uint64_t count, const std::string& what);
-
-/// "a", "a and b", "a, b and c"; of more than `most` the first ones, and how many more.
-std::string listed(const std::vector<std::string>& texts, std::size_t most = 6);
-
-/// "31 bytes", "2.75 kB", "1.2 MB".
-std::string inBytes(std::size_t bytes);
-
-/// Why a run failed, HTML: what happened, and below it what was found out about it.
-std::string failureHtml(const std::string& failure);
+/// Why a run failed: what happened, and below it what was found out about it.
+Finding failedBecause(Finding::Kind kind, const std::string& before, const std::string& failure);
 
 /// What a failed check means, in words: "the lineage differs". Classes that are not known stand as they are.
 std::string failedInWords(const CheckResult& failed);
@@ -46,11 +24,13 @@ const std::string& titleOf(const RunFacts& run);
 /// answer their id.
 void nameRuns(std::vector<RunFacts>& runs);
 
+Picture pngPicture(const Image& image, const std::string& what, const std::string& caption,
+                   const std::string& name = {}, Picture::Size size = Picture::Size::usual);
+Picture svgPicture(const Drawing& drawing, const std::string& what, const std::string& caption,
+                   Picture::Size size = Picture::Size::usual);
+
 /// The scenario file that the run was read from, as it was given.
 std::string sourceOf(const RunFacts& run);
-
-/// As one word of a command line.
-std::string shellWord(const std::string& word);
 
 /// "./morula render FILE --run ID …"
 std::string commandFor(const RunFacts& run, const std::string& verb, const std::string& options = {});

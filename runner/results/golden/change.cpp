@@ -37,88 +37,86 @@ std::string keysInWords(const GoldenData& before, const GoldenData& after) {
   return lines("changed", texts, "keys");
 }
 
-/// The lines `cell` and `generation`, by key.
-using Items = std::map<std::string, const GoldenItem*>;
-
-Items itemsOf(const GoldenData& data, const std::string& kind) {
-  Items items;
-  for (const GoldenItem& item : data.items)
-    if (item.kind == kind) items.emplace(item.key, &item);
+/// The items of one kind by what `key` of them is.
+template <class Item, class Key>
+std::map<Key, const Item*> byKey(const GoldenData& data, Key Item::*key) {
+  std::map<Key, const Item*> items;
+  for (const Item* item : all<Item>(data)) items.emplace(item->*key, item);
   return items;
 }
 
-// Fields of a line `cell`.
-enum CellField { born, bornStep, ended, endedStep, fate, state };
+std::string nameOf(const CellPath& cell) { return cellName(cell.text()); }
 
-std::string cellName(const std::string& key) { return key == "egg" ? "the egg" : "cell " + key; }
-
-std::string lifeOf(const GoldenItem& cell) {
-  return cell.fields[ended] == "-" ? "alive at the end"
-                                   : cell.fields[fate] + " at time " + cell.fields[ended];
+std::string lifeOf(const GoldenCell& cell) {
+  return cell.ended ? std::string(name(cell.fate)) + " at time " + exactText(*cell.ended)
+                    : "alive at the end";
 }
 
-std::string cellChange(const GoldenItem* a, const GoldenItem* b) {
-  const std::string who = cellName((a ? a : b)->key) + ": ";
-  if (!b) return who + "born at time " + a->fields[born] + " → never born";
-  if (!a) return who + "never born → born at time " + b->fields[born];
-  if (a->fields[born] != b->fields[born])
-    return who + "born at time " + a->fields[born] + " → " + b->fields[born];
+std::string cellChange(const GoldenCell* a, const GoldenCell* b) {
+  const std::string who = nameOf((a ? a : b)->path) + ": ";
+  const auto birth = [](const GoldenCell& cell) { return "born at time " + exactText(cell.born); };
+  if (!b) return who + birth(*a) + " → never born";
+  if (!a) return who + "never born → " + birth(*b);
+  if (a->born != b->born) return who + birth(*a) + " → " + exactText(b->born);
   if (lifeOf(*a) != lifeOf(*b)) return who + lifeOf(*a) + " → " + lifeOf(*b);
-  if (a->fields[state] != b->fields[state])
-    return who + "substances '" + a->fields[state] + "' → '" + b->fields[state] + "'";
+  if (a->state != b->state) return who + "substances '" + a->state.text + "' → '" + b->state.text + "'";
   return who + "the same times in other steps";
 }
 
 struct Event {
-  double time = 0;        // the earlier of the two
-  std::size_t depth = 0;  // of the cell: a mother comes before her daughters
+  double time = 0;  // the earlier of the two
+  int depth = 0;    // of the cell: a mother comes before her daughters
   std::string text;
 };
 
 std::vector<std::string> lineageChanges(const GoldenData& before, const GoldenData& after) {
-  const Items a = itemsOf(before, "cell"), b = itemsOf(after, "cell");
+  const auto a = byKey(before, &GoldenCell::path), b = byKey(after, &GoldenCell::path);
   std::vector<Event> events;
-  const auto note = [&](const GoldenItem* x, const GoldenItem* y) {
-    const auto when = [](const GoldenItem* cell) {
-      if (!cell) return HUGE_VAL;
-      return readReal(cell->fields[cell->fields[ended] == "-" ? born : ended]).value_or(HUGE_VAL);
+  const auto note = [&](const GoldenCell* x, const GoldenCell* y) {
+    const auto when = [](const GoldenCell* cell) {
+      return cell ? cell->ended.value_or(cell->born) : HUGE_VAL;
     };
-    const std::string& path = (x ? x : y)->key;
-    events.push_back({std::min(when(x), when(y)), path == "egg" ? 0 : path.size(), cellChange(x, y)});
+    events.push_back({std::min(when(x), when(y)), (x ? x : y)->path.depth(), cellChange(x, y)});
   };
-  for (const auto& [key, item] : a) {
-    const auto found = b.find(key);
-    if (found == b.end()) note(item, nullptr);
-    else if (found->second->fields != item->fields) note(item, found->second);
+  for (const auto& [path, cell] : a) {
+    const auto found = b.find(path);
+    if (found == b.end()) note(cell, nullptr);
+    else if (!agree(GoldenItem(*found->second), GoldenItem(*cell))) note(cell, found->second);
   }
-  for (const auto& [key, item] : b)
-    if (!a.contains(key)) note(nullptr, item);
+  for (const auto& [path, cell] : b)
+    if (!a.contains(path)) note(nullptr, cell);
   std::stable_sort(events.begin(), events.end(), [](const Event& x, const Event& y) {
     return x.time != y.time ? x.time < y.time : x.depth < y.depth;
   });
   std::vector<std::string> texts;
   for (Event& e : events) texts.push_back(std::move(e.text));
 
-  const Items g = itemsOf(before, "generation"), h = itemsOf(after, "generation");
-  for (const auto& [key, item] : g) {
-    const auto found = h.find(key);
-    if (found == h.end() || found->second->fields == item->fields) continue;
-    const std::string was = item->fields[0], is = found->second->fields[0];
-    texts.push_back("generation " + key + ": " +
-                    (was == is ? "other lives of " + was + " cells" : was + " → " + is + " cells"));
+  const auto h = byKey(after, &GoldenGeneration::number);
+  for (const auto* was : all<GoldenGeneration>(before)) {
+    const auto is = h.find(was->number);
+    if (is == h.end() || agree(GoldenItem(*is->second), GoldenItem(*was))) continue;
+    const std::string cells = std::to_string(was->cells), now = std::to_string(is->second->cells);
+    texts.push_back("generation " + std::to_string(was->number) + ": " +
+                    (cells == now ? "other lives of " + cells + " cells" : cells + " → " + now + " cells"));
   }
   return texts;
 }
 
-/// "final/AB/x" → its number.
-using Values = std::map<std::string, double>;
+/// Values at the end.
+using Values = std::map<ValueName, double>;
 
 Values endOf(const GoldenData& data) {
   Values values;
-  for (const GoldenItem& item : data.items)
-    if (item.kind == "value" && item.key.starts_with("final/"))
-      if (const auto v = readReal(item.fields[1])) values[item.key] = *v;
+  for (const auto* value : all<GoldenValue>(data))
+    if (!value->name.time) values[value->name] = value->value;
   return values;
+}
+
+/// Of the cell; without one, of the organism.
+std::optional<double> valueIn(const Values& values, const std::optional<CellPath>& cell,
+                              const char* measure) {
+  const auto found = values.find({{}, cell, measure});
+  return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// [length] Of the egg; of a ball with the organism's volume where the result does not say.
@@ -126,8 +124,7 @@ double radiusOf(const GoldenData& data, const Values& end) {
   for (const auto& [key, value] : data.parameters)
     if (key == "physics.cell.radius")
       if (const auto radius = readReal(value); radius && *radius > 0) return *radius;
-  const auto volume = end.find("final/organism/volume");
-  return volume == end.end() ? 0 : std::cbrt(3 * volume->second / (4 * M_PI));
+  return std::cbrt(3 * valueIn(end, {}, "volume").value_or(0) / (4 * M_PI));
 }
 
 /// Three digits are enough to weigh a difference.
@@ -139,17 +136,17 @@ std::string brief(double value) {
 
 struct Largest {
   double size = 0;
-  std::string who;
-  void see(double value, const std::string& cell) {
+  CellPath who;
+  void see(double value, const CellPath& cell) {
     if (!(value <= size)) size = value, who = cell;  // not a number is the largest of all
   }
 };
 
 /// "+2.3 % in the mean, " where the organism's value of this name has changed; "" where it has not, or was 0.
-std::string meanChange(const Values& a, const Values& b, const std::string& name, const char* of) {
-  const auto was = a.find("final/organism/" + name), is = b.find("final/organism/" + name);
-  if (was == a.end() || is == b.end() || was->second == 0 || was->second == is->second) return {};
-  const double percent = 100 * (is->second - was->second) / std::abs(was->second);
+std::string meanChange(const Values& a, const Values& b, const char* measure, const char* of) {
+  const auto was = valueIn(a, {}, measure), is = valueIn(b, {}, measure);
+  if (!was || !is || *was == 0 || *was == *is) return {};
+  const double percent = 100 * (*is - *was) / std::abs(*was);
   return (percent < 0 ? "−" : "+") + brief(std::abs(percent)) + " % " + of + ", ";
 }
 
@@ -157,34 +154,29 @@ std::string movementInWords(const GoldenData& before, const GoldenData& after) {
   const Values a = endOf(before), b = endOf(after);
   const double radius = radiusOf(before.parameters.empty() ? after : before, a);
   Largest moved, volume, pressure;
-  for (const auto& [key, was] : a) {
-    const std::size_t slash = key.rfind('/');
-    const std::string cell = key.substr(6, slash - 6), what = key.substr(slash + 1);
-    const auto is = b.find(key);
-    if (is == b.end() || cell == "organism") continue;
-    const auto change = [before = was, after = is->second] {
-      return before == after ? 0 : 100 * std::abs(after - before) / std::abs(before);
-    };
-    if (what == "volume") volume.see(change(), cell);
-    if (what == "pressure") pressure.see(change(), cell);
-    if (what != "x") continue;
+  for (const auto& [name, was] : a) {
+    const auto is = valueIn(b, name.cell, name.measure.c_str());
+    if (!is || !name.cell) continue;
+    const double change = was == *is ? 0 : 100 * std::abs(*is - was) / std::abs(was);
+    if (name.measure == "volume") volume.see(change, *name.cell);
+    if (name.measure == "pressure") pressure.see(change, *name.cell);
+    if (name.measure != "x") continue;
     double squares = 0;
     for (const char* axis : {"x", "y", "z"}) {
-      const std::string at = "final/" + cell + '/' + axis;
-      const auto p = a.find(at), q = b.find(at);
-      if (p != a.end() && q != b.end()) squares += (q->second - p->second) * (q->second - p->second);
+      const auto p = valueIn(a, name.cell, axis), q = valueIn(b, name.cell, axis);
+      if (p && q) squares += (*q - *p) * (*q - *p);
     }
-    moved.see(std::sqrt(squares), cell);
+    moved.see(std::sqrt(squares), *name.cell);
   }
   std::string text;
   if (moved.size != 0 && radius > 0)
     text += line("moved",
-                 cellName(moved.who) + " the farthest: " + brief(moved.size / radius) + " radii of the egg");
+                 nameOf(moved.who) + " the farthest: " + brief(moved.size / radius) + " radii of the egg");
   if (volume.size != 0)
-    text += line("volume", meanChange(a, b, "volume", "in all") + cellName(volume.who) +
+    text += line("volume", meanChange(a, b, "volume", "in all") + nameOf(volume.who) +
                                " the most: " + brief(volume.size) + " %");
   if (pressure.size != 0)
-    text += line("pressure", meanChange(a, b, "mean_pressure", "in the mean") + cellName(pressure.who) +
+    text += line("pressure", meanChange(a, b, "mean_pressure", "in the mean") + nameOf(pressure.who) +
                                  " the most: " + brief(pressure.size) + " %");
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "document/table.h"
 #include "files/content.h"
 #include "files/printable.h"
 #include "files/text.h"
@@ -68,9 +69,6 @@ std::string annotation(const CheckReport& report, const CheckResult& r) {
   return line + "::" + command(r.check + ": " + place.rest, false) + '\n';
 }
 
-/// Text in a Markdown table's cell.
-std::string cell(const std::string& text) { return markdownCell(printableLine(firstLine(text))); }
-
 }  // namespace
 
 std::string junitXml(const std::vector<CheckReport>& reports) {
@@ -107,19 +105,17 @@ std::string annotations(const std::vector<CheckReport>& reports, std::size_t mos
 }
 
 std::string summaryPage(const std::vector<CheckReport>& reports) {
-  std::string table = "| scenario | checks | |\n|---|---|---|\n", details;
+  Table scenarios{"Scenarios", {"scenario", "checks", ""}},
+      details{"What differs", {"scenario", "check", "class", "what differs first"}};
   for (const CheckReport& report : reports) {
     const std::size_t failed = failures(report);
-    table += "| " + cell(report.scenario) + " | " + std::to_string(report.results.size()) + " | " +
-             (failed ? "**" + std::to_string(failed) + " differ**" : "pass") + " |\n";
+    scenarios.rows.push_back(
+        {report.scenario, report.results.size(), failed ? bold(std::to_string(failed) + " differ") : "pass"});
     for (const CheckResult& r : report.results)
-      if (!r.passed)
-        details += "| " + cell(report.scenario) + " | " + cell(r.check) + " | " + cell(r.failureClass) +
-                   " | " + cell(r.message) + " |\n";
+      if (!r.passed) details.rows.push_back({report.scenario, r.check, r.failureClass, firstLine(r.message)});
   }
-  if (!details.empty())
-    details = "\n| scenario | check | class | what differs first |\n|---|---|---|---|\n" + details;
-  return std::string(summaryBeginning) + "\n" + table + details;
+  return std::string(summaryBeginning) + "\n" + markdownOf(scenarios) +
+         (details.rows.empty() ? "" : "\n" + markdownOf(details));
 }
 
 }  // namespace morula

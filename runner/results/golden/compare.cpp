@@ -21,42 +21,32 @@ struct Pair {
 /// The pairs of one check, in the golden's order, then what only the run has.
 using Pairs = std::vector<Pair>;
 
-std::string checkOf(const GoldenItem& item) { return std::string(findForm(item.kind)->check); }
-
-/// What a value is of and what it is: "final/AB/" and "volume".
-std::pair<std::string, std::string> splitValue(const std::string& key) {
-  const std::size_t end = key.rfind('/') + 1;
-  return {key.substr(0, end), key.substr(end)};
-}
-
 /// Values of measures that joined their table after the golden was accepted: it names none of them anywhere,
 /// though it has other values of the same cell and time.
 class JoinedLater {
  public:
   explicit JoinedLater(const Golden& golden) {
-    for (const GoldenItem& item : golden.data.items)
-      if (item.kind == "value") {
-        const auto [of, name] = splitValue(item.key);
-        of_.insert(of), names_.insert(name);
-      }
+    for (const auto* value : all<GoldenValue>(golden.data))
+      of_.insert(ofWhat(value->name)), measures_.insert(value->name.measure);
   }
   bool operator()(const GoldenItem& item) const {
-    if (item.kind != "value") return false;
-    const auto [of, name] = splitValue(item.key);
-    return of_.contains(of) && !names_.contains(name);
+    const auto* value = std::get_if<GoldenValue>(&item);
+    return value && of_.contains(ofWhat(value->name)) && !measures_.contains(value->name.measure);
   }
 
  private:
-  std::set<std::string> of_, names_;
+  static ValueName ofWhat(const ValueName& name) { return {name.time, name.cell, ""}; }
+  std::set<ValueName> of_;
+  std::set<std::string> measures_;
 };
 
 std::map<std::string, Pairs> pairUp(const Golden& golden, const GoldenData& observed) {
   std::map<std::string, const GoldenItem*> open;
-  for (const GoldenItem& item : observed.items) open.emplace(item.kind + ' ' + item.key, &item);
+  for (const GoldenItem& item : observed.items) open.emplace(idOf(item), &item);
   std::map<std::string, Pairs> checks;
   for (const GoldenItem& item : golden.data.items) {
     Pair pair{&item, nullptr};
-    if (const auto found = open.find(item.kind + ' ' + item.key); found != open.end()) {
+    if (const auto found = open.find(idOf(item)); found != open.end()) {
       pair.observed = found->second;
       open.erase(found);
     }
@@ -64,8 +54,7 @@ std::map<std::string, Pairs> pairUp(const Golden& golden, const GoldenData& obse
   }
   const JoinedLater joinedLater(golden);
   for (const GoldenItem& item : observed.items)
-    if (open.contains(item.kind + ' ' + item.key) && !joinedLater(item))
-      checks[checkOf(item)].push_back({nullptr, &item});
+    if (open.contains(idOf(item)) && !joinedLater(item)) checks[checkOf(item)].push_back({nullptr, &item});
   return checks;
 }
 
@@ -96,7 +85,12 @@ CheckResult compareExactly(const std::string& file, const std::string& check, co
   for (const Pair& p : pairs)
     if (auto d = findDifference(file, p.golden, p.observed)) differences.push_back(std::move(*d));
   CheckResult r = resultOf(check, std::move(differences), pairs.size());
-  if (pairs.size() == 1 && r.passed) r.expected = r.actual = pairs.front().golden->fields.back();
+  if (pairs.size() == 1 && r.passed) {
+    const auto last = [&](const std::string&, const auto& value) {
+      r.expected = r.actual = goldenText(value);
+    };
+    std::visit([&](const auto& only) { visitGoldenFields(last, only); }, *pairs.front().golden);
+  }
   return r;
 }
 
@@ -104,7 +98,8 @@ CheckResult compareExactly(const std::string& file, const std::string& check, co
 CheckResult compareImages(const std::string& file, Pairs pairs) {
   const std::size_t all = pairs.size();
   std::erase_if(pairs, [](const Pair& p) {
-    return p.golden && p.observed && p.golden->fields[0] != p.observed->fields[0];
+    return p.golden && p.observed &&
+           std::get<GoldenImage>(*p.golden).renderer != std::get<GoldenImage>(*p.observed).renderer;
   });
   CheckResult r = compareExactly(file, "images", pairs);
   if (r.passed && pairs.size() < all) r.actual = "another renderer: not compared";
@@ -115,11 +110,12 @@ CheckResult compareImages(const std::string& file, Pairs pairs) {
 CheckResult compareChain(const Golden& golden, const Pairs& pairs) {
   CheckResult r = compareExactly(golden.file, "step_hashes", pairs);
   for (const Pair& p : pairs) {
-    if (!p.golden || !p.observed || p.golden->fields == p.observed->fields) continue;
-    const auto cells = cellsThatDiffer(golden.data, *p.golden, *p.observed);
+    if (!p.golden || !p.observed || agree(*p.golden, *p.observed)) continue;
+    const auto& expected = std::get<GoldenLink>(*p.golden);
+    const auto cells = cellsThatDiffer(golden.data, expected, std::get<GoldenLink>(*p.observed));
     if (cells.empty()) break;
     r.cell = cells.front();
-    r.message += "\ncells that differ at step " + p.golden->key + ": " + inWords(cells);
+    r.message += "\ncells that differ at step " + std::to_string(expected.step) + ": " + inWords(cells);
     break;
   }
   return r;
@@ -157,26 +153,25 @@ struct RuleCheck {
   const ToleranceRule* rule = nullptr;
   std::vector<Difference> differences;
   std::size_t values = 0;
-  double share = 0;                   // the largest
-  const GoldenItem* worst = nullptr;  // whose it is
-  bool chaos = true;                  // all that differs may have grown from a difference in the last place
+  double share = 0;                    // the largest
+  const GoldenValue* worst = nullptr;  // whose it is
+  bool chaos = true;                   // all that differs may have grown from a difference in the last place
 
   void add(const Golden& golden, const Pair& pair) {
     const std::string& file = golden.file;
     const Tolerance tolerance = rule ? rule->tolerance : Tolerance{};
-    const std::optional<double> e = readReal(pair.golden->fields[1]), a = readReal(pair.observed->fields[1]);
-    const double used = tolerance.share(*e, *a);
+    const auto& expected = std::get<GoldenValue>(*pair.golden);
+    const double e = expected.value, a = std::get<GoldenValue>(*pair.observed).value;
+    const double used = tolerance.share(e, a);
     ++values;
-    if (!worst || used > share) share = used, worst = pair.golden;
+    if (!worst || used > share) share = used, worst = &expected;
     if (used <= 1) return;
-    const std::uint64_t step = stepOf(*pair.golden).value_or(0);
-    const double grown = grownBy(golden, step) * std::max(std::abs(*e), 1.0);
-    chaos = chaos && grown > 0 && std::abs(*a - *e) <= grown;
+    const double grown = grownBy(golden, expected.step) * std::max(std::abs(e), 1.0);
+    chaos = chaos && grown > 0 && std::abs(a - e) <= grown;
     Difference d = *findDifference(file, pair.golden, pair.observed);
-    d.field = pair.golden->key.substr(pair.golden->key.rfind('/') + 1);
-    d.step = stepOf(*pair.golden);
-    d.text = d.place + ": " + pair.golden->key + " at step " + pair.golden->fields[0] + ": " +
-             compareInWords(*e, *a) + "; tolerance " + tolerance.text();
+    d.field = expected.name.measure;
+    d.text = d.place + ": " + goldenText(expected.name) + " at step " + std::to_string(expected.step) + ": " +
+             compareInWords(e, a) + "; tolerance " + tolerance.text();
     if (tolerance.kind != Tolerance::Kind::exact) d.text += ", used " + exactText(used) + " times";
     if (rule) d.text += " (" + file + ':' + std::to_string(rule->line) + ')';
     differences.push_back(std::move(d));
@@ -191,17 +186,16 @@ struct RuleCheck {
     if (rule->tolerance.kind == Tolerance::Kind::exact || !worst) return r;
     r.share = share;
     if (r.passed) {
-      r.cell = cellOf(*worst);
-      r.field = worst->key.substr(worst->key.rfind('/') + 1);
+      if (worst->name.cell) r.cell = worst->name.cell->text();
+      r.field = worst->name.measure;
     }
     return r;
   }
 };
 
 /// A tolerance beyond the chaos horizon would be used up by a difference in the last place: it tests nothing.
-void noteHorizon(const Golden& golden, const ToleranceRule& rule, const GoldenItem& value,
+void noteHorizon(const Golden& golden, const ToleranceRule& rule, std::uint64_t step,
                  std::map<int, Difference>& blind) {
-  const std::uint64_t step = stepOf(value).value_or(0);
   const auto horizon = horizonOf(golden, rule.tolerance.size());
   if (rule.tolerance.kind == Tolerance::Kind::exact || !horizon || step < *horizon) return;
   const std::string place = golden.file + ':' + std::to_string(rule.line);
@@ -228,16 +222,16 @@ void compareValues(const Golden& golden, const Pairs& pairs, std::vector<CheckRe
   std::map<int, Difference> blind;  // by line: rules that allow something beyond the horizon
 
   for (const Pair& pair : pairs) {
-    if (!pair.golden || !pair.observed || pair.golden->fields[0] != pair.observed->fields[0]) {
-      unpaired.push_back(*findDifference(golden.file, pair.golden, pair.observed));
-      if (!pair.golden) continue;
-    }
-    const std::uint64_t step = stepOf(*pair.golden).value_or(0);
+    const auto* value = pair.golden ? &std::get<GoldenValue>(*pair.golden) : nullptr;
+    const bool both = value && pair.observed && std::get<GoldenValue>(*pair.observed).step == value->step;
+    if (!both) unpaired.push_back(*findDifference(golden.file, pair.golden, pair.observed));
+    if (!value) continue;
     std::size_t holds = rules.size();
     for (std::size_t i = 0; i < rules.size(); ++i)
-      if (rules[i].matches(pair.golden->key, step)) matched[i] = true, holds = i;  // the last match wins
-    if (pair.observed && pair.golden->fields[0] == pair.observed->fields[0]) checks[holds].add(golden, pair);
-    if (holds < rules.size()) noteHorizon(golden, rules[holds], *pair.golden, blind);
+      if (rules[i].matches(goldenText(value->name), value->step))
+        matched[i] = true, holds = i;  // the last wins
+    if (both) checks[holds].add(golden, pair);
+    if (holds < rules.size()) noteHorizon(golden, rules[holds], value->step, blind);
   }
 
   std::vector<Difference> idle;

@@ -21,29 +21,31 @@ std::string hex(double value) {
   return "0x" + std::string(16 - text.size(), '0') + text;
 }
 
-/// "cell AB", "egg", "count divisions": what people call an item.
+/// "cell AB", "the egg", "count divisions": what people call an item.
 std::string nameOf(const GoldenItem& item) {
-  if (item.kind == "value") return item.key;
-  if (item.kind == "cell" && item.key == "egg") return "the egg";
-  return item.kind + ' ' + item.key;
+  if (std::holds_alternative<GoldenValue>(item)) return keyOf(item);
+  if (const auto* cell = std::get_if<GoldenCell>(&item); cell && cell->path.isEgg()) return "the egg";
+  return idOf(item);
 }
 
-/// The step at which two lives of one cell part: at birth, or else at the earlier of the two ends.
-std::optional<std::uint64_t> partingStep(const GoldenItem& golden, const GoldenItem& observed,
-                                         std::size_t field) {
-  if (golden.kind != "cell") return stepOf(golden);
-  constexpr std::size_t bornStep = 1, endedStep = 3;
-  const std::size_t which = field <= bornStep ? bornStep : endedStep;
-  std::optional<std::uint64_t> first;
-  for (const GoldenItem* item : {&golden, &observed})
-    if (const auto step = readNatural(item->fields[which]); step && (!first || *step < *first)) first = step;
-  return first;  // none: both alive, so the states part somewhere after their birth
+/// The step at which two lives of one cell part: at birth, or else at the earlier of the two ends; absent: both are alive,
+/// so their states part somewhere after their birth.
+std::optional<std::uint64_t> partingStep(const GoldenCell& golden, const GoldenCell& observed,
+                                         const std::string& field) {
+  if (field.starts_with("born")) return std::min(golden.bornStep, observed.bornStep);
+  if (!golden.endedStep || !observed.endedStep)
+    return golden.endedStep ? golden.endedStep : observed.endedStep;
+  return std::min(*golden.endedStep, *observed.endedStep);
 }
 
-std::string inWords(FieldType type, const std::string& expected, const std::string& actual) {
-  const auto e = readReal(expected), a = readReal(actual);
-  if (type == FieldType::real && e && a) return compareInWords(*e, *a);
-  return "expected '" + expected + "', actual '" + actual + "'";
+template <class Value>
+std::string inWords(const Value& expected, const Value& actual) {
+  return "expected '" + goldenText(expected) + "', actual '" + goldenText(actual) + "'";
+}
+std::string inWords(double expected, double actual) { return compareInWords(expected, actual); }
+std::string inWords(const std::optional<double>& expected, const std::optional<double>& actual) {
+  if (expected && actual) return compareInWords(*expected, *actual);
+  return inWords<std::optional<double>>(expected, actual);
 }
 
 constexpr std::size_t digits = 4;  // of a cell's hash
@@ -51,12 +53,8 @@ constexpr std::size_t digits = 4;  // of a cell's hash
 /// Who was alive after this step, by lineage path, as the golden's lineage tells.
 std::vector<CellPath> aliveAt(const GoldenData& golden, std::uint64_t step) {
   std::vector<CellPath> alive;
-  for (const GoldenItem& item : golden.items) {
-    if (item.kind != "cell") continue;
-    const auto born = readNatural(item.fields[1]), ended = readNatural(item.fields[3]);
-    if (born && *born <= step && (!ended || *ended > step))
-      alive.push_back(item.key == "egg" ? CellPath{} : CellPath::parse(item.key));
-  }
+  for (const auto* cell : all<GoldenCell>(golden))
+    if (cell->bornStep <= step && (!cell->endedStep || *cell->endedStep > step)) alive.push_back(cell->path);
   std::sort(alive.begin(), alive.end());
   return alive;
 }
@@ -76,28 +74,29 @@ std::optional<Difference> findDifference(const std::string& file, const GoldenIt
                                          const GoldenItem* observed) {
   const GoldenItem& item = golden ? *golden : *observed;
   Difference d;
-  d.place = golden ? file + ':' + std::to_string(golden->line) : file;
+  d.place =
+      golden ? file + ':' + std::to_string(std::visit([](const auto& i) { return i.line; }, *golden)) : file;
   d.cell = cellOf(item);
+  d.step = stepOf(item);
   if (!golden || !observed) {
-    d.step = stepOf(item);
     (golden ? d.expected : d.actual) = write(item);
     d.text = d.place + ": " + nameOf(item) +
              (golden ? ": expected, but the run has none: `" : ": the run has it, the golden does not: `") +
              write(item) + '`';
     return d;
   }
-  const ItemForm& form = *findForm(item.kind);
-  for (std::size_t i = 0; i < form.fields.size(); ++i) {
-    if (golden->fields[i] == observed->fields[i]) continue;
-    d.field = form.fields[i].name;
-    d.step = partingStep(*golden, *observed, i);
-    d.expected = golden->fields[i];
-    d.actual = observed->fields[i];
-    d.text = d.place + ": " + nameOf(item) + ": " + d.field + ": " +
-             inWords(form.fields[i].type, d.expected, d.actual);
-    return d;
-  }
-  return std::nullopt;
+  const auto compare = [&]<class Item>(const Item& e) {
+    const Item& a = std::get<Item>(*observed);
+    const auto compareField = [&](const std::string& field, const auto& x, const auto& y) {
+      if (!d.field.empty() || agree(x, y)) return;
+      d.field = field, d.expected = goldenText(x), d.actual = goldenText(y);
+      if constexpr (std::is_same_v<Item, GoldenCell>) d.step = partingStep(e, a, field);
+      d.text = d.place + ": " + nameOf(item) + ": " + field + ": " + inWords(x, y);
+    };
+    visitGoldenFields(compareField, e, a);
+  };
+  std::visit(compare, *golden);
+  return d.field.empty() ? std::nullopt : std::optional(d);
 }
 
 void sortByStep(std::vector<Difference>& differences) {
@@ -116,10 +115,10 @@ std::string listed(const std::vector<Difference>& differences) {
   return text;
 }
 
-std::vector<std::string> cellsThatDiffer(const GoldenData& golden, const GoldenItem& expected,
-                                         const GoldenItem& actual) {
-  const std::string &e = expected.fields[1], &a = actual.fields[1];
-  const std::vector<CellPath> alive = aliveAt(golden, stepOf(expected).value_or(0));
+std::vector<std::string> cellsThatDiffer(const GoldenData& golden, const GoldenLink& expected,
+                                         const GoldenLink& actual) {
+  const std::string &e = expected.cells.text, &a = actual.cells.text;
+  const std::vector<CellPath> alive = aliveAt(golden, expected.step);
   std::vector<std::string> cells;
   if (e.size() != a.size() || e.size() != digits * alive.size()) return cells;  // another population
   for (std::size_t i = 0; i < alive.size(); ++i)

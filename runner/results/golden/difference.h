@@ -31,10 +31,10 @@ void sortByStep(std::vector<Difference>& differences);
 /// At most nine lines, then how many more there are.
 std::string listed(const std::vector<Difference>& differences);
 
-/// Paths ("" is the egg) of the cells whose digits differ in two `step_hash` items of one step. Empty if
+/// Paths ("" is the egg) of the cells whose digits differ in two links of one step. Empty if
 /// none differs, or where other cells live than the golden's lineage says.
-std::vector<std::string> cellsThatDiffer(const GoldenData& golden, const GoldenItem& expected,
-                                         const GoldenItem& actual);
+std::vector<std::string> cellsThatDiffer(const GoldenData& golden, const GoldenLink& expected,
+                                         const GoldenLink& actual);
 
 /// "the egg", "A, BA and 7 more".
 std::string inWords(const std::vector<std::string>& cells);

@@ -12,17 +12,6 @@
 
 namespace morula {
 
-struct GoldenTimeStep {
-  std::uint64_t step = 0;
-  double time = 0, timeStep = 0;  // [time]
-};
-
-struct GoldenImage {
-  std::string name;      // "organism"
-  std::string renderer;  // only pictures of one renderer are alike to the bit; one word
-  Hash hash;             // of the pixels
-};
-
 struct GoldenFacts {
   std::string scenario;  // "thesis/unique-four"
   std::string scenarioHash;
@@ -32,7 +21,7 @@ struct GoldenFacts {
   std::function<std::string(StateId)> describe;  // a state's substances
   std::vector<GoldenTimeStep> timeSteps;
   Hash stateHash;
-  std::vector<std::pair<std::string, std::uint64_t>> costs;  // counters that say what the run cost
+  std::vector<GoldenCost> costs;
   std::vector<GoldenImage> images;
   std::vector<ChainLink> chain;
   bool mechanics = false;  // false: a lineage-only scene, without values

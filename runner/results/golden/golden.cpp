@@ -38,13 +38,6 @@ std::string digestOf(const Golden& golden) {
   return hasher.digest().text();
 }
 
-/// "# cell path born born_step …", so that the file can be read without its description.
-std::string heading(const ItemForm& form) {
-  std::string line = "# " + std::string(form.kind) + ' ' + std::string(form.key);
-  for (const FieldForm& field : form.fields) line += ' ' + std::string(field.name);
-  return line + '\n';
-}
-
 /// The file line by line, with what can be wrong with any line.
 class Lines {
  public:
@@ -167,11 +160,10 @@ std::pair<std::string, std::string> readParameter(const Lines& lines, std::strin
 /// No growth later than the run's last step.
 void checkGrowth(const Lines& lines, const Golden& golden) {
   if (golden.growth.empty()) return;
-  for (const GoldenItem& item : golden.data.items)
-    if (item.kind == "count" && item.key == "steps")
-      if (const auto steps = readNatural(item.fields[0]); steps && golden.growth.back().step > *steps)
-        lines.fail("growth: step " + std::to_string(golden.growth.back().step) +
-                   " is after the run's last, " + item.fields[0] + "; restore the file from git");
+  for (const auto* count : all<GoldenCount>(golden.data))
+    if (count->name == "steps" && golden.growth.back().step > count->count)
+      lines.fail("growth: step " + std::to_string(golden.growth.back().step) + " is after the run's last, " +
+                 std::to_string(count->count) + "; restore the file from git");
 }
 
 }  // namespace
@@ -214,10 +206,10 @@ std::string writeGolden(const Golden& golden) {
   if (!data.parameters.empty())
     text += "\n# parameter key value: what decides the result, defaults filled in\n";
   for (const auto& [key, value] : data.parameters) text += "parameter " + key + ' ' + value + '\n';
-  std::string_view kind;
+  const GoldenItem* before = nullptr;
   for (const GoldenItem& item : data.items) {
-    if (item.kind != kind) text += '\n' + heading(*findForm(item.kind));
-    kind = item.kind;
+    if (!before || before->index() != item.index()) text += '\n' + headingOf(item) + '\n';
+    before = &item;
     text += write(item) + '\n';
   }
   return text + "\nend " + std::to_string(data.items.size()) + ' ' + digestOf(golden) + '\n';
@@ -284,8 +276,8 @@ Golden readGolden(const std::string& text, const std::string& file) {
       continue;
     }
     GoldenItem item = readItem(line, lines.place());
-    item.line = lines.number();
-    expectNew(item.kind + ' ' + item.key);
+    std::visit([&](auto& i) { i.line = lines.number(); }, item);
+    expectNew(idOf(item));
     data.items.push_back(std::move(item));
   }
   lines.fail("the file ends without its last line `end …`: it is truncated; restore it from git");
@@ -300,9 +292,8 @@ Golden readGoldenFile(const std::filesystem::path& file) {
 }
 
 std::string acceptedBits(const Golden& golden) {
-  for (const GoldenItem& item : golden.data.items)
-    if (item.kind == "bits" && !item.fields.empty()) return item.fields[0];
-  return {};
+  const auto bits = all<GoldenBits>(golden.data);
+  return bits.empty() ? "" : bits.front()->hash.text();
 }
 
 }  // namespace morula

@@ -24,6 +24,15 @@ struct GoldenData {
   std::vector<std::pair<std::string, std::string>> parameters = {};
 };
 
+/// The items of one kind, in their order.
+template <class Item>
+std::vector<const Item*> all(const GoldenData& data) {
+  std::vector<const Item*> items;
+  for (const GoldenItem& item : data.items)
+    if (const auto* one = std::get_if<Item>(&item)) items.push_back(one);
+  return items;
+}
+
 /// How fast runs of this scenario part: by which step one unit in the last place of one coordinate, moved at
 /// the start, has grown to `size`, in radii of the egg.
 struct GoldenGrowth {

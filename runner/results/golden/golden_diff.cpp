@@ -11,16 +11,16 @@ namespace morula {
 namespace {
 
 /// The last rule that matches; null if none does.
-const ToleranceRule* ruleFor(const std::vector<ToleranceRule>& rules, const GoldenItem& value) {
+const ToleranceRule* ruleFor(const std::vector<ToleranceRule>& rules, const GoldenValue& value) {
   const ToleranceRule* holds = nullptr;
   for (const ToleranceRule& rule : rules)
-    if (rule.matches(value.key, stepOf(value).value_or(0))) holds = &rule;
+    if (rule.matches(goldenText(value.name), value.step)) holds = &rule;
   return holds;
 }
 
 std::map<std::string, const GoldenItem*> byName(const GoldenData& data) {
   std::map<std::string, const GoldenItem*> items;
-  for (const GoldenItem& item : data.items) items.emplace(item.kind + ' ' + item.key, &item);
+  for (const GoldenItem& item : data.items) items.emplace(idOf(item), &item);
   return items;
 }
 
@@ -37,25 +37,27 @@ std::string section(const std::string& heading, const std::vector<std::string>& 
 }  // namespace
 
 GoldenData keepValuesWithinTolerance(GoldenData observed, const Golden& old) {
-  const auto before = byName(old.data);
+  std::map<ValueName, const GoldenValue*> before;
+  for (const auto* value : all<GoldenValue>(old.data)) before.emplace(value->name, value);
   for (GoldenItem& item : observed.items) {
-    if (item.kind != "value") continue;
-    const auto found = before.find(item.kind + ' ' + item.key);
-    if (found == before.end() || found->second->fields[0] != item.fields[0]) continue;
-    const ToleranceRule* rule = ruleFor(old.rules, item);
-    const auto e = readReal(found->second->fields[1]), a = readReal(item.fields[1]);
-    if (rule && e && a && rule->tolerance.passes(*e, *a)) item.fields = found->second->fields;
+    auto* value = std::get_if<GoldenValue>(&item);
+    const auto found = value ? before.find(value->name) : before.end();
+    if (found == before.end() || found->second->step != value->step) continue;
+    const ToleranceRule* rule = ruleFor(old.rules, *value);
+    if (rule && rule->tolerance.passes(found->second->value, value->value))
+      value->value = found->second->value;
   }
   return observed;
 }
 
 std::vector<ToleranceRule> limitToHorizon(const Golden& golden, std::vector<std::string>& notes) {
   std::vector<ToleranceRule> limited;
+  const auto values = all<GoldenValue>(golden.data);
   for (ToleranceRule rule : golden.rules) {
     const auto horizon = horizonOf(golden, rule.tolerance.size());
     const auto matchesOne = [&] {
-      return std::any_of(golden.data.items.begin(), golden.data.items.end(), [&](const GoldenItem& item) {
-        return item.kind == "value" && rule.matches(item.key, stepOf(item).value_or(0));
+      return std::any_of(values.begin(), values.end(), [&](const GoldenValue* value) {
+        return rule.matches(goldenText(value->name), value->step);
       });
     };
     const bool isLoose = rule.tolerance.kind != Tolerance::Kind::exact;
@@ -76,12 +78,10 @@ std::vector<ToleranceRule> limitToHorizon(const Golden& golden, std::vector<std:
 
 std::vector<std::string> loosenedTolerances(const Golden& before, const Golden& golden) {
   std::map<std::string, std::size_t> count;  // by the rule that is looser
-  for (const GoldenItem& item : golden.data.items) {
-    if (item.kind != "value") continue;
-    const double expected = readReal(item.fields[1]).value_or(0);
-    const ToleranceRule *was = ruleFor(before.rules, item), *is = ruleFor(golden.rules, item);
+  for (const auto* value : all<GoldenValue>(golden.data)) {
+    const ToleranceRule *was = ruleFor(before.rules, *value), *is = ruleFor(golden.rules, *value);
     const auto allowed = [&](const ToleranceRule* rule) {
-      return rule ? rule->tolerance.allowed(expected) : 0;
+      return rule ? rule->tolerance.allowed(value->value) : 0;
     };
     if (allowed(is) > allowed(was))
       ++count["`" + is->text() + "`, before " + (was ? "`" + was->text() + "`" : "exact")];
@@ -96,22 +96,21 @@ std::string describeGoldenDiff(const Golden& golden, const GoldenData& observed)
   const auto before = byName(golden.data), after = byName(observed);
   std::vector<std::string> removed, added, lineage, bits, values, others;
   for (const GoldenItem& item : golden.data.items) {
-    const auto now = after.find(item.kind + ' ' + item.key);
+    const auto now = after.find(idOf(item));
     if (now == after.end()) {
       removed.push_back(write(item));
       continue;
     }
-    if (item.fields == now->second->fields) continue;
-    const bool life = item.kind == "cell" || item.kind == "generation";
-    const bool isBits = item.kind == "bits" || item.kind == "step_hash";
-    (life                   ? lineage
-     : isBits               ? bits
-     : item.kind == "value" ? values
-                            : others)
+    if (agree(item, *now->second)) continue;
+    const std::string check = checkOf(item);
+    (check == "lineage"                          ? lineage
+     : check == "bits" || check == "step_hashes" ? bits
+     : check == "values"                         ? values
+                                                 : others)
         .push_back(write(item) + "  →  " + write(*now->second));
   }
   for (const GoldenItem& item : observed.items)
-    if (!before.contains(item.kind + ' ' + item.key)) added.push_back(write(item));
+    if (!before.contains(idOf(item))) added.push_back(write(item));
   return section("removed", removed) + section("new", added) + section("changed in the lineage", lineage) +
          section("changed bits", bits) + section("changed values", values) +
          section("changed of pictures, counts and costs", others);

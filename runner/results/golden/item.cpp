@@ -1,10 +1,7 @@
 #include "golden/item.h"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 
-#include "base/cell_path.h"
 #include "base/error.h"
 #include "golden/number_text.h"
 
@@ -12,42 +9,92 @@ namespace morula {
 
 namespace {
 
-using enum FieldType;
+// Each reads a text, or tells what would have been right.
 
-bool isHash(std::string_view word) {
-  return word.size() == 32 && word.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+const char* read(std::string_view text, std::uint64_t& value) {
+  const auto number = readNatural(text);
+  if (number) value = *number;
+  return number ? nullptr : "a whole number from 0";
 }
 
-void checkField(const FieldForm& form, std::string_view given, const std::string& place) {
-  const auto demand = [&](bool holds, const char* wanted) {
-    if (!holds)
-      throw InputError(place + ": " + std::string(form.name) + ": '" + std::string(given) + "'; " + wanted +
+const char* read(std::string_view text, double& value) {
+  const auto number = readReal(text);
+  if (number) value = *number;
+  return number && std::isfinite(*number) && exactText(*number) == text
+             ? nullptr
+             : "a finite number, written as shortly as it can be";
+}
+
+const char* read(std::string_view text, Hash& value) {
+  const auto hash = readHash(text);
+  if (hash) value = *hash;
+  return hash ? nullptr : "a hash of 32 hexadecimal digits";
+}
+
+const char* read(std::string_view text, Fate& value) {
+  for (const Fate fate : {Fate::alive, Fate::divided, Fate::died})
+    if (text == name(fate)) return value = fate, nullptr;
+  return "alive, divided or died";
+}
+
+const char* read(std::string_view text, CellPath& value) {
+  if (text != "egg") value = CellPath::parse(std::string(text));
+  return text.empty() ? "a cell's path, or egg," : nullptr;
+}
+
+const char* read(std::string_view text, ValueName& value) {
+  const char* const form = "WHEN/WHO/WHAT, as final/AB/volume,";
+  const std::size_t first = text.find('/'), last = text.rfind('/');
+  if (first == text.npos || last == first || last + 1 == text.size()) return form;
+  const std::string_view when = text.substr(0, first), who = text.substr(first + 1, last - first - 1);
+  value.measure = text.substr(last + 1);
+  if (when != "final" && read(when, value.time.emplace())) return form;
+  return who == "organism" ? nullptr : read(who, value.cell.emplace());
+}
+
+const char* read(std::string_view text, std::string& value) { return value = text, nullptr; }
+const char* read(std::string_view text, RestOfLine& value) { return value.text = text, nullptr; }
+
+template <class Value>
+const char* read(std::string_view text, std::optional<Value>& value) {
+  return text == "-" ? nullptr : read(text, value.emplace());
+}
+
+template <class Item>
+Item readAs(std::string_view line, const std::string& place) {
+  Item item;
+  bool isKey = true;
+  const auto readField = [&]<class Value>(const std::string& name, Value& value) {
+    constexpr bool takesAll = std::is_same_v<Value, RestOfLine>;
+    const std::string_view given = takesAll ? std::exchange(line, {}) : takeWord(line);
+    if (given.empty() && !takesAll)
+      throw InputError(place +
+                       (isKey ? ": the line ends after its kind; its " : ": the line is cut short; ") + name +
                        " is expected");
+    isKey = false;
+    const char* right = nullptr;
+    try {
+      right = read(given, value);
+    } catch (const InputError& e) { throw InputError(place + ": path: " + e.what()); }
+    if (right)
+      throw InputError(place + ": " + name + ": '" + std::string(given) + "'; " + right + " is expected");
   };
-  if (form.optional && given == "-") return;
-  switch (form.type) {
-    case natural:
-      demand(readNatural(given).has_value(), "a whole number from 0");
-      break;
-    case real: {
-      const std::optional<double> value = readReal(given);
-      // One spelling per number, so that equal text is equal bits and the other way round.
-      demand(value && std::isfinite(*value) && exactText(*value) == given,
-             "a finite number, written as shortly as it can be");
-      break;
-    }
-    case hash:
-      demand(isHash(given), "a hash of 32 hexadecimal digits");
-      break;
-    case word:
-      demand(!given.empty(), "a word");
-      break;
-    case text:
-      break;
-  }
+  visitGoldenFields(readField, item);
+  if (!line.empty())
+    throw InputError(place + ": '" + std::string(line) + "' follows the end of the line; remove it");
+  return item;
 }
 
 }  // namespace
+
+std::string goldenText(std::uint64_t value) { return std::to_string(value); }
+std::string goldenText(double value) { return exactText(value); }
+std::string goldenText(const Hash& value) { return value.text(); }
+std::string goldenText(const CellPath& value) { return value.isEgg() ? "egg" : value.text(); }
+std::string goldenText(const ValueName& value) {
+  return (value.time ? exactText(*value.time) : "final") + '/' +
+         (value.cell ? goldenText(*value.cell) : "organism") + '/' + value.measure;
+}
 
 std::string_view takeWord(std::string_view& rest) {
   const std::size_t space = rest.find(' ');
@@ -56,92 +103,67 @@ std::string_view takeWord(std::string_view& rest) {
   return word;
 }
 
-const std::vector<ItemForm>& itemForms() {
-  static const std::vector<ItemForm> forms{
-      {"count", "name", "counts", {{"count", natural}}},
-      {"cell",
-       "path",
-       "lineage",
-       {{"born", real},
-        {"born_step", natural},
-        {"ended", real, true},
-        {"ended_step", natural, true},
-        {"fate", word},
-        {"state", text}}},
-      {"generation", "number", "lineage", {{"cells", natural}, {"hash", hash}}},
-      {"time_step", "step", "time_steps", {{"time", real}, {"time_step", real}}},
-      {"bits", "domain", "bits", {{"hash", hash}}},
-      {"step_hash", "step", "step_hashes", {{"hash", hash}, {"cells", text}}},
-      {"image", "name", "images", {{"renderer", word}, {"hash", hash}}},
-      {"cost", "name", "costs", {{"count", natural}}},
-      {"value", "name", "values", {{"step", natural}, {"value", real}}},
-  };
-  return forms;
+std::string kindOf(const GoldenItem& item) {
+  std::string_view form = std::visit([](const auto& i) { return i.form; }, item);
+  return std::string(takeWord(form));
 }
 
-const ItemForm* findForm(std::string_view kind) {
-  const auto& forms = itemForms();
-  const auto found =
-      std::find_if(forms.begin(), forms.end(), [&](const ItemForm& f) { return f.kind == kind; });
-  return found == forms.end() ? nullptr : &*found;
+std::string keyOf(const GoldenItem& item) {
+  return std::visit([](const auto& i) { return goldenText(std::get<0>(goldenFields(i))); }, item);
+}
+
+bool agree(const GoldenItem& a, const GoldenItem& b) {
+  if (a.index() != b.index()) return false;
+  bool same = true;
+  const auto compare = [&](const std::string&, const auto& x, const auto& y) { same = same && agree(x, y); };
+  std::visit([&]<class Item>(const Item& i) { visitGoldenFields(compare, i, std::get<Item>(b)); }, a);
+  return same;
 }
 
 std::string write(const GoldenItem& item) {
-  std::string line = item.kind + ' ' + item.key;
-  for (const std::string& field : item.fields)
-    if (!field.empty()) line += ' ' + field;
+  std::string line = kindOf(item);
+  const auto add = [&](const std::string&, const auto& value) {
+    if (const std::string text = goldenText(value); !text.empty()) line += ' ' + text;
+  };
+  std::visit([&](const auto& i) { visitGoldenFields(add, i); }, item);
   return line;
 }
 
+std::string headingOf(const GoldenItem& item) {
+  return std::visit([](const auto& i) { return std::string("# ") + i.form; }, item);
+}
+
 GoldenItem readItem(std::string_view line, const std::string& place) {
-  GoldenItem item;
-  item.kind = takeWord(line);
-  const ItemForm* form = findForm(item.kind);
-  if (!form) {
-    std::string kinds;
-    for (const ItemForm& f : itemForms()) kinds += (kinds.empty() ? "" : ", ") + std::string(f.kind);
-    throw InputError(place + ": '" + item.kind + "' begins no line of a golden file; one of " + kinds +
-                     " is expected");
-  }
-  item.key = takeWord(line);
-  if (item.key.empty())
-    throw InputError(place + ": the line ends after '" + item.kind + "'; its " + std::string(form->key) +
-                     " is expected");
-  if (item.kind == "cell" && item.key != "egg") {
-    try {
-      CellPath::parse(item.key);
-    } catch (const InputError& e) { throw InputError(place + ": path: " + e.what()); }
-  }
-  if (form->key == "step" || form->key == "number") checkField({form->key, natural}, item.key, place);
-  for (const FieldForm& field : form->fields) {
-    const std::string_view word = field.type == text ? line : takeWord(line);
-    if (word.empty() && field.type != text)
-      throw InputError(place + ": the line is cut short; " + std::string(field.name) + " is expected");
-    checkField(field, word, place);
-    item.fields.emplace_back(word);
-    if (field.type == text) line = {};
-  }
-  if (!line.empty())
-    throw InputError(place + ": '" + std::string(line) + "' follows the end of the line; remove it");
-  return item;
+  const std::string_view kind = takeWord(line);
+  std::optional<GoldenItem> item;
+  std::string kinds;
+  const auto tryAs = [&]<class Item>(const Item& empty) {
+    if (kind == kindOf(empty)) item = readAs<Item>(line, place);
+    kinds += (kinds.empty() ? "" : ", ") + kindOf(empty);
+  };
+  [&]<class... Items>(const std::variant<Items...>*) {
+    (tryAs(Items{}), ...);
+  }(static_cast<GoldenItem*>(nullptr));
+  if (!item)
+    throw InputError(place + ": '" + std::string(kind) + "' begins no line of a golden file; one of " +
+                     kinds + " is expected");
+  return *item;
 }
 
 std::optional<std::uint64_t> stepOf(const GoldenItem& item) {
-  if (item.kind == "time_step" || item.kind == "step_hash") return readNatural(item.key);
-  if (item.kind == "value") return readNatural(item.fields.at(0));
-  if (item.kind == "cell") return readNatural(item.fields.at(1));
-  return std::nullopt;
+  if (const auto* cell = std::get_if<GoldenCell>(&item)) return cell->bornStep;
+  return std::visit(
+      [](const auto& i) -> std::optional<std::uint64_t> {
+        if constexpr (requires { i.step; }) return i.step;
+        return {};
+      },
+      item);
 }
 
 std::optional<std::string> cellOf(const GoldenItem& item) {
-  if (item.kind == "cell") return item.key == "egg" ? "" : item.key;
-  if (item.kind != "value") return std::nullopt;
-  // when/who/what: who is "organism", "egg" or a path.
-  const std::size_t first = item.key.find('/');
-  if (first == std::string::npos) return std::nullopt;
-  const std::string who = item.key.substr(first + 1, item.key.find('/', first + 1) - first - 1);
-  if (who == "organism") return std::nullopt;
-  return who == "egg" ? "" : who;
+  if (const auto* cell = std::get_if<GoldenCell>(&item)) return cell->path.text();
+  const auto* value = std::get_if<GoldenValue>(&item);
+  return value && value->name.cell ? std::optional(value->name.cell->text()) : std::nullopt;
 }
 
 }  // namespace morula

@@ -1,45 +1,192 @@
 #pragma once
-// The lines of a golden file's body. Each is `kind key field…`; kind and key name the item, the fields are
-// what must agree. All kinds go through this one form, so a new kind is one row in the table of item.cpp.
+// The lines of a golden file's body: `kind field…`, each a struct. Kind and first field, the key, name the item; the
+// other fields are what must agree. How a struct is read, written, compared and headed follows from its members and its
+// form: a new kind is one struct, and its place in GoldenItem.
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+#include "base/cell_path.h"
+#include "base/hash.h"
+#include "biology/lineage.h"
 
 namespace morula {
 
-enum class FieldType { natural, real, hash, word, text };  // text: the rest of the line, may be empty
-
-struct FieldForm {
-  std::string_view name;
-  FieldType type;
-  bool optional = false;  // "-" when there is none
+/// What stands last on a line, blanks and all; may be empty.
+struct RestOfLine {
+  std::string text;
+  friend bool operator==(const RestOfLine&, const RestOfLine&) = default;
 };
 
-struct ItemForm {
-  std::string_view kind;
-  std::string_view key;    // what the key is called in messages
-  std::string_view check;  // the check that compares it
-  std::vector<FieldForm> fields;
+/// "final/AB/volume", "0.5/organism/cells"
+struct ValueName {
+  std::optional<double> time;    // [time] of the sample; absent: at the end
+  std::optional<CellPath> cell;  // absent: of the organism
+  std::string measure;           // [simulation/measures.h]
+  friend auto operator<=>(const ValueName&, const ValueName&) = default;
+};
+
+// `form`: the kind, and the fields by name, in the order of the members; `check`: what compares it; `line`: in the file it
+// was read from, 0: observed.
+
+struct GoldenCount {
+  static constexpr const char *form = "count name count", *check = "counts";
+  std::string name;
+  std::uint64_t count = 0;
+  int line = 0;
+};
+
+struct GoldenCell {
+  static constexpr const char *form = "cell path born born_step ended ended_step fate state",
+                              *check = "lineage";
+  CellPath path;
+  double born = 0;  // [time]
+  std::uint64_t bornStep = 0;
+  std::optional<double> ended;  // [time] absent: it lives
+  std::optional<std::uint64_t> endedStep;
+  Fate fate = Fate::alive;
+  RestOfLine state;  // substances
+  int line = 0;
+};
+
+/// In place of its cells, where they are too many.
+struct GoldenGeneration {
+  static constexpr const char *form = "generation number cells hash", *check = "lineage";
+  std::uint64_t number = 0, cells = 0;
+  Hash hash;
+  int line = 0;
+};
+
+struct GoldenTimeStep {
+  static constexpr const char *form = "time_step step time time_step", *check = "time_steps";
+  std::uint64_t step = 0;
+  double time = 0, timeStep = 0;  // [time]
+  int line = 0;
+};
+
+struct GoldenBits {
+  static constexpr const char *form = "bits domain hash", *check = "bits";
+  std::string domain;  // "solver"
+  Hash hash;           // of the last state
+  int line = 0;
+};
+
+struct GoldenLink {
+  static constexpr const char *form = "step_hash step hash cells", *check = "step_hashes";
+  std::uint64_t step = 0;
+  Hash hash;
+  RestOfLine cells;  // the last four digits of each living cell's hash, by path; none if they are too many
+  int line = 0;
+};
+
+struct GoldenImage {
+  static constexpr const char *form = "image name renderer hash", *check = "images";
+  std::string name;      // "organism"
+  std::string renderer;  // only pictures of one renderer are alike to the bit; one word
+  Hash hash;             // of the pixels
+  int line = 0;
+};
+
+/// A counter that says what the run cost.
+struct GoldenCost {
+  static constexpr const char *form = "cost name count", *check = "costs";
+  std::string name;
+  std::uint64_t count = 0;
+  int line = 0;
+};
+
+struct GoldenValue {
+  static constexpr const char *form = "value name step value", *check = "values";
+  ValueName name;
+  std::uint64_t step = 0;
+  double value = 0;
+  int line = 0;
 };
 
 /// The kinds in their order in the file.
-const std::vector<ItemForm>& itemForms();
-/// Null for an unknown kind.
-const ItemForm* findForm(std::string_view kind);
+using GoldenItem = std::variant<GoldenCount, GoldenCell, GoldenGeneration, GoldenTimeStep, GoldenBits,
+                                GoldenLink, GoldenImage, GoldenCost, GoldenValue>;
 
-struct GoldenItem {
-  std::string kind;
-  std::string key;
-  std::vector<std::string> fields;  // canonical text: equal text is equal bits
-  int line = 0;                     // in the file it was read from; 0: observed
-};
+// Each value has one text, so that equal text is equal bits and the other way round.
+std::string goldenText(std::uint64_t value);
+std::string goldenText(double value);
+std::string goldenText(const Hash& value);
+std::string goldenText(const CellPath& value);
+std::string goldenText(const ValueName& value);
+inline std::string goldenText(Fate value) { return name(value); }
+inline std::string goldenText(const std::string& value) { return value; }
+inline std::string goldenText(const RestOfLine& value) { return value.text; }
+template <class Value>
+std::string goldenText(const std::optional<Value>& value) {
+  return value ? goldenText(*value) : "-";
+}
+
+// The same bits: −0 and 0 differ.
+template <class Value>
+bool agree(const Value& a, const Value& b) {
+  return a == b;
+}
+inline bool agree(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+inline bool agree(const std::optional<double>& a, const std::optional<double>& b) {
+  return a.has_value() == b.has_value() && (!a || agree(*a, *b));
+}
+
+/// All members but `line`.
+template <class Item>
+auto goldenFields(Item& item) {
+  constexpr auto count = std::ranges::count(std::string_view(Item::form), ' ');
+  if constexpr (count == 2) {
+    auto& [a, b, line] = item;
+    return std::tie(a, b);
+  } else if constexpr (count == 3) {
+    auto& [a, b, c, line] = item;
+    return std::tie(a, b, c);
+  } else {
+    auto& [a, b, c, d, e, f, g, line] = item;
+    return std::tie(a, b, c, d, e, f, g);
+  }
+}
 
 /// Splits off the text before the next space; the rest keeps what follows the space.
 std::string_view takeWord(std::string_view& rest);
 
+/// Calls visit(name, value…) for each field of one or several items of one kind.
+template <class Visit, class Item, class... Others>
+void visitGoldenFields(const Visit& visit, Item& item, Others&... others) {
+  std::string_view names = Item::form;
+  takeWord(names);
+  const auto visitField = [&]<std::size_t number>(std::integral_constant<std::size_t, number>) {
+    visit(std::string(takeWord(names)), std::get<number>(goldenFields(item)),
+          std::get<number>(goldenFields(others))...);
+  };
+  [&]<std::size_t... number>(std::index_sequence<number...>) {
+    (visitField(std::integral_constant<std::size_t, number>{}), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(goldenFields(item))>>{});
+}
+
+std::string kindOf(const GoldenItem& item);
+std::string keyOf(const GoldenItem& item);
+/// Kind and key: no two items of a file have the same.
+inline std::string idOf(const GoldenItem& item) { return kindOf(item) + ' ' + keyOf(item); }
+/// The check that compares it.
+inline std::string checkOf(const GoldenItem& item) {
+  return std::visit([](const auto& i) { return i.check; }, item);
+}
+/// The same in all fields, whatever their lines.
+bool agree(const GoldenItem& a, const GoldenItem& b);
+
 std::string write(const GoldenItem& item);
+/// "# cell path born born_step …", so that the file can be read without its description.
+std::string headingOf(const GoldenItem& item);
 /// Reads one line. Throws InputError that begins with `place` ("file:line").
 GoldenItem readItem(std::string_view line, const std::string& place);
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "files/bytes.h"
 #include "mesh/measures.h"
 
 namespace morula {
@@ -18,18 +19,7 @@ std::uint16_t numberOf(double x, double low, double step) {
   return static_cast<std::uint16_t>(std::clamp(std::floor((x - low) / step + 0.5), 0.0, steps));
 }
 
-void put(std::string& bytes, std::uint32_t value, int count) {
-  for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
-}
-
-std::uint32_t take(std::string_view bytes, std::size_t at, int count) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < count; ++i)
-    value |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(i)])} << (8 * i);
-  return value;
-}
-
-int cornerBytes(std::uint64_t vertices) { return vertices <= 65536 ? 2 : 4; }
+bool isShort(std::uint64_t vertices) { return vertices <= 65536; }
 
 }  // namespace
 
@@ -55,7 +45,7 @@ std::string numberBytes(const CellSurface& surface) {
   std::string bytes;
   bytes.reserve(6 * surface.numbers.size());
   for (const auto& vertex : surface.numbers)
-    for (const std::uint16_t number : vertex) put(bytes, number, 2);
+    for (const std::uint16_t number : vertex) put16(bytes, number);
   return bytes;
 }
 
@@ -63,7 +53,8 @@ std::string faceBytes(const MeshFaces& mesh) {
   std::string bytes;
   for (const Face& face : mesh.faces)
     for (const std::int32_t corner : face)
-      put(bytes, static_cast<std::uint32_t>(corner), cornerBytes(mesh.vertices));
+      if (isShort(mesh.vertices)) put16(bytes, static_cast<std::uint16_t>(corner));
+      else put32(bytes, corner);
   return bytes;
 }
 
@@ -71,17 +62,17 @@ std::vector<std::array<std::uint16_t, 3>> numbersFrom(std::string_view bytes) {
   MORULA_CHECK(bytes.size() % 6 == 0, "three numbers of two bytes a vertex");
   std::vector<std::array<std::uint16_t, 3>> numbers(bytes.size() / 6);
   for (std::size_t i = 0; i < bytes.size() / 2; ++i)
-    numbers[i / 3][i % 3] = static_cast<std::uint16_t>(take(bytes, 2 * i, 2));
+    numbers[i / 3][i % 3] = numberAt<std::uint16_t>(bytes, 2 * i);
   return numbers;
 }
 
 bool facesFrom(std::string_view bytes, std::uint64_t vertices, std::vector<Face>& faces) {
-  const int size = cornerBytes(vertices);
-  const auto each = static_cast<std::size_t>(size);
+  const std::size_t each = isShort(vertices) ? 2 : 4;
   if (bytes.size() % (3 * each) != 0 || vertices > std::numeric_limits<std::int32_t>::max()) return false;
   faces.assign(bytes.size() / (3 * each), {});
   for (std::size_t i = 0; i < 3 * faces.size(); ++i) {
-    const std::uint32_t corner = take(bytes, each * i, size);
+    const std::uint32_t corner =
+        each == 2 ? numberAt<std::uint16_t>(bytes, 2 * i) : numberAt<std::uint32_t>(bytes, 4 * i);
     if (corner >= vertices) return false;
     faces[i / 3][i % 3] = static_cast<std::int32_t>(corner);
   }

@@ -23,10 +23,16 @@ void keepFaces(std::vector<MeshFaces>& kept, const std::vector<MeshFaces>& from,
   kept.insert(place, *found);
 }
 
+/// [byte]
+double bytesOf(const CellSurface& surface) {
+  return double(sizeof(CellSurface) + surface.numbers.size() * sizeof(surface.numbers[0]));
+}
+
 }  // namespace
 
 void Recorder::observe(const World& world) {
   sampled_ = false;
+  pour();
   const Clock& clock = world.clock;
   if (options_.hashEvery && clock.step % *options_.hashEvery == 0) hash(world);
   const bool reached = reaches(world.cells.path.size()), due = isDue(clock.time),
@@ -93,17 +99,37 @@ void Recorder::resume(const World& world, const RunResults& earlier) {
     keepTouching(s.contacts, s.world.time);
     if (due) expectNext(s.world.time);
     if (surfaces) expectNextSurfaces(s.world.time);
-    results_.samples.push_back(std::move(s));
+    pour();
+    add(std::move(s));
   }
   for (const ChainLink& link : earlier.chain)
     if (options_.hashEvery && link.step <= world.clock.step && link.step % *options_.hashEvery == 0)
-      results_.chain.push_back(link);
+      pour(), add(link);
 }
 
-void Recorder::hash(const World& world) {
-  auto& chain = results_.chain;
-  chain.push_back(nextLink(chain.empty() ? std::nullopt : std::optional(chain.back().hash), world));
-  bytes_ += double(sizeof(ChainLink) + chain.back().state.cells.size() * sizeof(CellHash));
+void Recorder::hash(const World& world) { add(nextLink(lastLink_, world)); }
+
+void Recorder::pour() {
+  if (!sink_ || bytes_ < enough_) return;
+  sink_(results_);
+  results_.samples.clear(), results_.chain.clear();
+  bytes_ = 0;
+}
+
+void Recorder::add(Sample sample) {
+  double bytes =
+      double(sizeof(Sample) + sample.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +
+             sample.contacts.size() * (sizeof(ContactMeasures) + ContactMeasures::bytes()) +
+             sample.more.size() * sizeof(TakenMeasure));
+  for (const CellSurface& s : sample.surfaces) bytes += bytesOf(s);
+  bytes_ += bytes;
+  results_.samples.push_back(std::move(sample));
+}
+
+void Recorder::add(ChainLink link) {
+  lastLink_ = link.hash;
+  bytes_ += double(sizeof(ChainLink) + link.state.cells.size() * sizeof(CellHash));
+  results_.chain.push_back(std::move(link));
 }
 
 void Recorder::keepTouching(const std::vector<ContactMeasures>& contacts, double time) {
@@ -124,7 +150,6 @@ void Recorder::keepSurfaces(const World& world, Sample& sample) {
               level = bodies.blocks[static_cast<std::size_t>(slot / blockLanes)].meshLevel;
     Mesh surface = takeSurface(bodies, slot);
     sample.surfaces.push_back(quantise(world.cells.path[i], level, surface.vertices));
-    bytes_ += double(sizeof(CellSurface) + 6 * surface.vertices.size());
     keepFaces(results_.meshes, {{level, surface.vertices.size(), std::move(surface.faces)}}, level);
   }
 }
@@ -139,12 +164,8 @@ void Recorder::sample(const World& world, bool withSurfaces) {
   now.contactDurations = durations;
   s.more = takeMeasures(now, options_.measures);
   if (withSurfaces) keepSurfaces(world, s);
-  results_.samples.push_back(std::move(s));
-  for (const CellMeasures& c : results_.samples.back().cells) describe(world, c.state);
-  const Sample& taken = results_.samples.back();
-  bytes_ += double(sizeof(Sample) + taken.cells.size() * (sizeof(CellMeasures) + CellMeasures::bytes()) +
-                   taken.contacts.size() * (sizeof(ContactMeasures) + ContactMeasures::bytes()) +
-                   taken.more.size() * sizeof(TakenMeasure));
+  for (const CellMeasures& c : s.cells) describe(world, c.state);
+  add(std::move(s));
   sampled_ = true;
 }
 
@@ -162,6 +183,7 @@ RunResults Recorder::take(const World& world, bool failed) {
   const bool hashesEnd = options_.hashEnd || options_.hashEvery;
   if (hashesEnd && !failed && (results_.chain.empty() || results_.chain.back().step != world.clock.step))
     hash(world);
+  lastLink_.reset();
 
   for (const LineageEntry& e : world.lineage.entries) describe(world, e.state);
   RunResults results = std::exchange(results_, {});
@@ -175,13 +197,14 @@ RunResults Recorder::take(const World& world, bool failed) {
   return results;
 }
 
-RunEnd endOf(const World& world, RunStatus status, const std::string& failure) {
+RunEnd endOf(const World& world, RunStatus status, const std::string& failure, Want want) {
   RunEnd end{.status = status,
              .stateHash = {},
              .steps = world.clock.step,
              .cells = world.cells.path.size(),
              .time = world.clock.time,
-             .failure = failure};
+             .failure = failure,
+             .want = want};
   if (status == RunStatus::done) end.stateHash = stateHash(world);
   return end;
 }

@@ -34,7 +34,11 @@ struct RecordOptions {
 
 class Recorder {
  public:
-  explicit Recorder(RecordOptions options = {}) : options_(std::move(options)) {}
+  /// What has been recorded goes to `sink` now and then, so that the memory it takes does not grow with the run; without
+  /// one it stays here until `take`.
+  /// `enough` [byte]: it goes when it is so much.
+  explicit Recorder(RecordOptions options = {}, RecordSink sink = {}, double enough = 1 << 20)
+      : options_(std::move(options)), sink_(std::move(sink)), enough_(enough) {}
 
   /// Call once after makeWorld and once after every step. Costs two comparisons unless something is due; a
   /// sample is taken at the first step at or after its time and carries the time of that step.
@@ -43,24 +47,24 @@ class Recorder {
   /// After how many steps `observe` has something to do; 1 at least. It need not be called in between.
   std::uint64_t stepsUntilDue(const World& world) const;
 
-  /// Goes on with what was recorded before the world was stopped: samples and hashes up to its step, apart
-  /// from a sample that was taken only because the run was stopped. States of cells are those of this world.
+  /// Goes on with what was recorded before the world was stopped, in parts or as a whole: samples and hashes up to its
+  /// step, apart from a sample that was taken only because the run was stopped. States of cells are those of this world.
   void resume(const World& world, const RunResults& earlier);
 
   /// True if the last call of `observe` took a sample (for pictures over time).
   bool sampled() const { return sampled_; }
-  /// The samples so far.
+  /// The samples that are still here.
   const std::vector<Sample>& samples() const { return results_.samples; }
   const std::vector<ChainLink>& chain() const { return results_.chain; }
-  /// [byte] That samples and hashes so far take.
+  /// [byte] That samples and hashes take here.
   double bytes() const { return bytes_; }
   const RecordOptions& options() const { return options_; }
-  /// Samples and hashes so far, with the texts of the states in them; nothing else yet.
+  /// Samples and hashes that are still here, with the texts of the states in them; nothing else yet.
   const RunResults& records() const { return results_; }
 
-  /// The run has ended: everything recorded, with a last sample, the lineage, connections and changes of the time
-  /// step. After a NumericalError pass `failed`: the broken state is then not measured. The recorder is empty
-  /// afterwards.
+  /// The run has ended: everything recorded and still here, with a last sample, the lineage, connections and changes of
+  /// the time step. After a NumericalError pass `failed`: the broken state is then not measured. The recorder is
+  /// empty afterwards.
   RunResults take(const World& world, bool failed = false);
 
  private:
@@ -70,6 +74,10 @@ class Recorder {
   /// A sample at `time` [time] sees these contacts, by (a, b). Does nothing unless contact_duration is asked for.
   void keepTouching(const std::vector<ContactMeasures>& contacts, double time);
   void describe(const World& world, StateId state);
+  /// Before something is added. What is of the last step stays here: `take` may add surfaces to it.
+  void pour();
+  void add(Sample sample);
+  void add(ChainLink link);
   bool isDue(double time) const;
   void expectNext(double time);
   bool surfacesAreDue(double time) const;
@@ -80,6 +88,8 @@ class Recorder {
   bool divided(const World& world);
 
   RecordOptions options_;
+  RecordSink sink_;
+  double enough_;
   std::uint64_t next_ = 0;  // number of the next due sample: due at time next_·every; without `every` only
                             // number 0 is ever due
   std::uint64_t nextMeshes_ = 0;  // the same of `meshes`
@@ -89,12 +99,14 @@ class Recorder {
   bool sampled_ = false;
   double bytes_ = 0;
   RunResults results_;
+  std::optional<Hash> lastLink_;
   // Since when [time] the pairs of the last sample touch, for contact_duration: it follows from the samples.
   std::map<std::pair<CellPath, CellPath>, double> touchingSince_;
 };
 
 /// How a run ended, read off its world. `failure`: the NumericalError's text for a failed run, which has no state
 /// hash.
-RunEnd endOf(const World& world, RunStatus status, const std::string& failure = {});
+RunEnd endOf(const World& world, RunStatus status, const std::string& failure = {},
+             Want want = Want::nothing);
 
 }  // namespace morula

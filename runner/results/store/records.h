@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "biology/lineage.h"
 #include "division/record.h"
 #include "golden/check_result.h"
@@ -23,13 +24,13 @@ enum class RunStatus { running, done, failed, killed };
 const char* name(RunStatus status);
 
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
-struct Document {
+struct SourceText {
   // "scenario" (as read), "resolved" (all defaults and overrides filled in), "dna", "mesh", "shell", "names", "reference", "faces" (of kept surfaces), "diff" (what the
   // program's sources had that their commit had not)
   std::string role;
   std::string path;  // where it was read from; "" if it was not
   std::string content;
-  friend bool operator==(const Document&, const Document&) = default;
+  friend bool operator==(const SourceText&, const SourceText&) = default;
 };
 
 /// What is known before the first step.
@@ -37,7 +38,7 @@ struct RunRecord {
   std::string scenario;      // its name
   std::string scenarioHash;  // semantic: formatting and key order do not count
   std::uint64_t seed = 0;
-  std::vector<Document> documents;
+  std::vector<SourceText> documents;
   std::string command;  // as typed
   std::string isa;      // the kernels' instruction set; changes no result
   int threads = 1;      // changes no result
@@ -54,9 +55,10 @@ struct RunEnd {
   RunStatus status = RunStatus::done;  // done, failed or killed
   std::optional<Hash> stateHash;       // of the final state; required when done
   std::uint64_t steps = 0;
-  std::uint64_t cells = 0;  // alive at the end
-  double time = 0;          // [time] simulated
-  std::string failure;      // what went wrong; "" unless failed
+  std::uint64_t cells = 0;    // alive at the end
+  double time = 0;            // [time] simulated
+  std::string failure;        // what went wrong; "" unless failed
+  Want want = Want::nothing;  // what the failure is for want of: then it is compared with nothing
 };
 
 /// The state of the organism at one moment, as far as it was measured.
@@ -89,6 +91,9 @@ struct RunResults {
   std::vector<ChainLink> chain;           // by step
   std::vector<CheckResult> checks;
 };
+
+/// Takes samples and hashes, in their order, with the texts of the states and the faces of the meshes in them.
+using RecordSink = std::function<void(const RunResults& records)>;
 
 /// What a run that was stopped goes on from. Samples and hashes up to its step stand in their tables.
 struct Checkpoint {

@@ -9,11 +9,11 @@ namespace morula {
 
 namespace {
 
-void insertDocuments(Database& db, const std::string& id, const std::vector<Document>& documents) {
+void insertDocuments(Database& db, const std::string& id, const std::vector<SourceText>& documents) {
   Statement content(db, insertInto("document", "hash, content") + " ON CONFLICT DO NOTHING");
   Statement use(db, insertInto("run_document", "run_id, number, role, path, hash"));
   int number = 0;
-  for (const Document& d : documents) {
+  for (const SourceText& d : documents) {
     const std::string hash = Hasher().add(d.content).digest().text();
     content.run(hash, Blob{d.content});
     use.run(id, number++, d.role, d.path, hash);

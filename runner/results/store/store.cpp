@@ -22,6 +22,21 @@ std::optional<Earlier> findEarlier(Database& db, const std::string& id) {
   return Earlier{s.text(0), s.text(1), s.text(2), s.text(3), s.text(4), s.integer(5)};
 }
 
+/// The rows for which `which` holds, by the names of their columns.
+template <class... Values>
+void copyRows(Database& from, Database& to, const std::string& table, const std::string& which,
+              const Values&... values) {
+  std::string names, places;
+  Statement columns(from, "SELECT name FROM pragma_table_info(?)");
+  for (columns.start(table); columns.next();) {
+    names += (names.empty() ? "" : ", ") + columns.text(0);
+    places += places.empty() ? "?" : ", ?";
+  }
+  Statement rows(from, "SELECT " + names + " FROM " + table + " WHERE " + which);
+  Statement insert(to, "INSERT INTO " + table + " (" + names + ") VALUES (" + places + ")");
+  for (rows.start(values...); rows.next();) insert.runWith(rows);
+}
+
 void deleteRun(Database& db, const std::string& id) {
   Statement(db, "DELETE FROM run WHERE run_id = ?").run(id);  // and, by its foreign keys, all rows of the run
   db.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");
@@ -67,6 +82,7 @@ Store Store::openForReading(const std::filesystem::path& file, Options options) 
 std::string Store::begin(const RunRecord& record) {
   const std::string id = runId(record);
   const Attempt& attempt = attempts_[id] = {record, utcNow()};
+  if (recorded_) deleteResults(*recorded_, id);
   Transaction transaction(db_);
   if (const auto earlier = findEarlier(db_, id)) {
     if (earlier->status == name(RunStatus::done)) return id;
@@ -82,6 +98,29 @@ std::string Store::begin(const RunRecord& record) {
   return id;
 }
 
+void Store::record(const std::string& id, const RunResults& records) {
+  if (!recorded_) {
+    recorded_.emplace("the records of a run that goes on", Database::Mode::temporary,
+                      std::chrono::seconds(1));
+    migrate(*recorded_);
+  }
+  recorded_->execute("BEGIN");
+  insertRecords(*recorded_, id, records);
+  recorded_->execute("COMMIT");
+}
+
+void Store::takeOver(const std::string& id, std::optional<std::uint64_t> after) {
+  if (!recorded_) return;
+  // All rows but those of hashes go by their sample's time.
+  Statement last(db_, "SELECT max(time) FROM sample WHERE run_id = ? AND step <= ?");
+  const double time = after && last.start(id, *after).next() && !last.isNull(0) ? last.real(0) : -1;
+  const std::int64_t step = after ? static_cast<std::int64_t>(*after) : -1;
+  for (const char* table : {"sample", "cell_sample", "contact", "measure", "mesh_sample"})
+    copyRows(*recorded_, db_, table, "run_id = ? AND time > ?", id, time);
+  for (const char* table : {"step_hash", "cell_hash"})
+    copyRows(*recorded_, db_, table, "run_id = ? AND step > ?", id, step);
+}
+
 void Store::finish(const std::string& id, const RunEnd& end, const RunResults& results) {
   const auto attempt = attempts_.find(id);
   MORULA_CHECK(attempt != attempts_.end(), "a run is begun before it is finished");
@@ -90,7 +129,8 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
   Transaction transaction(db_);
   if (const auto earlier = findEarlier(db_, id)) {
     if (earlier->status == name(RunStatus::done)) {
-      if (end.status == RunStatus::killed) return;  // half a run says nothing against a whole one
+      // Half a run says nothing against a whole one.
+      if (end.status == RunStatus::killed || end.want != Want::nothing) return;
       const std::string computed =
           end.status == RunStatus::done ? end.stateHash->text() : "failed: " + end.failure;
       if (earlier->stateHash != computed) reportNondeterminism(db_, id, *earlier, computed);
@@ -99,6 +139,7 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
       endRun(db_, id, end);
       if (checkpointStep(id).value_or(0) <= end.steps) {  // else the file knows more of this run already
         deleteResults(db_, id);
+        takeOver(id);
         insertResults(db_, id, results);
       }
       transaction.commit();
@@ -108,6 +149,7 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
     deleteRun(db_, id);
   }
   insertRun(db_, id, attempt->second.record, attempt->second.started, &end);
+  takeOver(id);
   insertResults(db_, id, results);
   transaction.commit();
   attempts_.erase(attempt);

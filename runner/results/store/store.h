@@ -58,6 +58,10 @@ class Store {
   /// theirs stays until there is a later one: the same run goes through the same states.
   std::string begin(const RunRecord& record);
 
+  /// Takes samples and hashes of a run that goes on, in their order. They lie apart from the file, and get into it with
+  /// `finish` and `keepCheckpoint`, to which those that come later are given.
+  void record(const std::string& id, const RunResults& records);
+
   /// Keeps what a run can be resumed from, in place of its last checkpoint, and those of `records`' samples
   /// and hashes that the file has not yet: a program killed at any moment leaves one whole
   /// checkpoint and what was recorded up to it. Not for a run that the file has finished, nor in place of a checkpoint of a later step. Returns whether there is one to resume from.
@@ -73,7 +77,8 @@ class Store {
 
   /// Stores how the run ended and what it left behind, replacing what the file has of this id. Throws
   /// NondeterminismError, and leaves the file as it was, if a finished run of this id has another state hash
-  /// (or this one failed). A killed attempt never replaces a finished run, and keeps its checkpoint.
+  /// (or this one failed). An attempt that was killed, or failed for want of something (Want), never replaces a finished
+  /// run, for it says nothing against it; one that was killed keeps its checkpoint.
   void finish(const std::string& id, const RunEnd& end, const RunResults& results);
 
   /// Replaces the run's check results of the kinds that occur in `checks`.
@@ -90,11 +95,13 @@ class Store {
   StoredRun find(const std::string& id);
   /// Everything the run left behind. State ids are numbered anew; their texts are the same.
   RunResults results(const std::string& id);
+  /// Its samples, with the faces of their surfaces, and hashes, in parts, so that they are not in memory at a time.
+  void eachRecord(const std::string& id, const RecordSink& take);
   /// Only the lineage, state texts and names.
   RunResults lineage(const std::string& id);
   std::vector<CheckResult> checks(const std::string& id);
   std::vector<ChainLink> chain(const std::string& id);
-  std::vector<Document> documents(const std::string& id);
+  std::vector<SourceText> documents(const std::string& id);
 
   /// What was changed in the record of a run since it was made: documents that do not fit the hashes that
   /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.
@@ -124,9 +131,12 @@ class Store {
     RunRecord record;
     std::string started;
   };
+  /// Of what `record` took, that of steps after `after`, into the file; all of it if there is none.
+  void takeOver(const std::string& id, std::optional<std::uint64_t> after = {});
   explicit Store(Database db) : db_(std::move(db)) {}
   Database db_;
   std::map<std::string, Attempt> attempts_;  // begun here and not finished, by id
+  std::optional<Database> recorded_;         // what `record` took
 };
 
 }  // namespace morula

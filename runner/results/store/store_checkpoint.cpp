@@ -55,6 +55,7 @@ bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, 
     deleteResults(db_, id);
     Statement(db_, "DELETE FROM checkpoint WHERE run_id = ?").run(id);  // and its frames
   }
+  takeOver(id, kept);
   insertRecords(db_, id, records, kept);
   replaceCheckpoint(db_, id, checkpoint);
   addFrames(db_, id, frames);

@@ -156,7 +156,8 @@ void readLineage(Database& db, const std::string& id, RunResults& results, State
   }
 }
 
-void readSamples(Database& db, const std::string& id, RunResults& results, StateNumbers& numberOf) {
+void readSamples(Database& db, const std::string& id, StateNumbers& numberOf,
+                 const std::function<void(Sample)>& take) {
   const auto world = columnsOf<Observation>(), ofCell = columnsOf<CellContext>(), ofPair = columnsOf<Touch>();
   Statement whole(db, "SELECT time, step, " + selected(db, "sample", world) +
                           " FROM sample WHERE run_id = ? ORDER BY time");
@@ -168,7 +169,7 @@ void readSamples(Database& db, const std::string& id, RunResults& results, State
                  "SELECT scope, name, a, b, value FROM measure WHERE run_id = ? AND time = ? ORDER BY scope, "
                  "name, a, b");
   for (whole.start(id); whole.next();) {
-    Sample& sample = results.samples.emplace_back();
+    Sample sample;
     WorldMeasures& w = sample.world;
     if (const double time = whole.real(0); !(time >= 0 && time <= std::numeric_limits<double>::max()))
       whole.refuse(0, "needs a time from 0");
@@ -188,6 +189,7 @@ void readSamples(Database& db, const std::string& id, RunResults& results, State
       if (!more.isNull(4))
         sample.more.push_back(
             {scopeFrom(more, 0), more.line(1), pathFrom(more, 2), pathFrom(more, 3), more.real(4)});
+    take(std::move(sample));
   }
 }
 
@@ -212,9 +214,8 @@ void readFaces(Database& db, const std::string& id, std::vector<MeshFaces>& mesh
   }
 }
 
-/// To `samples`, which are there.
+/// To `samples`, which are there; so are the faces.
 void readSurfaces(Database& db, const std::string& id, RunResults& results) {
-  readFaces(db, id, results.meshes);
   Statement s(db,
               "SELECT path, mesh, low_x, low_y, low_z, step_x, step_y, step_z, vertices FROM mesh_sample "
               "WHERE run_id = ? AND time = ? ORDER BY path");
@@ -231,6 +232,24 @@ void readSurfaces(Database& db, const std::string& id, RunResults& results) {
         s.refuse(8, "needs six bytes for each vertex of the mesh");
       c.numbers = numbersFrom(numbers);
     }
+}
+
+void eachLink(Database& db, const std::string& id, const std::function<void(ChainLink)>& take) {
+  Statement link(db,
+                 "SELECT step, hash, state, clock, connections, lineage FROM step_hash WHERE run_id = ? "
+                 "ORDER BY step");
+  Statement cell(db, "SELECT path, hash FROM cell_hash WHERE run_id = ? AND step = ? ORDER BY path");
+  std::optional<std::uint64_t> last;
+  for (link.start(id); link.next();) {
+    // Their distances divide: equal steps, which the key of a whole table excludes, must not get that far.
+    if (last && link.natural(0) <= *last) link.refuse(0, "needs steps that ascend");
+    last = link.natural(0);
+    const auto hash = [&](int column) { return hashFrom(link, column); };
+    ChainLink next{*last, hash(1), {hash(2), hash(3), {}, hash(4), hash(5)}};
+    for (cell.start(id, *last); cell.next();)
+      next.state.cells.push_back({pathFrom(cell, 0), hashFrom(cell, 1)});
+    take(std::move(next));
+  }
 }
 
 }  // namespace
@@ -265,7 +284,8 @@ RunResults Store::results(const std::string& id) {
   RunResults results;
   StateNumbers numberOf(results.stateTexts);
   readLineage(db_, id, results, numberOf);
-  readSamples(db_, id, results, numberOf);
+  readSamples(db_, id, numberOf, [&](Sample s) { results.samples.push_back(std::move(s)); });
+  readFaces(db_, id, results.meshes);
   readSurfaces(db_, id, results);
 
   Statement connection(db_,
@@ -295,21 +315,25 @@ RunResults Store::results(const std::string& id) {
   return results;
 }
 
+void Store::eachRecord(const std::string& id, const RecordSink& take) {
+  RunResults part;
+  StateNumbers numberOf(part.stateTexts);
+  readFaces(db_, id, part.meshes);
+  readSamples(db_, id, numberOf, [&](Sample s) {
+    part.samples = {std::move(s)};
+    readSurfaces(db_, id, part);
+    take(part);
+  });
+  part.samples.clear();
+  eachLink(db_, id, [&](ChainLink link) {
+    part.chain = {std::move(link)};
+    take(part);
+  });
+}
+
 std::vector<ChainLink> Store::chain(const std::string& id) {
-  Statement link(
-      db_,
-      "SELECT step, hash, state, clock, connections, lineage FROM step_hash WHERE run_id = ? ORDER "
-      "BY step");
-  Statement cell(db_, "SELECT path, hash FROM cell_hash WHERE run_id = ? AND step = ? ORDER BY path");
   std::vector<ChainLink> chain;
-  for (link.start(id); link.next();) {
-    // Their distances divide: equal steps, which the key of a whole table excludes, must not get that far.
-    if (!chain.empty() && link.natural(0) <= chain.back().step) link.refuse(0, "needs steps that ascend");
-    const auto hash = [&](int column) { return hashFrom(link, column); };
-    chain.push_back({link.natural(0), hash(1), {hash(2), hash(3), {}, hash(4), hash(5)}});
-    for (cell.start(id, link.natural(0)); cell.next();)
-      chain.back().state.cells.push_back({pathFrom(cell, 0), hashFrom(cell, 1)});
-  }
+  eachLink(db_, id, [&](ChainLink link) { chain.push_back(std::move(link)); });
   return chain;
 }
 
@@ -333,11 +357,11 @@ std::vector<CheckResult> Store::checks(const std::string& id) {
   return checks;
 }
 
-std::vector<Document> Store::documents(const std::string& id) {
+std::vector<SourceText> Store::documents(const std::string& id) {
   Statement s(db_,
               "SELECT role, path, content FROM run_document JOIN document USING (hash) WHERE run_id = ? "
               "ORDER BY number");
-  std::vector<Document> documents;
+  std::vector<SourceText> documents;
   for (s.start(id); s.next();) documents.push_back({s.line(0), s.text(1), s.text(2)});
   return documents;
 }

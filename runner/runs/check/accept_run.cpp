@@ -23,31 +23,28 @@ std::vector<ToleranceRule> usualRules(const Scenario& scenario) {
 }
 
 /// No result is worth keeping that breaks what the scenario itself demands, or that is not sane.
-void refuseViolated(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
-                    const SanityCheck& sanity) {
-  CheckReport report{goldenName(scenario.file), checkInvariants(scenario, run, invariants)};
-  for (auto& result : sanity.results(run.world, scenario.check, true))
-    report.results.push_back(std::move(result));
+void refuseViolated(const Scenario& scenario, const CheckedRun& checked) {
+  CheckReport report{goldenName(scenario.file), checkInvariants(scenario, checked)};
+  report.results.insert(report.results.end(), checked.sanity.begin(), checked.sanity.end());
   if (!scenario.check.fails.empty()) report = checkStop(scenario, "");
   if (!report.passed()) throw InputError(scenario.file + ": nothing accepted: " + describe(report));
 }
 
 /// The same again, by another way. With bodies its twin runs beside it.
 TwinRun runAgain(const Scenario& scenario, const Execution& how, bool quiet) {
-  const SignalWatch signals;
-  Progress progress(scenario.scene.name + " again", quiet);
-  const auto watch = [&](const World& world) {
-    stopAtSignal();
-    progress.show(world);
-  };
-  if (scenario.scene.mechanics)
-    return runTwins(makeScenarioWorld(scenario, how), makeScenarioWorld(scenario, how), watch);
-  World world = makeScenarioWorld(scenario, how);
-  while (!finished(world)) {
-    watch(world);
-    step(world);
+  const std::string label = scenario.scene.name + " again";
+  if (!scenario.scene.mechanics) {
+    const auto run = simulate(scenario, how, {.label = label, .quiet = quiet});
+    if (run.signal) throw Interrupted{run.signal};
+    return {{}, run.end.stateHash.value_or(Hash{})};
   }
-  return {{}, stateHash(world)};
+  const SignalWatch signals;
+  Progress progress(label, quiet);
+  return runTwins(makeScenarioWorld(scenario, how), makeScenarioWorld(scenario, how),
+                  [&](const World& world) {
+                    stopAtSignal();
+                    progress.show(world);
+                  });
 }
 
 }  // namespace
@@ -56,15 +53,12 @@ AcceptedRun acceptRun(const Scenario& scenario, const Execution& how, const Acce
                       bool quiet) {
   const auto file = goldenFile(scenario);
   refuseWithinCi(file);
-  Progress progress(scenario.scene.name, quiet);
-  Invariants invariants(scenario.check);
-  World start = makeScenarioWorld(scenario, how);
-  const SanityCheck sanity(start);
-  const auto run = simulate(std::move(start), recordingOf(scenario, true), progress,
-                            [&](const World& world) { invariants.observe(world); });
+  const CheckedRun checked =
+      simulateChecked(scenario, how, {.quiet = quiet, .record = recordingOf(scenario, true)});
+  const Simulation& run = checked.run;
   if (run.signal) return {.signal = run.signal};
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
-  refuseViolated(scenario, run, invariants, sanity);
+  refuseViolated(scenario, checked);
   TwinRun again;
   try {
     again = runAgain(scenario, otherExecution(how), quiet);

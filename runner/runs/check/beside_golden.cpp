@@ -36,10 +36,9 @@ MadeAgain makeAgain(const Scenario& scenario, const Golden& golden, const Execut
   if (before->meaning == scenario.meaning)
     return {{}, "this build computes other bits from the same scenario"};
   try {
-    Progress progress(before->scene.name + ", the golden's", quiet);
-    const auto run =
-        simulate(makeScenarioWorld(*before, how), {.nameOf = before->names.function()}, progress);
+    const auto run = simulate(*before, how, {.label = before->scene.name + ", the golden's", .quiet = quiet});
     if (run.signal) return {{}, "", run.signal};
+    if (run.end.want != Want::nothing) return {{}, "there is not enough memory for its scenario"};
     if (run.end.status != RunStatus::done || run.end.stateHash->text() != acceptedBits(golden))
       return {{}, "this build computes other bits from its scenario"};
     return {pictureOf(run.world, *before), ""};
@@ -48,30 +47,21 @@ MadeAgain makeAgain(const Scenario& scenario, const Golden& golden, const Execut
 
 /// The living cells of a golden as spheres of their volumes, at their places. Empty where it holds no values of cells.
 OrganismPicture spheresOf(const Golden& golden, const Scenario& scenario) {
-  std::map<std::string, std::string> substances;  // by path
-  for (const GoldenItem& item : golden.data.items)
-    if (item.kind == "cell" && item.fields.size() >= 6) substances[item.key] = item.fields[5];
-  std::map<std::string, std::map<std::string, double>> values;  // by path, of the end
-  for (const GoldenItem& item : golden.data.items) {
-    if (item.kind != "value" || !item.key.starts_with("final/")) continue;
-    const std::size_t begin = 6, end = item.key.rfind('/');
-    if (end == item.key.npos || end <= begin || item.fields.size() < 2) continue;
-    if (const auto value = readReal(item.fields[1]))
-      values[item.key.substr(begin, end - begin)][item.key.substr(end + 1)] = *value;
-  }
+  std::map<CellPath, std::map<std::string, double>> values;  // of the end
+  for (const auto* value : all<GoldenValue>(golden.data))
+    if (!value->name.time && value->name.cell) values[*value->name.cell][value->name.measure] = value->value;
   Palette palette(scenario);
   OrganismPicture picture;
   const Mesh ball = makeIcosphere(3);
   picture.faces = ball.faces;
-  for (const auto& [path, of] : values) {
-    if (!substances.contains(path) || !of.contains("volume") || !of.contains("x") || !of.contains("y") ||
-        !of.contains("z"))
-      continue;
+  for (const auto* cell : all<GoldenCell>(golden.data)) {
+    const auto& of = values[cell->path];
+    if (!of.contains("volume") || !of.contains("x") || !of.contains("y") || !of.contains("z")) continue;
     const double radius = std::cbrt(of.at("volume") / measureVolume(ball.vertices, ball.faces));
-    CellShape cell{path == "egg" ? "" : path, {}, palette.colourOf(substances[path])};
+    CellShape shape{cell->path.text(), {}, palette.colourOf(cell->state.text)};
     for (const Point& p : ball.vertices)
-      cell.vertices.push_back(Point{of.at("x"), of.at("y"), of.at("z")} + radius * p);
-    picture.cells.push_back(std::move(cell));
+      shape.vertices.push_back(Point{of.at("x"), of.at("y"), of.at("z")} + radius * p);
+    picture.cells.push_back(std::move(shape));
   }
   picture.caption = fmt::format("{} cell{}", picture.cells.size(), picture.cells.size() == 1 ? "" : "s");
   return picture;

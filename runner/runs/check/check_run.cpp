@@ -56,15 +56,57 @@ CheckResult goldenMissing(const std::filesystem::path& file) {
 
 }  // namespace
 
+RunChecks::RunChecks(const Scenario& scenario, const World& start, bool asked)
+    : scenario_(scenario),
+      asked_(asked),
+      invariants_(asked ? scenario.check : CheckParameters{}),
+      sanity_(start) {}
+
+std::function<void(const World&)> RunChecks::watch() {
+  if (!asked_ || !Invariants::areGiven(scenario_.check)) return {};
+  return [this](const World& world) { invariants_.observe(world); };
+}
+
+CheckedRun RunChecks::of(Simulation run) const {
+  std::vector<CheckResult> sanity;
+  if (run.end.status == RunStatus::done) sanity = sanity_.results(run.world, scenario_.check, asked_);
+  return {std::move(run), invariants_, std::move(sanity)};
+}
+
+CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOptions options, bool asked) {
+  World start = makeScenarioWorld(scenario, how);
+  RunChecks checks(scenario, start, asked);
+  options.watch = checks.watch();
+  return checks.of(simulate(scenario, std::move(start), std::move(options)));
+}
+
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture) {
   GoldenContext context{goldenName(scenario.file), scenario.meaning.text(), {}, {}, {}};
   // A golden holds the samples that the scenario asks for, not those that every run takes.
-  if (scenario.record.every)
-    for (const auto& sample : run.results.samples) context.samples.push_back(sample.world);
-  context.chain = run.results.chain;
+  for (const RunResults* part : {&run.passed, &run.results}) {
+    if (scenario.record.every)
+      for (const auto& sample : part->samples) context.samples.push_back(sample.world);
+    context.chain.insert(context.chain.end(), part->chain.begin(), part->chain.end());
+  }
   if (withPicture && run.world.bodies && run.world.cells.path.size() <= goldenCellLimit)
     context.images.push_back(imageOf(run, scenario));
   GoldenData data = observeGolden(run.world, context);
+  data.parameters = decidingValues(scenario);
+  return data;
+}
+
+GoldenData goldenOf(const StoredRun& run, const RunResults& results, const Scenario& scenario) {
+  GoldenFacts facts;
+  facts.scenario = run.record.scenario, facts.scenarioHash = run.record.scenarioHash;
+  facts.seed = run.record.seed, facts.steps = run.steps;
+  facts.lineage = results.lineage;
+  facts.describe = [&](StateId state) { return results.stateTexts.at(state); };
+  for (const TimeStepRecord& t : results.timeSteps) facts.timeSteps.push_back({t.step, t.time, t.timeStep});
+  if (!results.samples.empty() && results.samples.back().world.step == run.steps) {
+    facts.mechanics = !results.samples.back().cells.empty();
+    facts.end = results.samples.back().world, facts.cells = results.samples.back().cells;
+  }
+  GoldenData data = makeGoldenData(facts);
   data.parameters = decidingValues(scenario);
   return data;
 }
@@ -85,33 +127,31 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
 
 std::filesystem::path goldenFile(const Scenario& scenario) { return goldenPath(scenario.file); }
 
-CheckReport check(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
-                  bool needsGolden) {
+CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool needsGolden) {
   if (!scenario.check.fails.empty()) return checkStop(scenario, "");
   CheckReport report{goldenName(scenario.file), {}};
   const auto file = goldenFile(scenario);
   if (fileExists(file)) {
     try {
-      report = compareGolden(readAccepted(scenario, file), observe(scenario, run));
+      report = compareGolden(readAccepted(scenario, file), observe(scenario, checked.run));
     } catch (const InputError& unusable) { report = unusableGolden(report.scenario, unusable.what()); }
   } else if (needsGolden) report.results.push_back(goldenMissing(file));
-  for (auto& result : checkInvariants(scenario, run, invariants)) report.results.push_back(std::move(result));
+  for (auto& result : checkInvariants(scenario, checked)) report.results.push_back(std::move(result));
   return report;
 }
 
-std::vector<CheckResult> checkWithoutGolden(const Scenario& scenario, const Simulation& run,
-                                            const Invariants& invariants) {
-  if (!scenario.check.fails.empty()) return checkStop(scenario, run.end.failure).results;
-  if (run.end.status != RunStatus::done) return {};
-  return checkInvariants(scenario, run, invariants);
+std::vector<CheckResult> checkWithoutGolden(const Scenario& scenario, const CheckedRun& checked) {
+  const RunEnd& end = checked.run.end;
+  if (!scenario.check.fails.empty()) return checkStop(scenario, end.failure).results;
+  return end.status == RunStatus::done ? checkInvariants(scenario, checked) : std::vector<CheckResult>();
 }
 
-std::vector<CheckResult> checkInvariants(const Scenario& scenario, const Simulation& run,
-                                         const Invariants& invariants) {
+std::vector<CheckResult> checkInvariants(const Scenario& scenario, const CheckedRun& checked) {
+  const World& end = checked.run.world;
   std::vector<CheckResult> results;
   const auto& mechanics = scenario.scene.mechanics;
-  if (mechanics && mechanics->physics.shell) results.push_back(shellHolds(run.world));
-  for (auto& result : invariants.results(run.world)) results.push_back(std::move(result));
+  if (mechanics && mechanics->physics.shell) results.push_back(shellHolds(end));
+  for (auto& result : checked.invariants.results(end)) results.push_back(std::move(result));
   return results;
 }
 

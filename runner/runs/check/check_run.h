@@ -3,14 +3,47 @@
 #include <string>
 
 #include "check/invariants.h"
+#include "check/sanity.h"
 #include "golden/check_result.h"
 #include "golden/golden.h"
 #include "loop/simulate.h"
+#include "store/store.h"
 
 namespace morula {
 
+/// A run that is held against what must hold whatever its golden says.
+struct CheckedRun {
+  Simulation run;
+  Invariants invariants;            // which have watched it
+  std::vector<CheckResult> sanity;  // of a run that came to its end
+};
+
+/// What watches a run, from before its first step. `asked`: what the scenario says under `check` is held against it.
+class RunChecks {
+ public:
+  /// `start`: the world at time 0, also of a run that goes on from a checkpoint.
+  RunChecks(const Scenario& scenario, const World& start, bool asked);
+  /// Nothing, where no step needs to be seen.
+  std::function<void(const World&)> watch();
+  CheckedRun of(Simulation run) const;
+
+ private:
+  const Scenario& scenario_;
+  bool asked_;
+  Invariants invariants_;
+  SanityCheck sanity_;
+};
+
+/// Runs the scenario with its checks. `options.watch` is theirs.
+CheckedRun simulateChecked(const Scenario& scenario, const Execution& how, RunOptions options = {},
+                           bool asked = true);
+
 /// What the run's golden would say.
 GoldenData observe(const Scenario& scenario, const Simulation& run, bool withPicture = true);
+
+/// A stored run as its golden would tell it: what decided it, its lineage, and its cells where it was sampled last if that
+/// was its end.
+GoldenData goldenOf(const StoredRun& run, const RunResults& results, const Scenario& scenario);
 
 /// The golden in the file. One without lines `parameter`, whose scenario has changed since, gets them from the
 /// scenario as it was last committed, if that has the golden's hash. Throws InputError.
@@ -19,18 +52,15 @@ Golden readAccepted(const Scenario& scenario, const std::filesystem::path& file)
 /// The golden's file for the scenario; the path may not exist.
 std::filesystem::path goldenFile(const Scenario& scenario);
 
-/// All checks of a run that `invariants` has watched. With `needsGolden` a missing golden file is a failed
+/// The run's golden and invariants. With `needsGolden` a missing golden file is a failed
 /// check; otherwise only invariants are checked then.
-CheckReport check(const Scenario& scenario, const Simulation& run, const Invariants& invariants,
-                  bool needsGolden);
+CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool needsGolden);
 
 /// All checks that the run alone decides: of a run that failed, whether it had to.
-std::vector<CheckResult> checkWithoutGolden(const Scenario& scenario, const Simulation& run,
-                                            const Invariants& invariants);
+std::vector<CheckResult> checkWithoutGolden(const Scenario& scenario, const CheckedRun& checked);
 
 /// What must hold whatever the golden file says.
-std::vector<CheckResult> checkInvariants(const Scenario& scenario, const Simulation& run,
-                                         const Invariants& invariants);
+std::vector<CheckResult> checkInvariants(const Scenario& scenario, const CheckedRun& checked);
 
 /// Of a scenario that must stop: whether it has, and has said why. `failure`: the reason; "" if it ended
 /// well.

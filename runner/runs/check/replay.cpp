@@ -15,7 +15,7 @@ namespace {
 
 /// The same run under the conditions of now.
 RunRecord recordNow(const RunRecord& before, const Scenario& scenario, const Execution& how,
-                    const std::string& command, std::vector<Document> documents) {
+                    const std::string& command, std::vector<SourceText> documents) {
   RunRecord now;
   now.scenario = before.scenario;
   now.scenarioHash = scenario.meaning.text();
@@ -113,10 +113,12 @@ Json toJson(const ValueDifference& d) {
           {"recomputed", d.recomputed}};
 }
 
-/// The kinds of checks that the run was held against and that it decides itself: it is again.
-std::set<std::string> kindsOfChecks(Store& store, const std::string& id) {
+/// The kinds of checks that the run was held against and that it decides itself: it is again. Sanity is measured of every
+/// run with bodies that came to its end, so rows that are not there were taken out.
+std::set<std::string> kindsOfChecks(Store& store, const StoredRun& run, const Scenario& scenario) {
   std::set<std::string> kinds;
-  for (const CheckResult& r : store.checks(id))
+  if (run.status == RunStatus::done && scenario.scene.mechanics) kinds.insert("sanity");
+  for (const CheckResult& r : store.checks(run.id))
     if (r.kind != "golden" && r.kind != "bullet") kinds.insert(r.kind);
   return kinds;
 }
@@ -131,25 +133,19 @@ Replay replay(Store& store, const StoredRun& before, const Scenario& scenario,
   c.conditions = compareConditions(before.record, now);
   const std::vector<ChainLink> hashes = store.chain(before.id);
 
-  Progress progress(before.record.scenario, question.quiet);
-  const auto kinds = kindsOfChecks(store, before.id);
-  Invariants invariants(kinds.contains("invariant") ? scenario.check : CheckParameters{});
-  World world = makeScenarioWorld(scenario, how);
-  const SanityCheck sanity(world);
+  const auto kinds = kindsOfChecks(store, before, scenario);
   // A study may have kept the hashes of the end alone.
   const bool endAlone = hashes.size() == 1 && hashes.front().step == before.steps && before.steps > 0;
   RecordOptions recording = recordingOf(scenario, !hashes.empty() && !endAlone);
   recording.hashEnd = endAlone;
-  auto run = simulate(std::move(world), recording, progress,
-                      Invariants::areGiven(scenario.check) && kinds.contains("invariant")
-                          ? [&](const World& w) { invariants.observe(w); }
-                          : std::function<void(const World&)>());
+  CheckedRun checked = simulateChecked(scenario, how, {.quiet = question.quiet, .record = recording},
+                                       kinds.contains("invariant"));
+  Simulation& run = checked.run;
   c.signal = run.signal;
   if (c.signal) return c;
-  run.results.checks = checkWithoutGolden(scenario, run, invariants);
-  if (kinds.contains("sanity") && run.end.status == RunStatus::done)
-    for (auto& result : sanity.results(run.world, scenario.check, kinds.contains("invariant")))
-      run.results.checks.push_back(std::move(result));
+  requireEnough(run.end);
+  run.results.checks = checkWithoutGolden(scenario, checked);
+  run.results.checks.insert(run.results.checks.end(), checked.sanity.begin(), checked.sanity.end());
   std::erase_if(run.results.checks, [&](const CheckResult& r) { return !kinds.contains(r.kind); });
   compareEnds(before, hashes, run, c);
   auto again = Store::temporary();

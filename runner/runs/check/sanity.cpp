@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "contacts/contacts.h"
 #include "mesh/measures.h"
 #include "simulation/body_measures.h"
@@ -104,6 +105,7 @@ std::string sentence(const SanityMeasure& m, const World& world) {
         "all cells together fill {} of the shell; fine is at most {}, for they can only be in one "
         "another; {}",
         v(m.value), v(m.most), contactAdvice(scene));
+  MORULA_CHECK(m.name == "energy", "every quantity has a sentence of its own");
   return fmt::format(
       "motion, membranes and contents hold {} times the energy of the start, and nothing here adds any; "
       "fine is at most {}",

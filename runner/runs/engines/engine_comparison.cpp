@@ -12,7 +12,6 @@
 #include "golden/accept.h"
 #include "scenario/bullet_fit.h"
 #include "system/child_process.h"
-#include "system/usage_error.h"
 
 namespace morula {
 
@@ -81,7 +80,7 @@ std::vector<Engine> parseEngines(const std::string& text) {
       if (word == name(engine) || (word == "bullet" && (engine == Engine::b1 || engine == Engine::b2)))
         engines.push_back(engine);
     if (engines.size() == before)
-      throw UsageError("--beside: '" + word +
+      throw InputError("'" + word +
                        "' is no engine; needs some of thesis, bullet, b1, b2, b3, as thesis,bullet");
   }
   return engines;

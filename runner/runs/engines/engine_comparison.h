@@ -32,7 +32,7 @@ struct ComparisonRow {
   std::vector<Verdict> verdicts;
 };
 
-/// "thesis,b1" as engines; "bullet" is b1 and b2. Throws UsageError.
+/// "thesis,b1" as engines; "bullet" is b1 and b2. Throws InputError.
 std::vector<Engine> parseEngines(const std::string& text);
 
 /// What a run says of the check that it was judged by.

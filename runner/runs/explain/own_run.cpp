@@ -25,7 +25,10 @@ bool OwnRun::goTo(std::uint64_t step) {
     if (watch_) watch_(*world_);
     try {
       advance_(*world_);
-    } catch (const NumericalError& error) { failure_ = error.what(); }
+    } catch (const NumericalError& error) {
+      if (error.want != Want::nothing) throw;  // it says nothing of where runs part
+      failure_ = error.what();
+    }
   }
   return true;
 }

@@ -13,7 +13,8 @@ StoredRunSource::StoredRunSource(std::string name, std::vector<ChainLink> chain,
 HashTrace StoredRunSource::hashTrace(std::uint64_t from, std::uint64_t to, std::uint64_t every) {
   HashTrace t;
   for (const ChainLink& link : chain_)
-    if (link.step >= from && link.step <= to && (link.step - from) % every == 0) t.links.push_back(link);
+    if (link.step >= from && link.step <= to && ((link.step - from) % every == 0 || link.step == steps_))
+      t.links.push_back(link);  // the last state, too, wherever it lies
   t.lastStep = std::min(to, steps_);
   if (t.lastStep == steps_) t.failure = failure_;
   return t;

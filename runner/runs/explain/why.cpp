@@ -10,10 +10,8 @@
 #include "files/folders.h"
 #include "files/text.h"
 #include "golden/accept.h"
-#include "golden/facts.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
-#include "scenario/deciding_values.h"
 #include "store/store.h"
 #include "system/signals.h"
 
@@ -59,37 +57,19 @@ void lookForNondeterminism(const Scenario& scenario, const WhyQuestion& question
   f.text += (f.failureClass.empty() ? "two runs of this program: " : "") + f.where.text;
 }
 
-std::string resolvedOf(const std::vector<Document>& documents) {
+std::string resolvedOf(const std::vector<SourceText>& documents) {
   for (const auto& d : documents)
     if (d.role == "resolved") return d.content;
   return {};
 }
 
-/// A stored run as a golden would tell it: what decided it, its lineage, and its cells where it was sampled
-/// last if that was its end.
-GoldenData dataOf(Store& store, const StoredRun& run, const Scenario& scenario) {
-  const RunResults results = store.results(run.id);
-  GoldenFacts facts;
-  facts.scenario = goldenName(scenario.file), facts.scenarioHash = run.record.scenarioHash;
-  facts.seed = run.record.seed, facts.steps = run.steps;
-  facts.lineage = results.lineage;
-  facts.describe = [&](StateId state) { return results.stateTexts.at(state); };
-  if (!results.samples.empty() && results.samples.back().world.step == run.steps) {
-    facts.mechanics = !results.samples.back().cells.empty();
-    facts.end = results.samples.back().world, facts.cells = results.samples.back().cells;
-  }
-  GoldenData data = makeGoldenData(facts);
-  data.parameters = decidingValues(scenario);
-  return data;
-}
-
 /// Runs the scenario to its end and tells how the result differs from `before`, in words.
 void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQuestion& question,
                 Findings& f) {
-  Progress progress(scenario.scene.name, question.quiet);
-  const auto run =
-      simulate(makeScenarioWorld(scenario, question.execution), recordingOf(scenario, false), progress);
+  const auto run = simulate(scenario, question.execution,
+                            {.quiet = question.quiet, .record = recordingOf(scenario, false)});
   if (run.signal) throw Interrupted{run.signal};
+  requireEnough(run.end);
   const GoldenData now = observe(scenario, run, false);
   f.changed = changedKeys(before, now);
   f.text += changeInWords(before, now);
@@ -112,7 +92,7 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
   const bool otherInput = lookAtInput(scenario, stored, f);
   std::optional<GoldenData> before;
   try {
-    before = dataOf(store, stored, storedScenario(question.database, stored.id));
+    before = goldenOf(stored, store.results(stored.id), storedScenario(question.database, stored.id));
   } catch (const InputError&) {  // stored by a Morula with other keys: the lines still tell
     if (otherInput)
       f.text += "(-: theirs, +: here, all defaults filled in)\n" +
@@ -163,11 +143,11 @@ std::vector<KeyChange> changedFrom(const Scenario& scenario, const Simulation& r
 }
 
 void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
-  Progress progress(scenario.scene.name, question.quiet);
-  Invariants invariants(scenario.check);
-  const auto run = simulate(makeScenarioWorld(scenario, question.execution), recordingOf(scenario, true),
-                            progress, [&](const World& world) { invariants.observe(world); });
+  const CheckedRun checked = simulateChecked(
+      scenario, question.execution, {.quiet = question.quiet, .record = recordingOf(scenario, true)});
+  const Simulation& run = checked.run;
   if (run.signal) throw Interrupted{run.signal};
+  requireEnough(run.end);
   if (run.end.status == RunStatus::failed && checkStop(scenario, run.end.failure).passed()) {
     f.text += describe(checkStop(scenario, run.end.failure));
     return;
@@ -179,7 +159,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
               run.end.failure + "\n";
     return;
   }
-  const CheckReport report = check(scenario, run, invariants, true);
+  const CheckReport report = check(scenario, checked, true);
   f.checks = report.results;
   if (fileExists(goldenFile(scenario)) && !report.passed()) f.changed = changedFrom(scenario, run);
   f.text += describe(report);

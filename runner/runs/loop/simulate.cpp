@@ -19,14 +19,14 @@ namespace {
 constexpr std::uint64_t mostStepsAtOnce = 64;
 
 /// After how many steps the recorder or a hook is to see the world.
-std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunHooks& hooks) {
+std::uint64_t stepsUntilLook(const World& world, const Recorder& recorder, const RunOptions& hooks) {
   if (hooks.watch) return 1;
   std::uint64_t steps = std::min(mostStepsAtOnce, recorder.stepsUntilDue(world));
   if (hooks.keepEvery > 0) steps = std::min(steps, hooks.keepEvery - world.clock.step % hooks.keepEvery);
   return steps;
 }
 
-/// What is recorded stays in memory until the run ends.
+/// Of what stays in memory until the run ends.
 void requireMemoryForRecords(const World& world, const Recorder& recorder) {
   const double most = world.execution.memoryLimit / 2;
   if (recorder.bytes() <= most) return;
@@ -34,7 +34,7 @@ void requireMemoryForRecords(const World& world, const Recorder& recorder) {
       "", world.clock.step,
       "samples, surfaces and hashes take " + bytesText(recorder.bytes()) +
           ", more than half of the memory limit of " + bytesText(world.execution.memoryLimit),
-      "record less often (record.every, record.meshes), stop earlier, or raise --memory-limit");
+      "record less often (record.every, record.meshes), stop earlier, or raise --memory-limit", Want::memory);
 }
 
 }  // namespace
@@ -49,9 +49,10 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution) {
     const std::string what = error.what();
     const auto path = what.substr(0, what.find(' '));
     const auto place = scenario.places.find(path);
-    if (place == scenario.places.end()) throw InputError(scenario.file + ": " + what);
+    if (place == scenario.places.end()) throw InputError(scenario.file + ": " + what, error.want);
     throw InputError(place->second + ": " + (place->second.ends_with(path) ? "" : path + ": ") +
-                     what.substr(path.size() + 1));
+                         what.substr(path.size() + 1),
+                     error.want);
   }
 }
 
@@ -93,52 +94,61 @@ RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
   return record;
 }
 
-Simulation simulate(World world, const RecordOptions& record, Progress& progress,
-                    std::function<void(const World&)> watch) {
-  return simulate(std::move(world), Recorder(record), progress, {.watch = std::move(watch), .keep = {}},
-                  false);
+Simulation simulate(const Scenario& scenario, const Execution& how, RunOptions options) {
+  return simulate(scenario, makeScenarioWorld(scenario, how), std::move(options));
 }
 
-Simulation simulate(World world, Recorder recorder, Progress& progress, const RunHooks& hooks, bool resumed) {
+Simulation simulate(const Scenario& scenario, World world, RunOptions options) {
+  if (options.label.empty()) options.label = scenario.scene.name;
+  options.record.nameOf = scenario.names.function();
+  Recorder recorder(options.record, options.sink);
+  return simulate(std::move(world), std::move(recorder), options);
+}
+
+Simulation simulate(World world, Recorder recorder, const RunOptions& options, bool resumed) {
   Simulation run{std::move(world), {}, {}, 0};
+  Progress progress(options.label, options.quiet);
   const auto observe = [&] {
     recorder.observe(run.world);
     requireMemoryForRecords(run.world, recorder);
-    if (hooks.watch) hooks.watch(run.world);
+    if (options.watch) options.watch(run.world);
     progress.show(run.world);
   };
 
   const SignalWatch signals;
   auto status = RunStatus::done;
   std::string failure;
+  Want want = Want::nothing;
+  const auto fail = [&](const std::string& why, Want missing) {
+    status = RunStatus::failed, failure = withNames(why, recorder.options().nameOf), want = missing;
+  };
   try {
     if (!resumed) observe();
     while (!finished(run.world)) {
       if ((run.signal = SignalWatch::caught()) != 0) {
         status = RunStatus::killed;
-        if (hooks.keep) hooks.keep(run.world, recorder);
+        if (options.keep) options.keep(run.world, recorder);
         break;
       }
-      takeSteps(run.world, stepsUntilLook(run.world, recorder, hooks));
+      takeSteps(run.world, stepsUntilLook(run.world, recorder, options));
       observe();
-      if (hooks.keepEvery > 0 && run.world.clock.step % hooks.keepEvery == 0) hooks.keep(run.world, recorder);
+      if (options.keepEvery > 0 && run.world.clock.step % options.keepEvery == 0)
+        options.keep(run.world, recorder);
     }
-    run.end = endOf(run.world, status, failure);  // hashes the state, which must be numbers
+    run.end = endOf(run.world, status);  // hashes the state, which must be numbers
   } catch (const BodyFailure& error) {
-    status = RunStatus::failed;
-    failure = diagnose(run.world.model, run.world.execution, error);
-  } catch (const NumericalError& error) {
-    status = RunStatus::failed;
-    failure = error.what();
-  } catch (const std::bad_alloc&) {
-    status = RunStatus::failed;
-    failure = fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy);
+    fail(diagnose(run.world.model, run.world.execution, error), error.want);
+  } catch (const NumericalError& error) { fail(error.what(), error.want); } catch (const std::bad_alloc&) {
+    fail(fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy),
+         Want::memory);
   }
-  progress.clear();
-  failure = withNames(failure, recorder.options().nameOf);
-  if (status == RunStatus::failed) run.end = endOf(run.world, status, failure);
+  if (status == RunStatus::failed) run.end = endOf(run.world, status, failure, want);
   run.results = recorder.take(run.world, status == RunStatus::failed);
   return run;
+}
+
+void requireEnough(const RunEnd& end) {
+  if (end.want != Want::nothing) throw NumericalError(end.failure, end.want);
 }
 
 }  // namespace morula

@@ -15,6 +15,8 @@ struct Simulation {
   RunEnd end;          // done, failed or killed
   RunResults results;  // lineage, samples, step hashes, …
   int signal = 0;      // the one that ended it
+  RunResults passed =
+      {};  // of what went elsewhere meanwhile: hashes, and samples without cells, if a golden asks
 };
 
 /// Builds the scenario's world. InputErrors name the scenario's file.
@@ -25,7 +27,7 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution);
 constexpr std::uint64_t stepsPerHash = 64;
 
 /// Whether the states on the way are hashed where the run is checked: to be held against a golden file, or as
-/// `check` asks.
+/// `check` asks. `explain --db` looks for the first difference in what is stored of them.
 bool wantsHashes(const Scenario& scenario, bool hasGolden);
 
 /// Another way to compute the same: other kernels and another number of threads.
@@ -37,22 +39,32 @@ RunRecord recordOf(const Scenario& scenario, const Execution& execution, const s
 /// What a run of the scenario writes down: its samples, and with `hashes` those of the states on the way.
 RecordOptions recordingOf(const Scenario& scenario, bool hashes);
 
-/// Runs it and writes down what `record` says. A NumericalError is not thrown but told in `end.failure`, with the
-/// names of cells that have one.
-/// `watch`, if given, sees the world at the start and after every step.
-Simulation simulate(World world, const RecordOptions& record, Progress& progress,
-                    std::function<void(const World&)> watch = {});
-
-struct RunHooks {
+struct RunOptions {
+  std::string label = {};  // of the progress that is shown; "": the scenario's name
+  bool quiet = true;       // no progress is shown
+  /// What is written down, beside lineage and names.
+  RecordOptions record = {};
+  /// Where it goes meanwhile; without, it stays in memory.
+  RecordSink sink = {};
   /// Sees the world at the start and after every step.
-  std::function<void(const World&)> watch;
+  std::function<void(const World&)> watch = {};
   /// Keeps what the run can be resumed from: every so many steps (0: never), and when a signal ends the run.
-  std::function<void(const World&, const Recorder&)> keep;
+  std::function<void(const World&, const Recorder&)> keep = {};
   std::uint64_t keepEvery = 0;
 };
 
-/// The same, watched. A recorder that goes on with a stopped run's records (Recorder::resume),
-/// and the watcher, have seen the world as it is already.
-Simulation simulate(World world, Recorder recorder, Progress& progress, const RunHooks& hooks, bool resumed);
+/// Runs the scenario from its beginning to its end. InputErrors name its file. A NumericalError is not thrown but told in
+/// `end.failure`, with the names of cells that have one.
+Simulation simulate(const Scenario& scenario, const Execution& how, RunOptions options = {});
+
+/// The same of its world that is made already.
+Simulation simulate(const Scenario& scenario, World world, RunOptions options = {});
+
+/// Any world, and a recorder of one's own. With `resumed`, the recorder, which goes on with a stopped run's records
+/// (Recorder::resume), and the watcher have seen it as it is.
+Simulation simulate(World world, Recorder recorder, const RunOptions& options, bool resumed = false);
+
+/// Throws what a run failed of if that was for want of something (Want): compared with another one, it would say nothing.
+void requireEnough(const RunEnd& end);
 
 }  // namespace morula

@@ -63,7 +63,10 @@ TwinRun runTwins(World world, World twin, const std::function<void(const World&)
     double apart = infinity;
     try {
       apart = twins.step() / radius;
-    } catch (const NumericalError&) { bothLive = false; }
+    } catch (const NumericalError& error) {
+      if (error.want != Want::nothing) throw;
+      bothLive = false;
+    }
     for (; next < decades.size() && apart >= decades[next]; ++next)
       run.growth.push_back({decades[next], twins.world().clock.step});
   }

@@ -11,6 +11,7 @@
 #include "files/scratch_folder.h"
 #include "files/write_file.h"
 #include "system/child_process.h"
+#include "system/signals.h"
 
 namespace morula {
 
@@ -54,9 +55,12 @@ bool hasFfmpeg() {
 
 void writeFilm(std::size_t count, const std::function<Image(std::size_t)>& draw, double perSecond,
                const fs::path& file) {
-  const ScratchFolder folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
-  for (std::size_t i = 0; i < count; ++i)
+  const SignalWatch watch;  // a signal must not leave the folder behind
+  const ScratchFolder folder(file.parent_path());
+  for (std::size_t i = 0; i < count; ++i) {
+    stopAtSignal();
     writeNewFile(folder.path() / fmt::format("{:06}.png", i), pngFile(draw(i)));
+  }
   const fs::path film = folder.path() / ("film" + endingOf(file));
   std::vector<std::string> command{
       "ffmpeg",     "-nostdin",           "-v", "error",
@@ -70,6 +74,7 @@ void writeFilm(std::size_t count, const std::function<Image(std::size_t)>& draw,
   ChildOptions options;
   options.errorsToo = true;
   const ChildEnd end = runChild(command, options);
+  stopAtSignal();
   if (!end.well()) {
     std::string said = end.said.substr(0, 500);
     while (!said.empty() && (said.back() == '\n' || said.back() == ' ')) said.pop_back();

@@ -15,7 +15,12 @@ struct CellOpacity {
   double opacity = 1;  // 0 to 1
 };
 
-enum class Labels { none, name, path };  // a cell without a name is labelled with its path
+enum class Labels { none, name, path };
+template <>
+inline constexpr auto choices<Labels> =
+    std::to_array<Choice<Labels>>({{Labels::none, "none", "nothing is written at cells"},
+                                   {Labels::name, "name", "names; of a cell without one its path"},
+                                   {Labels::path, "path", "paths"}});
 
 struct PictureWishes {
   Colouring colouring;

@@ -66,7 +66,7 @@ std::optional<std::uint64_t> resumeRun(Store& store, const RunRecord& record, Wo
   requireSameRecords(run->checkpoint, recorder.options());
   try {
     restoreState(world, run->checkpoint.state);
-    recorder.resume(world, store.results(run->id));
+    store.eachRecord(run->id, [&](const RunResults& records) { recorder.resume(world, records); });
     frames.resume(world, run->frames);
   } catch (const InputError& error) {
     throw FileError(store.file().string() + ": run " + run->id + " cannot be resumed: " + error.what() +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "check/ambiguous.h"
 #include "check/beside_golden.h"
 #include "check/check_run.h"
@@ -24,21 +25,22 @@ namespace morula {
 
 namespace {
 
-/// Hashes of the states on the way are stored only of a run that is checked: `explain --db` looks for the
-/// first difference in them.
-bool keepsHashes(const Scenario& scenario, const RunSettings& settings) {
-  return settings.check && !settings.changed && wantsHashes(scenario, fileExists(goldenFile(scenario)));
+/// Of what goes to the database meanwhile, what the run's golden has, too.
+void keepForGolden(const RunResults& records, RunResults& kept) {
+  for (const Sample& s : records.samples) kept.samples.push_back({s.world, {}, {}});
+  kept.chain.insert(kept.chain.end(), records.chain.begin(), records.chain.end());
 }
 
-void checkOutcome(const Scenario& scenario, const RunSettings& settings, const Simulation& run,
-                  const Invariants& invariants, RunOutcome& outcome) {
+void checkOutcome(const Scenario& scenario, const RunSettings& settings, const CheckedRun& checked,
+                  RunOutcome& outcome) {
+  const RunEnd& end = checked.run.end;
   if (!settings.check) outcome.whyNotChecked = "as asked";
   else if (settings.changed) outcome.whyNotChecked = "the scene was changed by --set or --seed";
-  else if (run.end.status == RunStatus::failed) {
-    if (!scenario.check.fails.empty()) outcome.checks = checkStop(scenario, run.end.failure);
+  else if (end.status == RunStatus::failed) {
+    if (!scenario.check.fails.empty()) outcome.checks = checkStop(scenario, end.failure);
   } else if (!fileExists(goldenFile(scenario)) && !Invariants::areGiven(scenario.check))
     outcome.whyNotChecked = "there is no golden file";
-  else outcome.checks = check(scenario, run, invariants, false);
+  else outcome.checks = check(scenario, checked, false);
 }
 
 /// Once the run is stored: whatever becomes of Bullet, nothing is lost.
@@ -89,31 +91,34 @@ CheckReport RunOutcome::sanityReport(const Scenario& scenario) const {
 
 RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   auto world = makeScenarioWorld(scenario, settings.execution);
-  const SanityCheck sanity(world);
+  const bool checked = settings.check && !settings.changed;
+  RunChecks checks(scenario, world, checked);
   // Whatever could go wrong with files goes wrong before the first step.
   if (settings.draw) makeFolder(settings.folder);
   makeFolder(settings.database.parent_path());
   auto store = Store::openForWriting(settings.database);
 
   const auto record = recordOf(scenario, settings.execution, settings.command);
-  Recorder recorder(recordingOf(scenario, keepsHashes(scenario, settings)));
-  FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
   RunOutcome outcome;
+  outcome.id = runId(record);
+  RunResults passed;
+  const bool hasGolden = checked && fileExists(goldenFile(scenario));
+  Recorder recorder(recordingOf(scenario, checked && wantsHashes(scenario, hasGolden)),
+                    [&](const RunResults& records) {
+                      store.record(outcome.id, records);
+                      if (hasGolden) keepForGolden(records, passed);
+                    });
+  FrameCollector frames(scenario, settings.draw ? scenario.record.pictures : std::nullopt);
   if (settings.resume) outcome.resumedAt = resumeRun(store, record, world, recorder, frames, settings.quiet);
-  outcome.id = outcome.resumedAt ? runId(record) : store.begin(record);
+  if (!outcome.resumedAt) store.begin(record);
   if (const auto step = store.checkpointStep(outcome.id); step && !settings.resume)
     tell(fmt::format("an earlier attempt was stopped at step {}: --resume goes on from there", *step),
          settings.quiet);
 
-  Invariants invariants(settings.check && !settings.changed ? scenario.check : CheckParameters{});
-  const std::function<void(const World&)> watch = [&](const World& w) {
-    frames.observe(w);
-    invariants.observe(w);
-  };
-  // Who watches sees every step; who does not lets cells that need no other take many at once.
-  const bool watched = scenario.record.pictures || Invariants::areGiven(scenario.check);
-  const RunHooks hooks{
-      .watch = watched ? watch : nullptr,
+  RunOptions options{
+      .label = scenario.scene.name + " " + std::to_string(scenario.scene.seed),
+      .quiet = settings.quiet,
+      .watch = checks.watch(),
       .keep =
           [&](const World& w, const Recorder& r) {
             outcome.canBeResumed = store.keepCheckpoint(
@@ -122,29 +127,45 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
                 {frames.frames().size(), [&](auto i) { return frameBytes(frames.frames()[i]); }});
           },
       .keepEvery = settings.checkpointEvery};
-  Progress progress(scenario.scene.name + " " + std::to_string(scenario.scene.seed), settings.quiet);
-  auto run = simulate(std::move(world), std::move(recorder), progress, hooks, outcome.resumedAt.has_value());
+  // Who watches sees every step; who does not lets cells that need no other take many at once.
+  if (scenario.record.pictures)
+    options.watch = [&frames, others = options.watch](const World& w) {
+      frames.observe(w);
+      if (others) others(w);
+    };
+  CheckedRun ended =
+      checks.of(simulate(std::move(world), std::move(recorder), options, outcome.resumedAt.has_value()));
+  Simulation& run = ended.run;
+  run.passed = std::move(passed);
 
   outcome.end = run.end;
   outcome.canBeResumed = outcome.canBeResumed && run.end.status == RunStatus::killed;
   const bool done = run.end.status == RunStatus::done;
   if (done && !run.results.samples.empty()) outcome.last = run.results.samples.back();
-  if (run.end.status != RunStatus::killed) checkOutcome(scenario, settings, run, invariants, outcome);
-  if (done) outcome.sanity = sanity.results(run.world, scenario.check, settings.check && !settings.changed);
+  if (run.end.status != RunStatus::killed) checkOutcome(scenario, settings, ended, outcome);
+  outcome.sanity = std::move(ended.sanity);
   if (outcome.checks) run.results.checks = outcome.checks->results;
   run.results.checks.insert(run.results.checks.end(), outcome.sanity.begin(), outcome.sanity.end());
   store.finish(outcome.id, run.end, run.results);
   outcome.ambiguous = ambiguousDivisions(
       run.world.model, run.world.lineage.entries,
       [&](StateId state) { return run.world.biology->describe(state); }, run.world.divisions);
-  if (done && settings.draw) {
-    // Runs of the same folder draw one after the other; the pictures that stay are those of the last one.
-    const FolderLock lock(settings.folder);
-    outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
-  }
   outcome.signal = run.signal;
-  if (done && settings.draw) besideGolden(scenario, settings, run, outcome);
-  if (done) besideBullet(scenario, settings, run, store, outcome);
+  if (!done) return outcome;
+  try {
+    if (settings.draw) {
+      // Runs of the same folder draw one after the other; the pictures that stay are those of the last one.
+      const FolderLock lock(settings.folder);
+      outcome.pictures = writePictures(run.world, scenario, frames, settings.folder);
+    }
+    if (settings.draw) besideGolden(scenario, settings, run, outcome);
+    besideBullet(scenario, settings, run, store, outcome);
+  } catch (const NumericalError& error) {
+    if (error.want == Want::nothing) throw;
+    throw NumericalError(
+        fmt::format("{}; run {} is stored in {}", error.what(), outcome.id, settings.database.string()),
+        error.want);
+  }
   return outcome;
 }
 

@@ -9,14 +9,14 @@ namespace morula {
 namespace {
 
 /// A cell of the design: all conditions with these levels of the axes that are compared.
-struct Cell {
+struct DesignCell {
   std::vector<std::size_t> conditions;
 };
 
-std::vector<Cell> cellsOf(const StudyResults& results, const std::vector<std::size_t>& axes) {
+std::vector<DesignCell> cellsOf(const StudyResults& results, const std::vector<std::size_t>& axes) {
   std::size_t count = 1;
   for (const std::size_t a : axes) count *= results.axes[a].labels.size();
-  std::vector<Cell> cells(count);
+  std::vector<DesignCell> cells(count);
   for (std::size_t i = 0; i < results.conditions.size(); ++i) {
     std::size_t cell = 0;
     for (const std::size_t a : axes)
@@ -27,7 +27,7 @@ std::vector<Cell> cellsOf(const StudyResults& results, const std::vector<std::si
 }
 
 /// The mean over the cell's conditions under one seed. None if one of them has no value.
-std::optional<double> valueOf(const StudyResults& results, std::size_t measure, const Cell& cell,
+std::optional<double> valueOf(const StudyResults& results, std::size_t measure, const DesignCell& cell,
                               std::size_t seed) {
   double sum = 0;
   for (const std::size_t i : cell.conditions) {
@@ -39,7 +39,7 @@ std::optional<double> valueOf(const StudyResults& results, std::size_t measure, 
   return sum / static_cast<double>(cell.conditions.size());
 }
 
-bool varies(const StudyResults& results, const Cell& cell) {
+bool varies(const StudyResults& results, const DesignCell& cell) {
   std::set<std::size_t> tasks;
   for (const std::size_t i : cell.conditions) {
     tasks.clear();
@@ -56,7 +56,7 @@ std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t me
   std::vector<std::vector<double>> bySeed;  // complete seeds alone: [seed][cell]
   for (std::size_t s = 0; s < r.seeds.size(); ++s) {
     std::vector<double> values;
-    for (const Cell& cell : cells)
+    for (const DesignCell& cell : cells)
       if (const auto v = valueOf(r, measure, cell, s)) values.push_back(*v);
     if (values.size() == cells.size()) bySeed.push_back(std::move(values));
   }
@@ -76,7 +76,7 @@ std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t me
   effects.analysis = analyseFactorial(levels, values, true);
   for (std::size_t f = 0; f < axes.size(); ++f) effects.means.push_back(levelMeans(levels, values, f));
   std::size_t still = 0;
-  for (const Cell& cell : cells) still += !varies(r, cell);
+  for (const DesignCell& cell : cells) still += !varies(r, cell);
   // An F test takes it that all cells vary alike.
   if (still > 0)
     effects.untested = "seeds change nothing in " + std::to_string(still) + " of " +

@@ -6,11 +6,11 @@
 
 #include "analysis/margins.h"
 #include "analysis/study_results.h"
+#include "document/document.h"
 #include "statistics/bootstrap.h"
 #include "statistics/compare_means.h"
 #include "statistics/equivalence.h"
 #include "statistics/factorial.h"
-#include "system/json.h"
 
 namespace morula {
 
@@ -115,8 +115,9 @@ std::vector<std::string> verdictsOf(const StudyComparison& comparison);
 /// Runs that failed, are missing or are not sane, a line each; and groups of conditions that are the same runs.
 std::vector<std::string> troublesOf(const StudyResults& results);
 
-/// For people.
-std::string describe(const StudyComparison& comparison);
+/// For people: all of it, and the tables alone.
+Document describe(const StudyComparison& comparison);
+Document comparedTables(const StudyComparison& comparison);
 /// As `compare --json` prints it.
 Json toJson(const StudyComparison& comparison);
 /// One table: rows of several kinds (value, condition, pair, effect, course), named in the first column. Quoted as RFC 4180

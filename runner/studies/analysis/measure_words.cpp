@@ -10,28 +10,28 @@ namespace morula {
 
 namespace {
 
-struct Words {
+struct KnownWords {
   const char *measure, *subject, *more, *less;
 };
 
 constexpr std::array known{
-    Words{"sister_contact", "sister adjacency", "higher", "lower"},
-    Words{"cousin_contact", "cousin adjacency", "higher", "lower"},
-    Words{"clone_contact", "contact within clones", "more", "less"},
-    Words{"homotypic_contact", "contact between cells of one kind", "more", "less"},
-    Words{"clone_radius", "clones", "wider", "tighter"},
-    Words{"clone_components", "pieces of a clone", "more", "fewer"},
-    Words{"mixing_index", "clones", "more mixed", "less mixed"},
-    Words{"lineage_space", "correlation of lineage and space", "higher", "lower"},
-    Words{"sphericity", "cells", "rounder", "less round"},
-    Words{"elongation", "cells", "longer", "shorter"},
-    Words{"organism_elongation", "organism", "longer", "shorter"},
-    Words{"extent", "organism", "wider", "narrower"},
-    Words{"neighbours", "neighbours of a cell", "more", "fewer"},
-    Words{"cells", "cells", "more", "fewer"},
-    Words{"volume", "volume", "larger", "smaller"},
-    Words{"cell.volume", "cells", "larger", "smaller"},
-    Words{"area", "area of contacts", "larger", "smaller"},
+    KnownWords{"sister_contact", "sister adjacency", "higher", "lower"},
+    KnownWords{"cousin_contact", "cousin adjacency", "higher", "lower"},
+    KnownWords{"clone_contact", "contact within clones", "more", "less"},
+    KnownWords{"homotypic_contact", "contact between cells of one kind", "more", "less"},
+    KnownWords{"clone_radius", "clones", "wider", "tighter"},
+    KnownWords{"clone_components", "pieces of a clone", "more", "fewer"},
+    KnownWords{"mixing_index", "clones", "more mixed", "less mixed"},
+    KnownWords{"lineage_space", "correlation of lineage and space", "higher", "lower"},
+    KnownWords{"sphericity", "cells", "rounder", "less round"},
+    KnownWords{"elongation", "cells", "longer", "shorter"},
+    KnownWords{"organism_elongation", "organism", "longer", "shorter"},
+    KnownWords{"extent", "organism", "wider", "narrower"},
+    KnownWords{"neighbours", "neighbours of a cell", "more", "fewer"},
+    KnownWords{"cells", "cells", "more", "fewer"},
+    KnownWords{"volume", "volume", "larger", "smaller"},
+    KnownWords{"cell.volume", "cells", "larger", "smaller"},
+    KnownWords{"area", "area of contacts", "larger", "smaller"},
 };
 
 struct Row {
@@ -63,7 +63,7 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
   std::string plain = measure;
   std::ranges::replace(plain, '_', ' ');
   std::ranges::replace(plain, '.', ' ');
-  for (const Words& w : known) {
+  for (const KnownWords& w : known) {
     if (measure != w.measure) continue;
     const bool spokenOf = std::string(w.subject).ends_with("adjacency");
     return {spokenOf ? w.subject : plain, w.subject, w.more, w.less};

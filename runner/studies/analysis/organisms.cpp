@@ -80,11 +80,11 @@ std::vector<OrganismTile> tilesOf(const ResultTask& task, const std::filesystem:
   const Scenario scenario = storedScenario(study.string(), task.runId);
   if (!scenario.scene.mechanics)
     throw UsageError("--pictures: " + scenario.scene.name + " has no bodies, and nothing can be seen of it");
-  Progress progress(scenario.scene.name, quiet);
   MomentTaker taker(scenario, times, cells);
-  const auto run = simulate(makeScenarioWorld(scenario, {}), {.nameOf = scenario.names.function()}, progress,
-                            [&](const World& world) { taker.observe(world); });
+  const auto run = simulate(scenario, Execution{},
+                            {.quiet = quiet, .watch = [&](const World& world) { taker.observe(world); }});
   if (run.signal) throw Interrupted{run.signal};
+  requireEnough(run.end);
   const std::string hash = run.end.stateHash ? run.end.stateHash->text() : "none";
   if (hash != task.stateHash)
     throw NondeterminismError(study.string() + ": run " + task.runId + " came to the state " +

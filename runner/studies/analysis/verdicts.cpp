@@ -6,7 +6,6 @@
 #include <map>
 
 #include "analysis/comparison.h"
-#include "analysis/comparison_text.h"
 #include "analysis/measure_words.h"
 #include "base/number_text.h"
 #include "files/text.h"
@@ -32,6 +31,12 @@ Spread spreadOf(const StudyComparison& c, std::size_t measure) {
     if (summary.measure == measure)
       for (const double v : summary.values) s.low = std::min(s.low, v), s.high = std::max(s.high, v);
   return s;
+}
+
+/// "p = 0.012", "p < 1e-15" where digits would be rounding; "" if there is none.
+std::string pText(const std::optional<double>& p) {
+  if (!p) return "";
+  return *p < 1e-15 ? "p < 1e-15" : "p = " + numberText(*p, 2);
 }
 
 /// By statistics, or because both sides are known exactly.

@@ -28,7 +28,7 @@ bool keepPlan(const Plan& plan, const std::filesystem::path& folder) {
     throw InputError(
         "'" + file.string() + "' is another plan (" + there.id.substr(0, 8) + ", now " +
         plan.id.substr(0, 8) +
-        "): the study or a scenario was changed since it was made; give a new folder with --to, or remove "
+        "): the study or a scenario was changed since it was made; give a new folder with --out, or remove "
         "this one with all its results");
   }
   makeFolder(folder);

@@ -57,9 +57,13 @@ void lookAtScenarios(Study study, const std::set<std::string>& clashing, Problem
 }  // namespace
 
 Study loadStudy(const std::filesystem::path& file, bool allowOutside) {
+  return readStudy(readFile(file), file, allowOutside);
+}
+
+Study readStudy(std::string bytes, const std::filesystem::path& file, bool allowOutside) {
   Study study;
   study.file = file.string();
-  study.bytes = readFile(file);
+  study.bytes = std::move(bytes);
   study.allowOutside = allowOutside;
   Problems problems(study.file);
   const scenario::SourceText source(study.bytes, problems);

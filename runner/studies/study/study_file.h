@@ -100,6 +100,8 @@ struct Study {
 /// at, too, as far as it could be read; if it has none, they are checked by makePlan. Throws FileError if it cannot be read.
 /// Its scenarios must lie in its folder, or with it below a folder `scenarios`, unless `allowOutside`.
 Study loadStudy(const std::filesystem::path& file, bool allowOutside = false);
+/// The same for a text in memory, as if it lay there.
+Study readStudy(std::string bytes, const std::filesystem::path& file, bool allowOutside = false);
 
 /// Whether the file is a study rather than a scenario: its first key, beside comments, is `morula-study`, or its name
 /// ends in .study.yaml.

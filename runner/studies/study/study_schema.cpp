@@ -1,5 +1,6 @@
 #include "study/study_schema.h"
 
+#include "files/quote.h"
 #include "files/text.h"
 #include "study/study_table.h"
 
@@ -48,10 +49,12 @@ std::string starterStudy(const std::string& name, const std::string& base) {
 # All keys: morula schema --study --markdown; in editors: morula schema --study > study.schema.json
 morula-study: 1                # version of this format
 name: )" +
-         name + R"(
+         yamlText(name) +
+         R"(
 summary: How planes of division and connections shape an organism
 base: )" +
-         base + R"(           # a scenario, from this file's folder; or several: [a.yaml, b.yaml]
+         yamlText(base) +
+         R"(           # a scenario, from this file's folder; or several: [a.yaml, b.yaml]
 
 # Axes: each condition has one label of each, and all combinations are run. A label sets any keys of the scenario, as --set
 # does; null takes a part away, and {} leaves the scenario as it is. Seeds change random planes, and what the scenario says

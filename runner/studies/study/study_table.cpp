@@ -113,19 +113,12 @@ Key memoryPerRun() {
           {{"type", Json::array({"string", "integer"})}, {"pattern", "^[0-9]+(\\.[0-9]+)?[kKMGT]?$"}},
           [allowed](Study& study, const Node& node, Problems& problems) {
             if (!node.isPlain()) return scenario::refuse(node, path, allowed, problems);
-            std::string text = node.text;
-            constexpr std::string_view units = "kMGT";
-            double unit = 1;
-            if (const auto at = units.find(text.back() == 'K' ? 'k' : text.back()); at != units.npos) {
-              for (std::size_t i = 0; i <= at; ++i) unit *= 1000;
-              text.pop_back();
-            }
-            const auto number = scenario::parseReal(text);
-            if (!number.wrong.empty())
-              problems.add(node.place, path, describe(node) + " " + number.wrong, "needs " + allowed);
-            else if (!(number.value * unit >= 1e6 && number.value * unit <= 1e18))
+            const auto size = scenario::parseSize(node.text);
+            if (!size.wrong.empty())
+              problems.add(node.place, path, describe(node) + " " + size.wrong, "needs " + allowed);
+            else if (!(size.value >= 1e6 && size.value <= 1e18))
               problems.add(node.place, path, node.text + " is out of range", "needs " + allowed);
-            else study.limits.memory = static_cast<std::uint64_t>(number.value * unit);
+            else study.limits.memory = static_cast<std::uint64_t>(size.value);
           }};
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "files/quote.h"
 
 namespace morula {
 
@@ -13,18 +14,6 @@ namespace {
 
 constexpr double secondsPerJob = 600;
 constexpr std::size_t mostJobs = 1000;  // Slurm's MaxArraySize is 1001 unless a site has raised it
-
-/// A word of a shell, whatever it holds.
-std::string shellWord(const std::string& text) {
-  const auto plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '/' ||
-           c == '.' || c == '_' || c == '-';
-  };
-  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
 
 /// A string of Python: JSON's are.
 std::string pythonText(const std::string& text) { return jsonText(Json(text)); }
@@ -61,16 +50,29 @@ std::optional<std::uint64_t> megabytesFor(const Plan& plan) {
 
 std::uint64_t minutes(double seconds) { return static_cast<std::uint64_t>(std::ceil(seconds / 60)); }
 
+/// The study's folder as a command of its own can be given it.
+std::string folderOf(const PlannedStudy& study) {
+  const std::string folder = study.folder.path().string();
+  return folder.starts_with('-') ? "./" + folder : folder;
+}
+
+/// Slurm puts the job's numbers in place of what follows a '%'.
+std::string slurmFile(const std::string& path) {
+  std::string name;
+  for (const char c : path) name += c == '%' ? "%%" : std::string(1, c);
+  return name;
+}
+
 std::string slurm(const PlannedStudy& study, std::size_t shares) {
   const Plan& plan = study.plan;
-  const std::string folder = study.folder.path().string(), word = shellWord(folder);
+  const std::string folder = folderOf(study), word = shellWord(folder);
   std::string text = "#!/bin/bash\n#SBATCH --job-name=" + plan.study.name +
                      fmt::format("\n#SBATCH --array=1-{}\n", shares) +
                      "#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n";
   if (const auto megabytes = megabytesFor(plan)) text += fmt::format("#SBATCH --mem={}M\n", *megabytes);
   if (const auto seconds = secondsFor(plan, shares))
     text += fmt::format("#SBATCH --time={}\n", minutes(*seconds));
-  text += "#SBATCH --output=" + folder + "/slurm-%A_%a.log\n";
+  text += "#SBATCH --output=" + shellWord(slurmFile(folder) + "/slurm-%A_%a.log") + "\n";
   text += "#SBATCH --requeue\n";
   text += fmt::format(
       "#\n# The study {}: {} runs in {} jobs. From the folder that it was written from:\n"
@@ -81,7 +83,7 @@ std::string slurm(const PlannedStudy& study, std::size_t shares) {
       "set -eu\n"
       "exec \"${{MORULA:-morula}}\" study run {} --shard \"$SLURM_ARRAY_TASK_ID/{}\" \\\n"
       "  --jobs \"${{SLURM_CPUS_PER_TASK:-1}}\" --quiet\n",
-      plan.study.name, plan.tasks.size(), shares, folder, folder, word, shares);
+      plan.study.name, plan.tasks.size(), shares, word, word, word, shares);
   return text;
 }
 
@@ -95,7 +97,7 @@ std::string snakemake(const PlannedStudy& study, std::size_t shares) {
       "import os\n\n"
       "FOLDER = {}\nMORULA = os.environ.get(\"MORULA\", \"morula\")\n",
       plan.study.name, plan.tasks.size(), (plan.tasks.size() + shares - 1) / shares,
-      pythonText(study.folder.path().string()));
+      pythonText(folderOf(study)));
   text += "TASKS = [\n";
   for (const Task& task : plan.tasks) text += "    \"" + task.id + "\",\n";
   text += "]\n\n\n";
@@ -123,7 +125,7 @@ std::string snakemake(const PlannedStudy& study, std::size_t shares) {
 }
 
 std::string parallel(const PlannedStudy& study, std::size_t shares) {
-  const std::string folder = study.folder.path().string(), word = shellWord(folder);
+  const std::string folder = folderOf(study), word = shellWord(folder);
   const std::string job =
       fmt::format("\"$MORULA\" study run {} --shard {{}}/{} --quiet >/dev/null", word, shares);
   return fmt::format(
@@ -151,44 +153,29 @@ std::size_t sharesFor(const Plan& plan) {
 }
 
 std::string emit(const PlannedStudy& study, const EmitOptions& options) {
+  for (const unsigned char c : study.folder.path().string())
+    if (c < 0x20 || c == 0x7F)  // a line of it would be a line of the script
+      throw InputError("the study's folder '" + study.folder.path().string() +
+                       "' has a line end or another control character in its name; rename it");
   const std::size_t tasks = std::max<std::size_t>(study.plan.tasks.size(), 1);
-  std::size_t shares = options.shares ? std::min(options.shares, tasks) : sharesFor(study.plan);
-  switch (options.site) {
-    case Site::slurm:
-      return slurm(study, shares);
-    case Site::snakemake:
-      return snakemake(study, shares);
-    case Site::parallel:
-      // On one machine a job costs little: enough of them that all processors end at about the same time.
-      return parallel(
-          study, options.shares ? shares : std::min<std::size_t>(tasks, std::max<std::size_t>(shares, 200)));
-  }
-  throw BugError("a site that is not one");
+  const std::size_t shares = options.shares ? std::min(options.shares, tasks) : sharesFor(study.plan);
+  if (options.site == Site::slurm) return slurm(study, shares);
+  if (options.site == Site::snakemake) return snakemake(study, shares);
+  // On one machine a job costs little: enough of them that all processors end at about the same time.
+  return parallel(study,
+                  options.shares ? shares : std::min<std::size_t>(tasks, std::max<std::size_t>(shares, 200)));
 }
 
 std::filesystem::path siteFile(const PlannedStudy& study, Site site) {
-  switch (site) {
-    case Site::slurm:
-      return study.folder.path() / "study.sbatch";
-    case Site::snakemake:
-      return study.folder.path() / "Snakefile";
-    case Site::parallel:
-      return study.folder.path() / "parallel.sh";
-  }
-  throw BugError("a site that is not one");
+  static constexpr const char* names[] = {"study.sbatch", "Snakefile", "parallel.sh"};
+  return study.folder.path() / names[static_cast<int>(site)];
 }
 
 std::string howToStart(const PlannedStudy& study, Site site, const std::filesystem::path& file) {
-  const std::string name = shellWord(file.string()), folder = shellWord(study.folder.path().string());
-  switch (site) {
-    case Site::slurm:
-      return "sbatch " + name + "; afterwards: morula study merge " + folder;
-    case Site::snakemake:
-      return "snakemake --snakefile " + name + " --cores 8";
-    case Site::parallel:
-      return "sh " + name;
-  }
-  throw BugError("a site that is not one");
+  const std::string name = shellWord(file.string());
+  if (site == Site::slurm)
+    return "sbatch " + name + "; afterwards: morula study merge " + shellWord(folderOf(study));
+  return site == Site::snakemake ? "snakemake --snakefile " + name + " --cores 8" : "sh " + name;
 }
 
 }  // namespace morula

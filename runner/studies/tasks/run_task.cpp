@@ -6,7 +6,7 @@
 #include <new>
 
 #include "base/error.h"
-#include "check/sanity.h"
+#include "check/check_run.h"
 #include "files/write_file.h"
 #include "loop/simulate.h"
 #include "pictures/pictures.h"
@@ -42,9 +42,13 @@ void drop(RunResults& results, const Study& study) {
   std::erase_if(results.connections, [](const ConnectionRecord& c) { return c.released >= 0; });
 }
 
-/// The words of a failure tell memory apart: they come from the simulator's and the loop's checks and from bad_alloc.
-FailureKind kindOf(const std::string& failure) {
-  return failure.find("memory") == failure.npos ? FailureKind::numerical : FailureKind::memoryLimit;
+FailureKind kindOf(Want want) {
+  return want == Want::memory ? FailureKind::memoryLimit : FailureKind::numerical;
+}
+
+/// Of a run that has nothing to show.
+RunEnd failedEnd(const std::string& why) {
+  return {.status = RunStatus::failed, .stateHash = {}, .steps = 0, .cells = 0, .time = 0, .failure = why};
 }
 
 std::string reasonOf(FailureKind kind, const std::string& why) {
@@ -82,22 +86,38 @@ void draw(const World& world, const Scenario& scenario, const std::filesystem::p
 /// Simulates; the signal that stopped it, or 0.
 int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const StudyFolder& folder,
             const TaskSettings& settings, TaskOutcome& outcome) {
-  World world = makeScenarioWorld(scenario, settings.execution);
-  const SanityCheck sanity(world);
-  Progress progress("", true);
-  Simulation run =
-      simulate(std::move(world), Recorder(recordingOf(plan, scenario)), progress, RunHooks{}, false);
+  const Study& study = plan.study;
+  const auto measure = [&](const std::vector<Sample>& samples) {
+    const auto values = valuesOf(samples, study.measures);
+    outcome.values.insert(outcome.values.end(), values.begin(), values.end());
+  };
+  // What is not kept is measured and let go.
+  RunResults before;
+  const RecordSink let = [&](const RunResults& records) {
+    if (study.when.moments != Moments::end) measure(records.samples);
+    if (before.samples.empty() && !records.samples.empty()) before.samples = {records.samples.front()};
+    before.chain.insert(before.chain.end(), records.chain.begin(), records.chain.end());
+  };
+  CheckedRun checked = simulateChecked(
+      scenario, settings.execution,
+      {.record = recordingOf(plan, scenario), .sink = study.keep.samples == SamplesKept::all ? nullptr : let},
+      false);
+  Simulation& run = checked.run;
   if (run.end.status == RunStatus::killed) return run.signal;
   outcome.end = run.end;
   outcome.results = std::move(run.results);
+  RunResults& results = outcome.results;
   if (run.end.status == RunStatus::failed) {
-    outcome.task.reason = reasonOf(kindOf(run.end.failure), run.end.failure);
+    outcome.task.reason = reasonOf(kindOf(run.end.want), run.end.failure);
+    outcome.values.clear();
   } else {
-    outcome.values = valuesOf(measuredSamples(plan.study, outcome.results.samples), plan.study.measures);
-    outcome.results.checks = sanity.results(run.world, scenario.check, false);
+    measure(measuredSamples(study, results.samples));
+    results.checks = std::move(checked.sanity);
     if (keepsPicture(plan, task)) draw(run.world, scenario, folder.picture(plan.tasks[task].id));
   }
-  drop(outcome.results, plan.study);
+  results.samples.insert(results.samples.begin(), before.samples.begin(), before.samples.end());
+  results.chain.insert(results.chain.begin(), before.chain.begin(), before.chain.end());
+  drop(results, study);
   return 0;
 }
 
@@ -110,10 +130,10 @@ void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& fold
                      const TaskSettings& settings, ForkedAnswer& answer) {
   const Scenario scenario = scenarioOf(plan, plan.tasks[task]);
   TaskOutcome outcome = outcomeOf(plan, task, scenario, settings);
-  const auto fail = [&](const std::string& why) {
-    outcome.end = {
-        .status = RunStatus::failed, .stateHash = {}, .steps = 0, .cells = 0, .time = 0, .failure = why};
-    outcome.task.reason = reasonOf(kindOf(why), why);
+  const auto fail = [&](const std::string& why, Want want) {
+    outcome.end = failedEnd(why);
+    outcome.task.reason = reasonOf(kindOf(want), why);
+    outcome.results = {}, outcome.values.clear();
   };
   try {
     if (const int signal = compute(plan, task, scenario, folder, settings, outcome)) {
@@ -121,8 +141,8 @@ void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& fold
       return;
     }
   } catch (const InputError& error) {  // with this seed the scene cannot begin
-    fail(error.what());
-  } catch (const NumericalError& error) { fail(error.what()); }
+    fail(error.what(), error.want);
+  } catch (const NumericalError& error) { fail(error.what(), error.want); }
   liftMemoryLimit();
   outcome.timing.cpuSeconds = seconds(ClockKind::process);
   outcome.timing.maxMemory = peakMemory();
@@ -148,8 +168,7 @@ ForkedAnswer runTask(const Plan& plan, std::size_t task, const StudyFolder& fold
 void writeFailure(const Plan& plan, std::size_t task, const StudyFolder& folder, const TaskSettings& settings,
                   FailureKind kind, const std::string& why, const ForkedEnd& end) {
   TaskOutcome outcome = outcomeOf(plan, task, scenarioOf(plan, plan.tasks[task]), settings);
-  outcome.end = {
-      .status = RunStatus::failed, .stateHash = {}, .steps = 0, .cells = 0, .time = 0, .failure = why};
+  outcome.end = failedEnd(why);
   outcome.task.reason = reasonOf(kind, why);
   outcome.timing.cpuSeconds = end.cpuSeconds;
   outcome.timing.maxMemory = end.maxMemory;

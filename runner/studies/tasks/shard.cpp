@@ -1,14 +1,13 @@
 #include "tasks/shard.h"
 
-#include "system/usage_error.h"
+#include "base/error.h"
 #include "yaml/numbers.h"
 
 namespace morula {
 
-Shard parseShard(const std::string& option, const std::string& text) {
+Shard parseShard(const std::string& text) {
   const auto refuse = [&] {
-    throw UsageError(option + ": '" + text +
-                     "' is no share; needs NUMBER/OF with 1 ≤ NUMBER ≤ OF ≤ 1000000, as 3/40");
+    throw InputError("'" + text + "' is no share; needs NUMBER/OF with 1 ≤ NUMBER ≤ OF ≤ 1000000, as 3/40");
   };
   const auto slash = text.find('/');
   if (slash == text.npos) refuse();

@@ -12,8 +12,8 @@ struct Shard {
   std::size_t number = 1, of = 1;  // number: from 1
 };
 
-/// "3/40". Throws UsageError that names `option`.
-Shard parseShard(const std::string& option, const std::string& text);
+/// "3/40". Throws InputError.
+Shard parseShard(const std::string& text);
 
 /// Of tasks 0 to count − 1, rising.
 std::vector<std::size_t> tasksOf(const Shard& shard, std::size_t count);

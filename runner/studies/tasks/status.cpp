@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "files/folders.h"
+#include "files/quote.h"
 #include "loop/progress.h"
 #include "simulation/memory.h"
 
@@ -96,7 +97,7 @@ std::string describe(const StudyStatus& s, const PlannedStudy& study) {
   text += "  disk     " + bytesText(static_cast<double>(s.bytes)) + "\n";
   if (s.isMerged) text += "  results  " + study.folder.merged().string() + "\n";
   else if (s.isComplete())
-    text += "  results  not merged yet: morula study merge " + study.folder.path().string() + "\n";
+    text += "  results  not merged yet: morula study merge " + shellWord(study.folder.path().string()) + "\n";
   return text;
 }
 

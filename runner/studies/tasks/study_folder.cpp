@@ -12,9 +12,9 @@ namespace {
 PlannedStudy openFolder(const StudyChoice& choice) {
   StudyFolder folder(choice.what);
   if (!choice.to.empty())
-    throw FileError("'" + choice.what + "' is a folder, so its results lie in it; leave out --to " +
+    throw FileError("'" + choice.what + "' is a folder, so its results lie in it; leave out --out " +
                     choice.to);
-  if (!fileExists(folder.plan()))
+  if (!fileExists(planFile(folder.path())))
     throw FileError(
         "'" + choice.what +
         "' is no study's folder: it holds no plan.json; give a study file, which `morula study plan` "
@@ -27,9 +27,9 @@ void requireSamePlan(const Study& study, const Plan& there, const StudyFolder& f
   const Plan now = makePlan(study, {.predict = false});
   if (now.id == there.id) return;
   throw FileError(
-      "'" + study.file + "' says something else than the plan in '" + folder.plan().string() +
+      "'" + study.file + "' says something else than the plan in '" + planFile(folder.path()).string() +
       "', which was made from it before: plan " + now.id + " now, " + there.id +
-      " there; --resume goes on with the plan that is there, --to gives the changed study a folder of "
+      " there; --resume goes on with the plan that is there, --out gives the changed study a folder of "
       "its own");
 }
 
@@ -39,20 +39,20 @@ PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {
   if (isFolder(choice.what)) return openFolder(choice);
   const Study study = loadStudy(choice.what, choice.allowOutside);
   const StudyFolder folder(choice.to.empty() ? studyFolder(study) : std::filesystem::path(choice.to));
-  if (fileExists(folder.plan())) {
+  if (fileExists(planFile(folder.path()))) {
     Plan there = loadPlan(folder.path());
     if (!choice.resume) requireSamePlan(study, there, folder);
     return {folder, std::move(there), false};
   }
   if (choice.mustBeThere)
     throw FileError("'" + folder.path().string() + "' holds no plan.json: nothing of '" + choice.what +
-                    "' has been run there; `morula study run` runs it, --to names another folder");
+                    "' has been run there; `morula study run` runs it, --out names another folder");
   return {folder, makePlan(study, options), true};
 }
 
 void keepPlan(const PlannedStudy& study) {
   makeFolder(study.folder.tasks());
-  if (study.isNew) overwriteFile(study.folder.plan(), writePlan(study.plan));
+  if (study.isNew) overwriteFile(planFile(study.folder.path()), writePlan(study.plan));
 }
 
 }  // namespace morula

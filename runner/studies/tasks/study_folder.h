@@ -11,7 +11,6 @@ class StudyFolder {
  public:
   explicit StudyFolder(std::filesystem::path path) : path_(std::move(path)) {}
   const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path plan() const { return path_ / "plan.json"; }
   std::filesystem::path tasks() const { return path_ / "tasks"; }
   std::filesystem::path task(const std::string& id) const { return tasks() / (id + ".db"); }
   std::filesystem::path picture(const std::string& id) const { return tasks() / (id + ".png"); }

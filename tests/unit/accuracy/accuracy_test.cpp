@@ -163,7 +163,7 @@ TEST_CASE("A smooth scene: every integrator has its order, and the reference its
   options.rounds = 1;
   options.cheaperModels = false;  // cheaper_model_test.cpp
   const AccuracyReport report = measureAccuracy(reader(swinging), options);
-  INFO(describe(report));
+  INFO(textOf(describe(report)));
   CHECK(report.reference.agrees);
   CHECK(report.reference.setting.integrator == Integrator::rungeKutta4);
   CHECK(report.times.back() == 1);
@@ -213,7 +213,7 @@ TEST_CASE("Cells that touch are compared only up to where chaos begins, unless o
   options.otherPrecision = options.otherLaw = false;
   options.rounds = 1, options.halvings = 1;
   const AccuracyReport report = measureAccuracy(reader(crowd), options);
-  INFO(describe(report));
+  INFO(textOf(describe(report)));
   CHECK(report.horizon->parted);
   CHECK(report.times.back() <= report.horizon->end);
   CHECK(report.times.back() < 1.5);

@@ -80,7 +80,7 @@ TEST_CASE("Two cells in a shell as shells, matched shapes and spheres: each has 
   options.otherPrecision = options.otherLaw = false;
   options.rounds = 1, options.halvings = 1;
   const AccuracyReport report = measureAccuracy(reader(pair), options);
-  INFO(describe(report));
+  INFO(textOf(describe(report)));
   const AccuracyRow *shell = best(report, "velocity-verlet"),
                     *matched = best(report, "velocity-verlet, shape-matching"),
                     *sphere = best(report, "velocity-verlet, sphere");
@@ -104,7 +104,7 @@ TEST_CASE(
   options.otherPrecision = options.otherLaw = false;
   options.rounds = 1, options.halvings = 1;
   const AccuracyReport report = measureAccuracy(reader(lone), options);
-  INFO(describe(report));
+  INFO(textOf(describe(report)));
   const AccuracyRow* sphere = best(report, "velocity-verlet, sphere");
   REQUIRE(sphere);
   for (const AccuracyRow& row : report.rows) CHECK(row.setting.timeStep <= report.times.front());

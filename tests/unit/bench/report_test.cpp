@@ -104,7 +104,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
   for (const Isa isa : availableIsas())
     for (const Stage stage : options.stages) {
       const BenchRow* r = find(report.rows, "packed", "morula", stage, 8, 42, name(isa));
-      CAPTURE(name(isa), name(stage));
+      CAPTURE(name(isa), nameOf(stage));
       REQUIRE(r);
       CHECK(r->nsPerVertexStep >= 0);
       CHECK(r->shareOfLimit.has_value() == (stage != Stage::rebuild));
@@ -119,7 +119,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
   std::set<std::string> searches;
   for (const BenchRow& r : report.rows) searches.insert(r.search);
   CHECK(searches.size() == 1 + valuesOf<ContactSearch>().size());
-  const std::string text = describe(report);
+  const std::string text = textOf(describe(report));
   CHECK_THAT(text, ContainsSubstring("packed scene, 8 cells of 42 vertices") &&
                        ContainsSubstring("rebuild, aabb-tree") && ContainsSubstring("23.68"));
 

@@ -152,3 +152,25 @@ TEST_CASE("Two threads build the list that one does") {
     CHECK(crowd.contacts.list.indices == indices);
   }
 }
+
+TEST_CASE("Whether lists are too long, and whose, does not depend on the number of threads") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), {}, ball, heap(ball, 25, 0.8, 0));
+  NeighbourList& list = crowd.contacts.list;
+  const double whole = double(list.pairs) * list.bytesPerNeighbour;
+  int refused = 0, taken = 0;
+  for (double share = 0.1; share < 4; share *= 1.4) {
+    list.mostBytes = share * whole;
+    std::vector<int> blocks;
+    for (const int threads : {1, 2, 3, 8}) {
+      try {
+        buildNeighbourList(list, crowd.lab.bodies, crowd.contacts.radius, threads);
+        blocks.push_back(-1);
+      } catch (const ListsTooLong& lists) { blocks.push_back(lists.block); }
+    }
+    CAPTURE(share, blocks);
+    CHECK(blocks == std::vector<int>(4, blocks[0]));
+    ++(blocks[0] < 0 ? taken : refused);
+  }
+  CHECK((refused > 1 && taken > 1));
+}

@@ -9,9 +9,9 @@
 #include <sstream>
 #include <thread>
 
+#include "base/error.h"
 #include "catch.h"
 #include "engines/bullet_scene.h"
-#include "system/usage_error.h"
 
 using namespace morula;
 using End = ExternalRun::End;
@@ -73,8 +73,8 @@ TEST_CASE("A run that ends early says how, and only where it must stop is that w
 TEST_CASE("Engines are named, and a name that is none is refused") {
   CHECK(parseEngines("thesis,bullet") == std::vector{Engine::thesis, Engine::b1, Engine::b2});
   CHECK(parseEngines("").empty());
-  CHECK_THROWS_AS(parseEngines("bulet"), UsageError);
-  CHECK_THROWS_AS(parseEngines("b1,,b2"), UsageError);
+  CHECK_THROWS_AS(parseEngines("bulet"), InputError);
+  CHECK_THROWS_AS(parseEngines("b1,,b2"), InputError);
 }
 
 TEST_CASE("A table has a row for each scenario and a column for each engine; bars do not break it") {

@@ -34,11 +34,15 @@ TEST_CASE("only regular files are read, and nothing is waited for") {
 }
 
 TEST_CASE("files are told by what they hold") {
-  for (const auto& [head, content] :
-       {std::pair{"", Content::empty}, {"\x89PNG\r\n\x1a\n...", Content::picture}, {"morula golden 1\n", Content::golden},
-        {"<<<<<<< HEAD\nmorula golden 1\n", Content::golden}, {"# mine\nmorula: 1\n", Content::scenario},
-        {"morula-study: 1\n", Content::scenario}, {"START: a0\n", Content::dna}, {"### morula check\n\n", Content::report},
-        {"Dear all,\n", Content::other}})
+  for (const auto& [head, content] : {std::pair{"", Content::empty},
+                                      {"\x89PNG\r\n\x1a\n...", Content::picture},
+                                      {"morula golden 1\n", Content::golden},
+                                      {"<<<<<<< HEAD\nmorula golden 1\n", Content::golden},
+                                      {"# mine\nmorula: 1\n", Content::scenario},
+                                      {"morula-study: 1\n", Content::scenario},
+                                      {"START: a0\n", Content::dna},
+                                      {"### morula check\n\n", Content::report},
+                                      {"Dear all,\n", Content::other}})
     CHECK(contentOf(head) == content);
   CHECK(contentOf(std::string_view("SQLite format 3\0", 16)) == Content::database);
 }
@@ -78,5 +82,5 @@ TEST_CASE("where names lead") {
   CHECK_THROWS_AS(fileExists(folder / std::string(300, 'n')), FileError);
   CHECK_FALSE(fileExists(folder / "none/none"));
   CHECK_THROWS_AS(namesIn(folder / "none"), FileError);
-  CHECK_THROWS_AS(makeEmptyFolder(folder / "in"), FileError);
+  CHECK_THROWS_AS(requireAbsent(folder / "in"), FileError);
 }

@@ -306,7 +306,10 @@ TEST_CASE(
     "a measure that joined after a golden was accepted is no part of it; a cell or a time that it lacks is") {
   const auto without = [](const auto& wanted) {
     Golden golden = exampleGolden();
-    std::erase_if(golden.data.items, [&](const GoldenItem& i) { return i.kind == "value" && wanted(i.key); });
+    std::erase_if(golden.data.items, [&](const GoldenItem& i) {
+      const std::string key = keyOf(i);
+      return kindOf(i) == "value" && wanted(key);
+    });
     return reread(golden);
   };
   const auto none = [](GoldenFacts&) {};
@@ -407,7 +410,7 @@ TEST_CASE("where the chain parts, the cells that differ are named") {
 
 TEST_CASE("costs and pictures have classes of their own, unless something else explains them") {
   const Golden golden = reread(exampleGolden());
-  const auto dearer = [](GoldenFacts& f) { f.costs[0].second = 6; };
+  const auto dearer = [](GoldenFacts& f) { f.costs[0].count = 6; };
   const auto redrawn = [](GoldenFacts& f) { f.images[0].hash.low = 9; };
   CHECK(find(compareWith(golden, dearer), "costs").failureClass == "COST");
   CHECK(find(compareWith(golden, redrawn), "images").failureClass == "IMAGE");

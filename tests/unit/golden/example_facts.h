@@ -71,7 +71,8 @@ inline GoldenData dataOf(const GoldenFacts& facts) {
       " cells volume kinetic_energy mean_pressure shell_fill outermost area pressure x y z sphericity "
       "neighbours ";
   std::erase_if(data.items, [&](const GoldenItem& i) {
-    return i.kind == "value" && known.find(' ' + i.key.substr(i.key.rfind('/') + 1) + ' ') == known.npos;
+    const auto* value = std::get_if<GoldenValue>(&i);
+    return value && known.find(' ' + value->name.measure + ' ') == known.npos;
   });
   return data;
 }

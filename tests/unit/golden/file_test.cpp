@@ -2,6 +2,8 @@
 // comes back, and a file that was damaged says so and where.
 #include "catch.h"
 #include "example_facts.h"
+#include "files/folders.h"
+#include "files/read_file.h"
 
 using namespace morula;
 
@@ -277,8 +279,7 @@ TEST_CASE("a long chain is thinned, and its last link stays") {
   for (std::uint64_t i = 0; i <= 200; ++i) facts.chain.push_back({64 * i, {i, i}, {}});
   const GoldenData data = makeGoldenData(facts);
   std::vector<std::string> steps;
-  for (const GoldenItem& item : data.items)
-    if (item.kind == "step_hash") steps.push_back(item.key);
+  for (const auto* link : all<GoldenLink>(data)) steps.push_back(std::to_string(link->step));
   CHECK(steps.size() == 51);  // every fourth of 201
   CHECK(steps[1] == "256");
   CHECK(steps.back() == "12800");
@@ -331,9 +332,7 @@ TEST_CASE("a large lineage is counts and one digest per generation") {
     generation = std::move(next);
   }
   const GoldenData data = makeGoldenData(facts);
-  const auto generations =
-      std::count_if(data.items.begin(), data.items.end(), [](auto& i) { return i.kind == "generation"; });
-  CHECK(generations == 13);
+  CHECK(all<GoldenGeneration>(data).size() == 13);
   CHECK(data.items.size() < 40);
 
   Golden golden = exampleGolden();
@@ -344,4 +343,14 @@ TEST_CASE("a large lineage is counts and one digest per generation") {
   const CheckReport report = compareGolden(golden, makeGoldenData(facts));
   CHECK_FALSE(report.passed());
   CHECK_THAT(describe(report), ContainsSubstring("generation 12: hash: expected"));
+}
+
+TEST_CASE("every shipped golden is written again as it stands, byte for byte") {
+  int goldens = 0;
+  for (const auto& file : filesBelow("golden", ".golden")) {
+    CAPTURE(file.string());
+    CHECK(writeGolden(readGoldenFile(file)) == readFile(file));
+    ++goldens;
+  }
+  CHECK(goldens > 50);
 }

@@ -9,8 +9,8 @@ using namespace morula;
 namespace {
 
 std::string valueOf(const GoldenData& data, const std::string& key) {
-  for (const GoldenItem& item : data.items)
-    if (item.kind == "value" && item.key == key) return item.fields[1];
+  for (const auto* value : all<GoldenValue>(data))
+    if (goldenText(value->name) == key) return goldenText(value->value);
   return "";
 }
 

@@ -250,7 +250,7 @@ TEST_CASE("A prediction has a line for each part, and shares of one whole") {
   }
   CHECK(sum == f.seconds());
   CHECK(sum > 0);
-  const std::string text = describe(f, "unique-four");
+  const std::string text = textOf(describe(f, "unique-four"));
   CHECK_THAT(text, ContainsSubstring("up to 4 cells of 162 vertices") &&
                        ContainsSubstring("absent, and free") &&
                        ContainsSubstring("unique-four.yaml:35:9: physics.drag"));
@@ -279,7 +279,7 @@ TEST_CASE("Odd lives have predictions, too: nothing to do, everybody dead, far t
   CHECK(f.cells >= 100'000);
   CHECK(std::isfinite(f.seconds()));
   CHECK(f.bytes() > 1e9);
-  CHECK_THAT(describe(f, "many"), ContainsSubstring("many: at least "));
+  CHECK_THAT(textOf(describe(f, "many")), ContainsSubstring("many: at least "));
 }
 
 TEST_CASE("A fixed time step that later cells will not stand is told beforehand") {
@@ -301,6 +301,7 @@ TEST_CASE("The prediction of a lineage needs no trial run") {
   CHECK(f.cells == 1024);
   CHECK(f.vertices == 0);
   CHECK(f.triedWhole);
-  for (const PartCost& c : f.costs) CHECK((c.part.name == "biology" || c.part.name == "samples" || c.part.name == "pictures"));
+  for (const PartCost& c : f.costs)
+    CHECK((c.part.name == "biology" || c.part.name == "samples" || c.part.name == "pictures"));
   CHECK(f.bytes() > 2047 * sizeof(LineageEntry));
 }

@@ -1,8 +1,9 @@
 // Pages of accuracy runs: the verdict, the cheapest settings, and texts that stay texts.
+#include "accuracy/accuracy.h"
+
 #include <fstream>
 
 #include "catch.h"
-#include "report_data/accuracy_read.h"
 #include "report/parts.h"
 #include "temporary_folder.h"
 
@@ -86,23 +87,23 @@ PagePart partOf(const Json& json) {
 }
 
 std::string blockOf(const PagePart& part, const std::string& id) {
-  for (const PageBlock& block : part.blocks)
-    if (block.id == id) return block.html;
+  for (const PageSection& section : part.sections)
+    if (section.id == id) return htmlOf(section.body);
   return {};
 }
 
 TEST_CASE("The cheapest settings for an error are those of the runs made, ours and Bullet's") {
-  const AccuracyRead read = accuracyFrom(output());
-  REQUIRE(cheapestFor(read, 0.1, true));
-  CHECK(cheapestFor(read, 0.1, true)->series == "velocity-verlet");
-  CHECK(cheapestFor(read, 0.01, true)->series == "rk4");
-  CHECK(cheapestFor(read, 0.1, false)->timeStep == 0.125);
-  CHECK(cheapestFor(read, 0.01, false) == nullptr);
-  CHECK(cheapestFor(read, 0.0005, true) == nullptr);  // the reference's own error is added
+  const AccuracyReport report = accuracyFrom(output());
+  REQUIRE(!thatHold(report, 0.1).empty());
+  CHECK(thatHold(report, 0.1)[0]->series == "velocity-verlet");
+  CHECK(thatHold(report, 0.01).at(0)->series == "rk4");
+  CHECK(thatHold(report, 0.1, false).at(0)->setting.timeStep == 0.125);
+  CHECK(thatHold(report, 0.01, false).empty());
+  CHECK(thatHold(report, 0.0005).empty());  // the reference's own error is added
 }
 
 TEST_CASE("An accuracy page says first what does not hold") {
-  const auto verdict = [](const Json& json) { return partOf(json).verdict; };
+  const auto verdict = [](const Json& json) { return htmlOf(partOf(json).verdict); };
   CHECK_THAT(verdict(output()), ContainsSubstring("error 0.06: 0.05 of the time step, 0.01 of the mesh"));
   CHECK_THAT(verdict(output()), ContainsSubstring("Compared up to time 1 of 2"));
   CHECK_THAT(verdict(output()), !ContainsSubstring("mark bad"));
@@ -116,7 +117,7 @@ TEST_CASE("An accuracy page says first what does not hold") {
   Json unknown = output();
   unknown["mesh"]["error"] = nullptr, unknown["mesh"]["unknown"] = "it comes from a file";
   unknown["as_it_is"]["parts"]["mesh"] = nullptr;
-  CHECK_THAT(verdict(unknown), ContainsSubstring("error at least 0.06"));
+  CHECK_THAT(verdict(unknown), ContainsSubstring("error at least 0.05: 0.05 of the time step, an unknown part"));
   CHECK_THAT(verdict(unknown), ContainsSubstring("What the mesh adds is not known"));
   Json untargeted = output();
   untargeted["target"] = {{"error", 1e-9}, {"run_to_the_end", nullptr}};
@@ -133,7 +134,7 @@ TEST_CASE("Bullet's best stands beside ours, and failures have a table of their 
   CHECK_THAT(blockOf(part, "cheapest"), ContainsSubstring("bullet b1, time step 1/8"));
   CHECK_THAT(blockOf(part, "cheapest"), ContainsSubstring("<td>3</td>"));
   CHECK_THAT(blockOf(part, "rows"), ContainsSubstring("What failed"));
-  CHECK_THAT(part.verdict, ContainsSubstring("1 of 5 settings failed"));
+  CHECK_THAT(htmlOf(part.verdict), ContainsSubstring("1 of 5 settings failed"));
   const std::string csv = accuracyCsv(json["rows"]);
   CHECK_THAT(csv, ContainsSubstring("true,\"unstable, \"\"they\"\" say\"\r\n"));
   CHECK(csv.starts_with("series,engine,integrator,time_step,"));
@@ -141,8 +142,8 @@ TEST_CASE("Bullet's best stands beside ours, and failures have a table of their 
 
 TEST_CASE("Texts of an accuracy run stay texts, and the page the same; other JSON is refused") {
   const PagePart part = partOf(output());
-  std::string all = part.verdict;
-  for (const PageBlock& block : part.blocks) all += block.html;
+  std::string all = htmlOf(part.verdict);
+  for (const PageSection& section : part.sections) all += htmlOf(section.body);
   CHECK_THAT(all, !ContainsSubstring("<script"));
   CHECK_THAT(all, ContainsSubstring("a &lt;remark&gt;"));
   Json broken = output();

@@ -35,9 +35,7 @@ WatchedForces watch(const std::string& physics, bool forces = true) {
   std::optional<ForceMeter> meter;
   if (forces) meter.emplace(makeScenarioWorld(scenario, {}));
   FrameTaker taker(1.25, 4, std::move(meter));
-  Progress progress("two", true);
-  auto run =
-      simulate(makeScenarioWorld(scenario, {}), {}, progress, [&](const World& w) { taker.observe(w); });
+  auto run = simulate(scenario, Execution{}, {.watch = [&](const World& w) { taker.observe(w); }});
   return {std::move(run), std::move(taker.frames())};
 }
 

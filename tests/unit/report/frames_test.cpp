@@ -38,9 +38,7 @@ struct Watched {
 Watched watch(std::size_t most) {
   const Scenario scenario = readScenario(scene, "two.yaml", "");
   FrameTaker taker(1.25, most);
-  Progress progress("two", true);
-  auto run =
-      simulate(makeScenarioWorld(scenario, {}), {}, progress, [&](const World& w) { taker.observe(w); });
+  auto run = simulate(scenario, Execution{}, {.watch = [&](const World& w) { taker.observe(w); }});
   return {std::move(run), std::move(taker.frames())};
 }
 

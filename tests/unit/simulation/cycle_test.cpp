@@ -142,3 +142,28 @@ TEST_CASE("Another biology may control the cells") {
   CHECK(world.cells.path.empty());
   CHECK(world.clock.time == Approx(1.5).margin(0.02));
 }
+
+TEST_CASE(
+    "A number of cells that alone ends a run, and is never reached, ends it as a failure that says so") {
+  for (const bool bodies : {false, true}) {
+    Scene scene = scenes::lineageOnly("START: a0\ng1(a0|a0)\n", 1);
+    scene.stop = {};
+    scene.stop.cells = 5;
+    scene.cycle.perSubstance = {{"a0", 0.5}};
+    if (bodies) {
+      scene.mechanics.emplace();
+      scene.mechanics->mesh = makeIcosphere(0);
+    }
+    World world = makeWorld(scene);
+    std::string why;
+    try {
+      while (!finished(world) && world.clock.time < 1010) takeSteps(world, 64);
+    } catch (const NumericalError& error) { why = error.what(); }
+    CHECK_THAT(why, ContainsSubstring("stop.cells: 5 cells are not reached in 1000 cycles: 1 live"));
+    CHECK(world.clock.time > 1000);
+    scene.stop.time = 1002;  // which says itself when enough is enough
+    world = makeWorld(scene);
+    runToEnd(world);
+    CHECK(world.clock.time == Approx(1002).margin(0.5));
+  }
+}

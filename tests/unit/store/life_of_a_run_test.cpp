@@ -259,3 +259,18 @@ TEST_CASE("Bullet's cells are kept beside a run's own, replaced by later ones, a
   store.finish(store.begin(exampleRecord()), exampleEnd(), exampleResults());
   CHECK(db.integer("SELECT count(*) FROM bullet_sample") == 0);
 }
+
+TEST_CASE("an end for want of memory says nothing against a run that is done") {
+  TemporaryFolder folder;
+  Store store = Store::openForWriting(folder / "runs.db");
+  const std::string id = store.begin(exampleRecord());
+  store.finish(id, exampleEnd(), exampleResults());
+  RunEnd poor{.status = RunStatus::failed, .stateHash = {}, .steps = 3, .failure = "there is no more memory"};
+  store.begin(exampleRecord());
+  CHECK_THROWS_AS(store.finish(id, poor, {}), NondeterminismError);
+  poor.want = Want::memory;
+  store.begin(exampleRecord());
+  store.finish(id, poor, {});
+  CHECK(store.find(id).status == RunStatus::done);
+  CHECK(store.results(id).lineage.size() == 3);
+}

@@ -344,3 +344,83 @@ TEST_CASE("daughters have touched nobody before they were born") {
   }
   CHECK(longest > 0);
 }
+
+namespace {
+
+/// Many samples with surfaces: half a megabyte.
+const RecordOptions much{
+    .every = 0.001, .hashEvery = 1, .atCells = {2}, .measures = {"contact_duration"}, .meshes = 0.001};
+
+struct RunOnDisk {
+  TemporaryFolder folder;
+  Store store = Store::openForWriting(folder / "runs.db");
+  RunRecord record;
+  std::string id;
+  RunOnDisk() {
+    record.scenario = "four-cells";
+    id = store.begin(record);
+  }
+  void requireSameAs(RunOnDisk& other) {
+    for (const TableDifference& t : store.compareResults(id, other.store, other.id)) {
+      CAPTURE(t.table);
+      CHECK(t.differing == 0);
+      if (t.table == "mesh_sample" || t.table == "cell_hash" || t.table == "measure") CHECK(t.rows > 100);
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what is recorded goes to the store while the run goes on, and is the same there") {
+  RunOnDisk atOnce, poured;
+  Run whole(fourCells(true), much);
+  CHECK(whole.recorder.bytes() > 4e5);
+  atOnce.store.finish(atOnce.id, endOf(whole.world, RunStatus::done), whole.recorder.take(whole.world));
+
+  World world = makeWorld(fourCells(true));
+  int times = 0;
+  Recorder recorder(much,
+                    [&](const RunResults& records) { poured.store.record(poured.id, records), ++times; }, 1e5);
+  double most = 0;
+  for (recorder.observe(world); !finished(world); recorder.observe(world)) {
+    step(world);
+    most = std::max(most, recorder.bytes());
+  }
+  CHECK(times >= 2);
+  CHECK(most < 1.5e5);
+  CHECK(poured.store.results(poured.id).samples.empty());  // until it ends
+  poured.store.finish(poured.id, endOf(world, RunStatus::done), recorder.take(world));
+  poured.requireSameAs(atOnce);
+}
+
+TEST_CASE("a run that is stopped and goes on takes as much memory for its records, and leaves the same") {
+  RunOnDisk atOnce;
+  Run whole(fourCells(true), much);
+  const double bytes = whole.recorder.bytes();
+  atOnce.store.finish(atOnce.id, endOf(whole.world, RunStatus::done), whole.recorder.take(whole.world));
+  for (const bool pours : {false, true}) {
+    RunOnDisk kept;
+    World world = makeWorld(fourCells(true));
+    const auto sinkOf = [&](Store& store) {
+      return pours ? RecordSink([&](const RunResults& r) { store.record(kept.id, r); }) : nullptr;
+    };
+    Recorder first(much, sinkOf(kept.store), 1e5);
+    first.observe(world);
+    for (const double until : {0.1, 0.2, 0.3}) {  // three checkpoints, and more that is lost
+      while (world.clock.time < until) step(world), first.observe(world);
+      kept.store.keepCheckpoint(kept.id, {world.clock.step, much.every, much.hashEvery, "a state"},
+                                first.records());
+    }
+    Store again = Store::openForWriting(kept.folder / "runs.db");
+    REQUIRE(again.resume(kept.record));
+    Recorder second(much, sinkOf(again), 1e5);
+    again.eachRecord(kept.id, [&](const RunResults& records) { second.resume(world, records); });
+    while (!finished(world)) step(world), second.observe(world);
+    if (!pours) CHECK(second.bytes() == bytes);
+    again.finish(kept.id, endOf(world, RunStatus::done), second.take(world));
+    for (const TableDifference& t : again.compareResults(kept.id, atOnce.store, atOnce.id)) {
+      CAPTURE(t.table, pours);
+      CHECK(t.differing == 0);
+    }
+  }
+}

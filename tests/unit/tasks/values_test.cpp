@@ -1,9 +1,9 @@
 // One number for each measure and time, beside sums by hand.
 #include "tasks/values.h"
 
+#include "base/error.h"
 #include "catch.h"
 #include "study/study_measures.h"
-#include "system/usage_error.h"
 #include "tasks/shard.h"
 
 using namespace morula;
@@ -50,7 +50,7 @@ TEST_CASE("shares are all of the tasks, each once, and even") {
     CHECK(seen == std::vector<int>(23, 1));
     CHECK(most - least <= 1);
   }
-  CHECK(parseShard("--shard", "3/40").number == 3);
+  CHECK(parseShard("3/40").number == 3);
   for (const char* wrong : {"0/4", "5/4", "3", "3/", "/4", "-1/4", "1/2/3", "a/b", "1/1000001", " 1/2"})
-    CHECK_THROWS_AS(parseShard("--shard", wrong), UsageError);
+    CHECK_THROWS_AS(parseShard(wrong), InputError);
 }

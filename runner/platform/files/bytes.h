@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace morula {
 
@@ -24,6 +25,20 @@ inline void putFloat(std::string& bytes, float value) {
 inline void putFloat(std::string& bytes, double value) { putFloat(bytes, static_cast<float>(value)); }
 inline void putDouble(std::string& bytes, double value) {
   putNumber(bytes, std::bit_cast<std::uint64_t>(value));
+}
+
+/// Zeros until the length is a multiple of 4.
+inline void fillBytes(std::string& bytes) {
+  while (bytes.size() % 4 != 0) bytes += '\0';
+}
+
+/// The number that begins at byte `at`.
+template <class Unsigned>
+Unsigned numberAt(std::string_view bytes, std::size_t at) {
+  Unsigned value = 0;
+  for (std::size_t i = 0; i < sizeof value; ++i)
+    value = static_cast<Unsigned>(value | Unsigned{static_cast<std::uint8_t>(bytes[at + i])} << (8 * i));
+  return value;
 }
 
 }  // namespace morula

@@ -1,0 +1,153 @@
+// A comparison as a document, and its tables for other programs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/compare_tables.h"
+#include "analysis/measure_words.h"
+#include "base/number_text.h"
+#include "files/text.h"
+
+namespace morula {
+
+namespace {
+
+constexpr std::size_t mostTroubles = 20;  // that are told
+constexpr std::size_t mostTimes = 8;      // in a table of means over time
+
+template <class Row>
+std::vector<Row> ofMeasure(const std::vector<Row>& rows, std::size_t measure) {
+  std::vector<Row> some;
+  std::ranges::copy_if(rows, std::back_inserter(some),
+                       [&](const Row& row) { return row.measure == measure; });
+  return some;
+}
+
+Document header(const StudyComparison& c) {
+  const StudyResults& r = c.results;
+  const auto done = std::ranges::count(r.tasks, "done", &ResultTask::status);
+  Document text;
+  text.say(fmt::format("{}: {} conditions, {}, {} of {} distinct runs done", r.name, r.conditions.size(),
+                       counted(r.seeds.size(), "seed"), done, r.tasks.size()));
+  if (!r.summary.empty()) text.say(r.summary);
+  PlainList told, seedless;
+  const auto troubles = troublesOf(r);
+  for (std::size_t i = 0; i < troubles.size() && i < mostTroubles; ++i) told.list.push_back(troubles[i]);
+  if (troubles.size() > mostTroubles)
+    told.list.push_back(fmt::format("… and {} more; --json lists them all", troubles.size() - mostTroubles));
+  if (!told.list.empty()) text.add(std::move(told));
+  for (const std::size_t i : c.seedless) seedless.list.push_back(r.nameOf(r.conditions[i]));
+  if (!seedless.list.empty())
+    text.say("seeds change nothing in these: one run each, and no interval").add(std::move(seedless));
+  return text;
+}
+
+/// A row a condition, with up to eight of the times.
+Table meansOverTime(const StudyComparison& c, const std::vector<TimeCourse>& courses) {
+  Table table{"Means over time", {"time"}};
+  for (const TimeCourse& course : courses) {
+    const std::size_t count = course.points.size(), columns = std::min(count, mostTimes);
+    std::vector<Cell> row{c.results.nameOf(c.results.conditions[course.condition])};
+    for (std::size_t i = 0; i < columns; ++i) {
+      const auto& point = course.points[columns < 2 ? 0 : i * (count - 1) / (columns - 1)];
+      row.push_back(number(point.mean));
+      if (table.rows.empty()) table.columns.push_back(numberText(point.time, 4));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Json unfinished(const StudyResults& r) {
+  Json list = Json::array();
+  for (const ResultCondition& condition : r.conditions)
+    for (std::size_t s = 0; s < r.seeds.size(); ++s) {
+      const std::size_t t = condition.tasks[s];
+      if (t == noTask || r.tasks[t].status == "done") continue;
+      list.push_back({{"labels", labelsOf(r, condition.levels)},
+                      {"seed", r.seeds[s]},
+                      {"task", r.tasks[t].id},
+                      {"status", r.tasks[t].status},
+                      {"reason", r.tasks[t].reason}});
+    }
+  return list;
+}
+
+}  // namespace
+
+Document describe(const StudyComparison& c) {
+  Document text = header(c);
+  PlainList verdicts;
+  for (const std::string& line : verdictsOf(c)) verdicts.list.push_back(line);
+  if (!verdicts.list.empty()) text.heading("What the study finds").add(std::move(verdicts));
+  return text.add(comparedTables(c));
+}
+
+Document comparedTables(const StudyComparison& c) {
+  Document text;
+  const auto add = [&](const std::string& heading, Table table) {
+    if (!table.rows.empty()) text.heading(heading).add(std::move(table));
+  };
+  for (const std::size_t m : c.measures) {
+    const auto conditions = ofMeasure(c.conditions, m);
+    if (std::ranges::all_of(conditions, [](const ConditionSummary& s) { return s.values.empty(); })) continue;
+    const std::string name = c.measureName(m), unit = unitOfMeasure(name);
+    add(name + (unit.empty() ? "" : " [" + unit + "]"), conditionTable(c, conditions));
+    const auto pairs = ofMeasure(c.pairs, m);
+    for (const std::size_t axis : c.by) {
+      std::vector<PairComparison> ofAxis;
+      std::ranges::copy_if(pairs, std::back_inserter(ofAxis), [&](const auto& p) { return p.axis == axis; });
+      add(name + " by " + c.results.axes[axis].name + ", seed by seed", pairTable(c, ofAxis));
+    }
+    add(name + ": equivalence, two one-sided tests", equivalenceTable(c, pairs));
+    for (const MeasureEffects& e : ofMeasure(c.effects, m)) {
+      add(name + ": main effects and interactions", effectTable(c, e));
+      if (!e.untested.empty()) text.note("no F test: " + e.untested);
+    }
+    add(name + ": means over time", meansOverTime(c, ofMeasure(c.courses, m)));
+  }
+  return text;
+}
+
+Json toJson(const StudyComparison& c) {
+  const StudyResults& r = c.results;
+  Json by = Json::array(), seedless = Json::array(), effects = Json::array(), courses = Json::array();
+  for (const std::size_t a : c.by) by.push_back(r.axes[a].name);
+  for (const std::size_t i : c.seedless) seedless.push_back(labelsOf(r, r.conditions[i].levels));
+  for (const MeasureEffects& e : c.effects)
+    effects.push_back({{"measure", c.measureName(e.measure)},
+                       {"seeds", e.seeds},
+                       {"error_df", e.analysis.errorDegreesOfFreedom},
+                       {"untested", e.untested.empty() ? Json() : Json(e.untested)},
+                       {"effects", jsonOf(effectTable(c, e))}});
+  for (const TimeCourse& course : c.courses)
+    courses.push_back({{"measure", c.measureName(course.measure)},
+                       {"labels", labelsOf(r, r.conditions[course.condition].levels)},
+                       {"points", jsonOf(courseTable(c, course))}});
+  return {{"study", r.name},
+          {"by", by},
+          {"troubles", troublesOf(r)},
+          {"unfinished", unfinished(r)},
+          {"seeds_change_nothing", seedless},
+          {"verdicts", verdictsOf(c)},
+          {"conditions", jsonOf(conditionTable(c, c.conditions))},
+          {"pairs", jsonOf(pairTable(c, c.pairs))},
+          {"effects", effects},
+          {"courses", courses}};
+}
+
+std::string toCsv(const StudyComparison& c) {
+  std::vector<std::pair<std::string, Table>> kinds{{"value", valueTable(c)},
+                                                   {"condition", conditionTable(c, c.conditions)},
+                                                   {"pair", pairTable(c, c.pairs)}};
+  for (const MeasureEffects& e : c.effects) kinds.emplace_back("effect", effectTable(c, e));
+  for (const TimeCourse& course : c.courses) kinds.emplace_back("course", courseTable(c, course));
+  std::vector<std::string> names{"kind", "measure"};
+  for (const ResultAxis& axis : c.results.axes) names.push_back("axis:" + axis.name);
+  for (const char* name : {"by", "a", "b", "seed", "time", "n", "distinct"})
+    names.push_back(name);  // the others follow
+  return csvOf(stacked(kinds, names), "\n");
+}
+
+}  // namespace morula

@@ -1,0 +1,25 @@
+#pragma once
+// The tables of a comparison. A column is declared once, with its names in `compare --json` and `--csv`, its title and its cell.
+#include "analysis/comparison.h"
+#include "document/table.h"
+
+namespace morula {
+
+/// One run's value.
+struct SeedValue {
+  std::size_t measure, condition;
+  std::uint64_t seed;
+  double value;
+};
+Table valueTable(const StudyComparison& comparison);
+Table conditionTable(const StudyComparison& comparison, const std::vector<ConditionSummary>& of);
+Table pairTable(const StudyComparison& comparison, const std::vector<PairComparison>& of);
+/// Of pairs that a margin was given for.
+Table equivalenceTable(const StudyComparison& comparison, const std::vector<PairComparison>& of);
+Table effectTable(const StudyComparison& comparison, const MeasureEffects& of);
+Table courseTable(const StudyComparison& comparison, const TimeCourse& of);
+
+/// By axis the label that is fixed.
+Json labelsOf(const StudyResults& results, const std::vector<std::size_t>& levels);
+
+}  // namespace morula

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# A scenario's cells, or its mistakes, in one line: twice as many take twice the instructions to validate, not four times.
+#
+#   validate.sh MORULA
+#
+# Exit codes: 0 so it is, 1 not so, 77 skipped: no valgrind.
+set -euo pipefail
+program=$1
+skip() {
+  echo "skipped: $*"
+  exit 77
+}
+command -v valgrind >/dev/null || skip "valgrind is not installed"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+valgrind --tool=none "$program" schema >"$work/log" 2>&1 || skip "the program does not run under valgrind here"
+
+instructions() { # FILE
+  { valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" validate "$1" 2>&1 || true; } |
+    sed -n 's/.*Collected : //p'
+}
+cells() { # COUNT
+  echo "{morula: 1, name: x, dna: 'START: a0', stop: {cycles: 1}, cells: [$(seq -s ', ' -f '{at: [%g, 0, 0]}' "$1")]}"
+}
+mistakes() { # COUNT
+  echo "{$(head -c "$1" /dev/zero | tr '\0' ',')}"
+}
+
+for kind in cells mistakes; do
+  counted=()
+  for count in 500 1000 2000; do
+    $kind $count >"$work/$kind.yaml"
+    counted+=("$(instructions "$work/$kind.yaml")")
+  done
+  first=$((counted[1] - counted[0])) second=$((counted[2] - counted[1]))
+  echo "$kind: 500, 1000 and 2000 take ${counted[*]} instructions"
+  # The second difference is of twice as many: 2 if the cost is in proportion, 4 if it is quadratic.
+  if ((second * 10 > first * 25)); then
+    echo "$kind: $second more instructions after $first more, which is more than 2.5 times as many"
+    exit 1
+  fi
+done

@@ -1,0 +1,60 @@
+// The name of a study's folder stood unquoted in the script for Slurm: a line end in it began a command of its own, and a
+// blank, a quote or a '%' led elsewhere. Whatever its name, the script names this folder and runs nothing else.
+#include <filesystem>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Runs a script in the folder, where `morula` and `parallel` only write down their arguments, one a line.
+int run(const TemporaryFolder& folder, const std::string& shell, const std::string& script) {
+  writeWhole(folder / "tool", "#!/bin/sh\nprintf '%s\\n' \"$@\" >>\"$TOLD\"\n");
+  fs::permissions(folder / "tool", fs::perms::owner_all);
+  return std::system(("cd '" + folder.path() + "' && TOLD='" + folder / "told" +
+                      "' SLURM_ARRAY_TASK_ID=1 MORULA=./tool " + shell + " " + script)
+                         .c_str());
+}
+
+}  // namespace
+
+TEST_CASE("an emitted script names the study's folder and runs nothing else, whatever the folder is called") {
+  const TemporaryFolder folder;
+  REQUIRE(launch({"init", folder / "my-organism.yaml"}).code == 0);
+  REQUIRE(launch({"init", "--study", "s", folder / "s.study.yaml"}).code == 0);
+  for (const std::string name :
+       {"a b", "$(touch PWNED)", "it's", "`touch PWNED`", "50%", "x;touch PWNED", "\"q"}) {
+    CAPTURE(name);
+    const auto emitted = launch({"study", "emit", "slurm", folder / "s.study.yaml", "--out", folder / name,
+                                 "-o", folder / "script", "--force", "--jobs", "2"});
+    INFO(emitted.err);
+    REQUIRE(emitted.code == 0);
+    const std::string script = readWhole(folder / "script");
+    CHECK(script.find("\n#SBATCH --output=") != std::string::npos);
+    if (name == "50%") CHECK(script.find("50%%/slurm-%A_%a.log") != std::string::npos);
+    fs::remove(folder / "told");
+    CHECK(run(folder, "bash", "script") == 0);
+    CHECK(readWhole(folder / "told").find(folder / name + "\n") != std::string::npos);
+    if (std::system("shellcheck --version >/dev/null 2>&1") == 0)
+      CHECK(std::system(("shellcheck -e SC2016 '" + folder / "script'").c_str()) == 0);
+    else WARN("skipped: no shellcheck here");
+  }
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    CHECK(entry.path().filename() != "PWNED");
+}
+
+TEST_CASE("no script is emitted for a folder whose name would be lines of it") {
+  const TemporaryFolder folder;
+  REQUIRE(launch({"init", folder / "my-organism.yaml"}).code == 0);
+  REQUIRE(launch({"init", "--study", "s", folder / "s.study.yaml"}).code == 0);
+  for (const std::string site : {"slurm", "snakemake", "parallel"}) {
+    const auto emitted = launch({"study", "emit", site, folder / "s.study.yaml", "--out",
+                                 folder / "x\ny; touch PWNED #", "-o", folder / "script"});
+    CHECK(emitted.code == 3);
+    CHECK(emitted.err.find("has a line end or another control character in its name") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "script"));
+  }
+}

@@ -1,0 +1,40 @@
+// `init --study` and `--base` put their texts into YAML as they came: keys were injected, and files were written that
+// Morula itself refused. What is written is valid and holds these texts, or is not written.
+#include <filesystem>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+
+TEST_CASE("a study that init writes is valid, or is not written") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"../x", "a\nb: c", "a: b", "", "x #y", "[a]"}) {
+    CAPTURE(name);
+    const auto run = launch({"init", "--study", name, folder / "s.study.yaml"});
+    CHECK((run.code == 2 || run.code == 3));
+    CHECK_FALSE(std::filesystem::exists(folder / "s.study.yaml"));
+  }
+  for (const std::string base :
+       {"a: b\n- c.yaml", "it's, [here].yaml", "\"quoted\" #1.yaml", "- x.yaml", "42.yaml", "no"}) {
+    CAPTURE(base);
+    REQUIRE(launch({"init", folder / "organism.yaml", "--force"}).code == 0);
+    if (base.find('\n') == base.npos)
+      std::filesystem::copy_file(folder / "organism.yaml", folder / base,
+                                 std::filesystem::copy_options::overwrite_existing);
+    const auto run = launch({"init", "--study", "s", "--base", base, folder / "s.study.yaml", "--force"});
+    if (run.code != 0) continue;  // refused, as a name with a line end may be
+    const auto valid = launch({"validate", folder / "s.study.yaml"});
+    INFO(valid.err);
+    CHECK(valid.code == 0);
+  }
+}
+
+TEST_CASE("what init would ignore, it refuses") {
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{"init", "--levels", "3"}, {"init", "--base", "x"}}) {
+    const auto run = launch(arguments);
+    CHECK(run.code == 2);
+    CHECK(run.err.find(": only with --") != std::string::npos);
+  }
+}

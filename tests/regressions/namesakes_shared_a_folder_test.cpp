@@ -1,0 +1,35 @@
+// Two scenario files of one name wrote into one folder, one after the other: the pictures of the one were replaced by the
+// other's. The second gets a folder of its own, with eight digits; a file that was only edited keeps its folder.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+
+TEST_CASE("scenarios of one name in two files have folders of their own") {
+  const TemporaryFolder folder;
+  const auto text = [](int cycles) {
+    return "morula: 1\nname: twin\nseed: 5\ndna: 'START: a0'\nstop: {cycles: " + std::to_string(cycles) +
+           "}\n";
+  };
+  const auto databaseOf = [&](const std::string& file) {
+    const auto run = launch({"run", folder / file, "--out", folder / "results", "--json", "--no-check"});
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+    return nlohmann::json::parse(run.out)["db"].get<std::string>();
+  };
+  writeWhole(folder / "a.yaml", text(2));
+  writeWhole(folder / "b.yaml", text(3));
+  const std::string a = databaseOf("a.yaml");
+  CHECK(a == folder / "results/twin-5/run.db");
+  const std::string b = databaseOf("b.yaml");
+  CHECK(b.starts_with(folder / "results/twin-5-"));
+  CHECK(databaseOf("a.yaml") == a);
+  CHECK(databaseOf("b.yaml") == b);
+  writeWhole(folder / "a.yaml", text(4));
+  CHECK(databaseOf("a.yaml") == a);
+  writeWhole(folder / "copy.yaml", text(4));  // the same results: there is nothing to lose
+  CHECK(databaseOf("copy.yaml") == a);
+}

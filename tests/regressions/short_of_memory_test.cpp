@@ -1,0 +1,82 @@
+// Short of memory, a run said of another one that it was a bug or broken hardware; and while it drew, the program broke down
+// in OpenGL: exit 70 or a signal. An end for want of memory is compared with nothing, and a picture is refused with a
+// sentence.
+#include <sys/resource.h>
+
+#include "catch.h"
+#include "hostile.h"
+#include "store/store.h"
+
+using namespace morula::test;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)  // which takes all of the address space
+constexpr bool canBeLimited = false;
+#else
+constexpr bool canBeLimited = true;
+#endif
+
+/// Programs started meanwhile have so much address space [byte].
+class AddressLimit {
+ public:
+  explicit AddressLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_AS, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  ~AddressLimit() { setrlimit(RLIMIT_AS, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+}  // namespace
+
+TEST_CASE("a run that memory fails says nothing against one that came to its end") {
+  const TemporaryFolder folder;
+  writeWhole(
+      folder / "tree.yaml",
+      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n");
+  const std::vector<std::string> words{
+      "run",   folder / "tree.yaml", "--quiet", "--no-pictures",  "--no-check",
+      "--out", folder.path(),        "--db",    folder / "run.db"};
+  REQUIRE(launch(words).code == 0);
+  auto poor = words;
+  poor.insert(poor.end(), {"--memory-limit", "300k"});
+  const auto run = launch(poor);
+  CAPTURE(run.out, run.err);
+  CHECK(run.code == 4);
+  CHECK_THAT(run.out + run.err, ContainsSubstring("--memory-limit"));
+  CHECK((run.out + run.err).find("NONDETERMINISM") == std::string::npos);
+  const auto stored = morula::Store::openForReading(folder / "run.db").runs();
+  REQUIRE(stored.size() == 1);
+  CHECK(stored[0].status == morula::RunStatus::done);
+}
+
+TEST_CASE("a picture for which there is no memory is refused, and the run is kept") {
+  if (!canBeLimited) return;
+  const TemporaryFolder folder;
+  writeWhole(folder / "body.yaml", smallBody);
+  const auto code = [&](rlim_t limit, const std::string& database) {
+    const AddressLimit less(limit);
+    const auto run = launch({"run", folder / "body.yaml", "--quiet", "--no-check", "--out", folder.path(),
+                             "--db", folder / database});
+    CAPTURE(limit, run.err);
+    if (run.code == 0) return 0;
+    if (run.err.find("loading shared libraries") != std::string::npos) return 2;  // not ours: it never began
+    CHECK(run.code == 4);
+    CHECK_THAT(run.err, ContainsSubstring("memory"));
+    if (run.err.find("to draw") != std::string::npos) {
+      CHECK_THAT(run.err, ContainsSubstring("is stored in"));
+      CHECK(morula::Store::openForReading(folder / database).runs().at(0).status == morula::RunStatus::done);
+      return 1;
+    }
+    return 2;
+  };
+  int refused = 0;
+  for (rlim_t limit = 160; limit <= 640; limit += 20)
+    refused += code(limit << 20, std::to_string(limit) + ".db") == 1;
+  CHECK(refused > 2);
+  CHECK(code(8'000'000'000, "plenty.db") == 0);
+}
