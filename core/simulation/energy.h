@@ -1,7 +1,8 @@
 #pragma once
 // What a scene's energy consists of, and where it goes. A closed scene (contacts by the pair law; no drag, damping,
 // friction, shell, growth or division) keeps the sum of all parts, but for the error of the time step, which is of its
-// second order. #include "simulation/world.h"
+// second order.
+#include "simulation/world.h"
 
 namespace morula {
 

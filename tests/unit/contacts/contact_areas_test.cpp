@@ -95,7 +95,8 @@ TEST_CASE("Areas do not depend on when the list was built") {
 
 namespace {
 
-/// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area.
+/// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area; of a pair of
+/// cells at least 0.005 of the smaller one's surface.
 std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& law) {
   std::map<std::pair<int, int>, double> areas;
   ContactParameters still = law;
@@ -119,6 +120,11 @@ std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactP
       if (pressing > 0) areas[std::minmax(i.slot, other)] += std::min(pressing / pressure, 2 * around) / 2;
     }
   }
+  std::erase_if(areas, [&](const auto& pair) {
+    const double radius = b.parameters.cell.radius *
+                          std::min(b.restScale[pair.first.first], b.restScale[pair.first.second]);
+    return pair.second < 0.005 * 4 * std::numbers::pi * radius * radius;
+  });
   return areas;
 }
 
