@@ -1,14 +1,15 @@
 #pragma once
 // What a scene's energy consists of, and where it goes. A closed scene (contacts by the pair law; no drag, damping,
 // friction, shell, growth or division) keeps the sum of all parts, but for the error of the time step, which is of its
-// second order. #include "simulation/world.h"
+// second order.
+#include "simulation/world.h"
 
 namespace morula {
 
 /// [force·length] Of all cells.
 struct Energy {
   double kinetic = 0;      // ½ Σ m v²
-  double membrane = 0;     // ½ k_s (l − l₀)² of every edge [Nilsson 2008, eq. 4.2]
+  double membrane = 0;     // ½ k_s (l − l₀)² of every edge, times its weight [Nilsson 2008, eq. 4.2]
   double contents = 0;     // k_p (r − 1 − ln r), r = P₀V/k_p: nothing at rest [Nilsson 2008, eq. 4.3]
   double connections = 0;  // k_c |v| [Nilsson 2008, eq. 4.9], or of springs ½ k (d − rest)²
   double contact = 0;      // what overlaps hold: at least 0 (contacts/pair_law_kernel.h); not told of spheres

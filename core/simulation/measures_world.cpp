@@ -61,7 +61,7 @@ constexpr WorldMeasure ofWorld[] = {
                 "adhesion_energy: constant but for the time step's error where nothing takes or gives any",
      .taken = Taken::onDemand,
      .get = [](Now now) -> Value { return measureEnergy(now.world).total(); }},
-    {.name = "membrane_energy", .unit = "force·length", .meaning = "½ k_s (l − l₀)² of every edge [Nilsson 2008, eq. 4.2]",
+    {.name = "membrane_energy", .unit = "force·length", .meaning = "½ k_s (l − l₀)² of every edge, as strong as membrane.springs has it [Nilsson 2008, eq. 4.2]",
      .taken = Taken::onDemand, .get = [](Now now) -> Value { return measureEnergy(now.world).membrane; }},
     {.name = "contents_energy", .unit = "force·length",
      .meaning = "k_p (r − 1 − ln r) with r = P₀V/k_p, of every cell: 0 at rest [Nilsson 2008, eq. 4.3]",

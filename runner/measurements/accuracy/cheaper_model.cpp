@@ -1,8 +1,8 @@
 #include "accuracy/cheaper_model.h"
 
-#include "mesh/connectivity.h"
 #include "mesh/measures.h"
 #include "physics/cell_model.h"
+#include "physics/mesh_template.h"
 
 namespace morula {
 
@@ -19,9 +19,10 @@ std::vector<CellModel> cheaperThan(CellModel model) {
 
 ShapeMatchingParameters matchShell(const PhysicsParameters& shell, const Mesh& egg) {
   double edges = 0, inertia = 0;
-  for (const auto& [i, j] : makeConnectivity(egg).edges) {
-    const Vector edge = egg.vertices[j] - egg.vertices[i];
-    edges += dot(edge, edge);
+  const MeshTemplate mesh = makeTemplate(egg, shell.membrane.springs);
+  for (int e = 0; e < mesh.edgeCount(); ++e) {
+    const double weight = mesh.springWeights.empty() ? 1 : mesh.springWeights[e];
+    edges += weight * mesh.restLengths[e] * mesh.restLengths[e];
   }
   for (const Point& x : egg.vertices) inertia += dot(x, x);
   inertia *= shell.cell.mass / static_cast<double>(egg.vertices.size());

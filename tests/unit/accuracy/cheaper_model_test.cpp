@@ -47,9 +47,11 @@ const AccuracyRow* best(const AccuracyReport& report, const std::string& series)
 }  // namespace
 
 TEST_CASE("Shape matching in a shell's place breathes and swings as fast") {
-  for (const int level : {1, 2}) {
+  for (const auto& [level, springs] :
+       {std::pair{1, Springs::equal}, {2, Springs::equal}, {1, Springs::dual}, {2, Springs::dual}}) {
     const Mesh mesh = makeIcosphere(level);
-    const PhysicsParameters shell = restingShell(mesh);
+    PhysicsParameters shell = restingShell(mesh);
+    shell.membrane.springs = springs;
     PhysicsParameters matched;
     matched.cell.model = CellModel::shapeMatching;
     matched.shapeMatching = matchShell(shell, mesh);

@@ -59,14 +59,14 @@ TEST_CASE("Energy: motion by hand, nothing at rest, contents from the integral o
   CHECK(measureEnergy(b).total() == Approx(0).margin(1e-12));
 }
 
-TEST_CASE("Energy: a membrane that is twice as long holds ½k·l² of every edge once") {
+TEST_CASE("Energy: a membrane that is twice as long holds ½k·l² of every edge once, as strong as each is") {
   World world = worldOf(two);
   Bodies& b = *world.bodies;
   b.velocity.assign(b.velocity.size(), 0);
   b.volume[0] = b.volume[1] = 0;
   const MeshTemplate& mesh = b.mesh;
   double squares = 0;
-  for (int e = 0; e < mesh.edgeCount(); ++e) squares += mesh.restLengths[e] * mesh.restLengths[e];
+  for (int e = 0; e < mesh.edgeCount(); ++e) squares += mesh.springWeights.at(e) * mesh.restLengths[e] * mesh.restLengths[e];
   for (int vertex = 0; vertex < b.vertexCount(); ++vertex)
     b.write(b.position, 0, vertex, 2.0 * mesh.mesh.vertices[vertex]);
   CHECK(measureEnergy(b).total() == Approx(0.5 * b.parameters.membrane.stiffness * squares));

@@ -153,7 +153,7 @@ TEST_CASE("The work that parts two surfaces is the energy they held, and goes wi
   for (const auto& [name, e, f] : lattices) {
     const Mesh mesh = cushion(e, f);
     const double reach = 1.01 * meanEdge(mesh);
-    constexpr int steps = 40;
+    constexpr int steps = 160;
     double work = 0;
     for (int k = 0; k <= steps; ++k) {  // [Simpson]
       Crowd crowd = faceToFace(mesh, 2, k * reach / steps);

@@ -34,7 +34,8 @@ TEST_CASE(
     const Mesh ball = makeIcosphere(level);
     const double reach = meanEdge(ball);
     for (double height : {0.8, 0.6, 0.4}) {  // of the plane over the centre
-      const double overlap = 0.05 * reach;
+      // Little more than where pairs on the sharp rim overlap by themselves: that is not what bears the rest.
+      const double overlap = 0.2 * reach;
       Body left = at(ball, {}), right = at(ball, {2 * height, 0, 0});
       for (Point& x : left.position) x.x = std::min(x.x, height);
       for (Point& x : right.position) x.x = std::max(x.x, height) - overlap;
@@ -50,8 +51,8 @@ TEST_CASE(
         return pairs[0].area;
       };
       CAPTURE(level, height, disc, pressure);
-      // On the rim pairs are tilted: of the coarsest disc's force they bear 5.1 % aside.
-      const double tilted = level == 2 ? 0.06 : 0.05;
+      // On the rim pairs are tilted and bear aside: of the discs' forces up to 7.2 %, 3.7 % and 2.7 %.
+      const double tilted = level == 2 ? 0.08 : level == 3 ? 0.04 : 0.03;
       CHECK(areaAt(1) == Approx(disc).epsilon(tilted));
       CHECK(areaAt(2) == Approx(disc / 2).epsilon(tilted));
       // However little they resist, it is no more than twice that of the vertices that are pressed.
@@ -94,7 +95,8 @@ TEST_CASE("Areas do not depend on when the list was built") {
 
 namespace {
 
-/// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area.
+/// The same by the definition alone: of each vertex what presses it, over pressure, up to twice its area; of a pair of
+/// cells at least 0.005 of the smaller one's surface.
 std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactParameters& law) {
   std::map<std::pair<int, int>, double> areas;
   ContactParameters still = law;
@@ -118,6 +120,11 @@ std::map<std::pair<int, int>, double> bruteForce(const Bodies& b, const ContactP
       if (pressing > 0) areas[std::minmax(i.slot, other)] += std::min(pressing / pressure, 2 * around) / 2;
     }
   }
+  std::erase_if(areas, [&](const auto& pair) {
+    const double radius = b.parameters.cell.radius *
+                          std::min(b.restScale[pair.first.first], b.restScale[pair.first.second]);
+    return pair.second < 0.005 * 4 * std::numbers::pi * radius * radius;
+  });
   return areas;
 }
 

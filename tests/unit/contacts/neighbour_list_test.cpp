@@ -102,7 +102,8 @@ TEST_CASE("One vertex that moves by half the skin renews the list") {
 
 TEST_CASE("Random moves, step after step: the list is right each time it is new") {
   const Mesh ball = makeIcosphere(1);
-  Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 3));
+  // So weak that contacts do not throw vertices farther than the skin in each step.
+  Crowd crowd(limp(), {ContactLaw::pair, 0.3, 0}, ball, heap(ball, 9, 1.8, 3));
   Bodies& b = crowd.lab.bodies;
   std::uint64_t rebuilds = crowd.contacts.rebuilds;
   int renewed = 0;

@@ -54,9 +54,9 @@ TEST_CASE("For every choice of blocks: the parts that are told are those that ma
     CHECK(parts["springs"].engaged);
     CHECK(parts["pressure"].engaged);
     CHECK(parts["integration"].engaged);
-    CHECK(parts["damping"].engaged == (world.stages.findTensions == kernels.findDampedTensions));
+    CHECK(parts["damping"].engaged == (world.stages.findTensions == kernels.findWeightedTensions[true]));
     CHECK(parts["drag"].engaged == (world.stages.finishForces == kernels.addPressureAndDragForces));
-    CHECK(parts["shell"].engaged == (world.stages.kick == kernels.kickVelocityVerlet[true]));
+    CHECK(parts["shell"].engaged == (world.stages.kick != kernels.kickVelocityVerlet[false]));
     CHECK(parts["shell"].what == (choice & 4 ? choice & 2 ? "sphere" : "ellipsoid" : ""));
     CHECK(parts["contact"].engaged == world.contacts.has_value());
     CHECK(parts["search"].engaged == world.contacts.has_value());

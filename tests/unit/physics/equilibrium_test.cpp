@@ -11,7 +11,7 @@ namespace {
 
 PhysicsParameters restingCell(double drag) {
   PhysicsParameters p = softCell();
-  p.membrane = {10, 0.05, 1.26};
+  p.membrane = {10, 0.05, 1.26, Springs::equal};
   p.pressure = {8, 0};
   p.drag = drag;
   return p;

@@ -13,7 +13,7 @@ namespace morula {
 /// The cell of these tests. Their own, so that better defaults for users do not change what they prove.
 inline PhysicsParameters softCell() {
   PhysicsParameters p;
-  p.membrane = {40, 0.05, 1.26};
+  p.membrane = {40, 0.05, 1.26, Springs::equal};
   p.pressure = {4, 0};
   return p;
 }

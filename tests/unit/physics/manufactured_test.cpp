@@ -128,7 +128,7 @@ std::vector<Vector> shellForces(const PhysicsParameters& p, const Mesh& mesh, do
 
 Manufactured shell() {
   PhysicsParameters p = softCell();
-  p.membrane = {10, 0.05, 1.26};
+  p.membrane = {10, 0.05, 1.26, Springs::equal};
   p.pressure = {8, 1.5};
   p.drag = 0.5;
   const Mesh mesh = makeIcosphere(1);

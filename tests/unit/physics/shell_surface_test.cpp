@@ -273,7 +273,7 @@ TEST_CASE("A cell pressed together by a sphere has the sphere's volume, to third
   double before = 0;
   for (int level : {1, 2, 3}) {
     PhysicsParameters p = inSurfaceShell(1.03, 1.03, 1.03);
-    p.membrane = {10, 0.02, 1.26};
+    p.membrane = {10, 0.02, 1.26, Springs::equal};
     p.pressure = {800, 166};
     p.drag = 8;
     Mesh mesh = makeIcosphere(level);
@@ -297,7 +297,7 @@ TEST_CASE("A cell pressed together by a sphere has the sphere's volume, to third
 TEST_CASE("All integrators, instruction sets and precisions hold surfaces") {
   const auto press = [](Integrator integrator, Isa isa, Precision precision) {
     PhysicsParameters p = inSurfaceShell(1.03, 1.03, 1.03);
-    p.membrane = {10, 0.02, 1.26};
+    p.membrane = {10, 0.02, 1.26, Springs::equal};
     p.pressure = {800, 166};
     p.drag = 8;
     p.integrator = integrator;

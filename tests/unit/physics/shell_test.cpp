@@ -1,4 +1,5 @@
-// The egg shell holds every vertex, lets it slide, and leaves the others alone.
+// A shell that holds vertices holds every one, lets it slide, and leaves the others alone. Where it holds surfaces:
+// shell_surface_test.cpp.
 #include "catch.h"
 #include "lab.h"
 #include "round_shell.h"
@@ -9,7 +10,7 @@ namespace {
 
 PhysicsParameters inShell(double a, double b, double c) {
   PhysicsParameters p = softCell();
-  p.shell = ShellParameters{{a, b, c}};
+  p.shell = ShellParameters{{a, b, c}, {}, Held::vertices};
   return p;
 }
 
@@ -159,7 +160,8 @@ TEST_CASE("A vertex shot along the shell goes round it and keeps its speed") {
 
 TEST_CASE("Nothing happens to vertices inside: the same bits with and without a shell") {
   const Mesh mesh = zoo::crumpled(makeIcosphere(2), 0.1, 2);
-  for (const ShellParameters& shell : {ShellParameters{{1.5, 1.5, 1.5}}, ShellParameters{{1.5, 1.6, 1.7}}}) {
+  for (const ShellParameters& shell : {ShellParameters{{1.5, 1.5, 1.5}, {}, Held::vertices},
+                                      ShellParameters{{1.5, 1.6, 1.7}, {}, Held::vertices}}) {
     PhysicsParameters p = softCell();
     Lab free(p, mesh, {shakenBody(mesh, 0, 0.2)});
     p.shell = shell;

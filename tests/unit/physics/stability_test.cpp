@@ -65,7 +65,7 @@ TEST_CASE("The springs' limit is where explosions begin, for all integrators, wi
       PhysicsParameters p = softCell();
       p.integrator = integrator;
       p.cell.mass = 2;
-      p.membrane = {40, damping, 1.26};
+      p.membrane = {40, damping, 1.26, Springs::equal};
       p.pressure = {0.4, 0};
       const double limit = spring(p, mesh);
       CAPTURE(static_cast<int>(integrator), damping, limit);
@@ -78,7 +78,7 @@ TEST_CASE("The springs' limit is where explosions begin, for all integrators, wi
 TEST_CASE("Springs without stiffness have a limit by damping, and none without either") {
   const Mesh mesh = makeIcosphere(1);
   PhysicsParameters p = softCell();
-  p.membrane = {0, 0.5, 1.26};
+  p.membrane = {0, 0.5, 1.26, Springs::equal};
   CHECK(spring(p, mesh) == Approx(2 * (1.0 / 42 / 6) / (2 * 0.5)).epsilon(1e-14));
   CHECK(contactLimit(Integrator::velocityVerlet, 0, 0, 1) == std::numeric_limits<double>::infinity());
 }
@@ -90,7 +90,7 @@ TEST_CASE("Explicit Euler's limits are those of what damps, and 0 without drag")
       PhysicsParameters p = softCell();
       p.integrator = Integrator::explicitEuler;
       p.cell.mass = 2;
-      p.membrane = {40, damping, 1.26};
+      p.membrane = {40, damping, 1.26, Springs::equal};
       p.pressure = {0, 0};  // and no tension: the springs alone
       p.drag = drag;
       const double limit = spring(p, mesh);
@@ -105,7 +105,7 @@ TEST_CASE("Explicit Euler's limits are those of what damps, and 0 without drag")
     }
   PhysicsParameters p = softCell();
   p.integrator = Integrator::explicitEuler;
-  p.membrane = {4, 0.01, 1.26};
+  p.membrane = {4, 0.01, 1.26, Springs::equal};
   p.pressure = {4000, 4000 / measureVolume(mesh.vertices, mesh.faces)};
   p.drag = 60;
   const double breathing = pressure(p, mesh);
@@ -133,7 +133,7 @@ TEST_CASE("The gas' limit is where the breathing explodes") {
   const Mesh mesh = makeIcosphere(2);
   const double volume = measureVolume(mesh.vertices, mesh.faces);
   PhysicsParameters p = softCell();
-  p.membrane = {4, 0, 1.26};
+  p.membrane = {4, 0, 1.26, Springs::equal};
   p.pressure = {4000, 4000 / volume};
   for (Integrator integrator : {Integrator::velocityVerlet, Integrator::rungeKutta4}) {
     p.integrator = integrator;

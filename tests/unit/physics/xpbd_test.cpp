@@ -81,7 +81,7 @@ Body stretched(const Mesh& mesh, const Vector& by, double pressureConstant) {
 TEST_CASE("One stretched edge after another: each is backward Euler's spring in closed form") {
   // Without contents, a first step of a body at rest: the same by hand, in doubles and in the same order.
   PhysicsParameters p = byPositions();
-  p.membrane = {40, 0.5, 1.26};
+  p.membrane = {40, 0.5, 1.26, Springs::equal};
   p.pressure = {0, 0};
   const Mesh mesh = zoo::crumpled(zoo::tetrahedron(), 0.2, 3);
   Lab lab(p, zoo::tetrahedron(), {shakenBody(mesh, 0, 1)});
@@ -224,7 +224,7 @@ TEST_CASE("The cell of 642 vertices rests at its radius as sub-steps grow short"
   // of h.
   const auto deviation = [](std::uint64_t substeps, double damping) {
     PhysicsParameters p = byPositions(substeps);
-    p.membrane = {10, damping, 1.26};
+    p.membrane = {10, damping, 1.26, Springs::equal};
     p.pressure = {8, 0};
     p.drag = 4;
     Lab lab(p, makeIcosphere(3), bestIsa());
@@ -269,7 +269,7 @@ TEST_CASE("No time step is too long: stiff, at a hundred times the others' limit
     for (const double times : {1.0, 10.0, 100.0, 1e4})
       for (const double damping : {0.0, 0.05}) {
         PhysicsParameters p = softCell();
-        p.membrane = {stiffness, damping, 1.26};
+        p.membrane = {stiffness, damping, 1.26, Springs::equal};
         p.pressure = {gas, gas / rest};
         Lab others(p, mesh);
         others.evaluate();

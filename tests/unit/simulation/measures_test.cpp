@@ -4,6 +4,7 @@
 
 #include "catch.h"
 #include "mesh/overlap.h"
+#include "physics/shell_surface.h"
 #include "simulation/body_measures.h"
 #include "worlds.h"
 
@@ -32,7 +33,8 @@ TEST_CASE("Each cell's measures are those of its mesh") {
     CHECK(m.at("neighbours") >= 3);
     total += m.at("volume");
     pressures += m.at("pressure") / 8;
-    for (const Point& p : x) outermost.see(norm(p));
+    for (const Point& p : measureHeldPoints({x, faces}, *world.model.mechanics->physics.shell))
+      outermost.see(norm(p));
   }
   const WorldMeasures w = measureWorld(world);
   CHECK(w.time == world.clock.time);

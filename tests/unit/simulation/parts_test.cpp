@@ -46,17 +46,20 @@ TEST_CASE("A scene without drag, damping or shell calls no kernel for them") {
   CHECK(plain.stages.drift == k.driftVelocityVerlet[int(ShellShape::none)]);
   CHECK(plain.stages.kick == k.kickVelocityVerlet[false]);
   CHECK(plain.stages.finishForces == k.addPressureForces);
-  CHECK(plain.stages.findTensions == k.findDampedTensions);
+  CHECK(plain.stages.findTensions == k.findWeightedTensions[true]);
   scene.mechanics->physics.membrane.damping = 0;
   scene.mechanics->physics.drag = 1;
-  scene.mechanics->physics.shell = ShellParameters{{1, 1, 1}};
+  scene.mechanics->physics.membrane.springs = Springs::equal;
+  scene.mechanics->physics.shell = ShellParameters{{1, 1, 1}, {}, Held::vertices};
   const World other = makeWorld(scene);
   CHECK(other.stages.findTensions == k.findTensions);
   CHECK(other.stages.finishForces == k.addPressureAndDragForces);
   CHECK(other.stages.drift == k.driftVelocityVerlet[int(ShellShape::sphere)]);
   CHECK(other.stages.kick == k.kickVelocityVerlet[true]);
-  scene.mechanics->physics.shell = ShellParameters{{1, 1, 1.5}};
+  scene.mechanics->physics.shell = ShellParameters{{1, 1, 1.5}, {}, Held::vertices};
   CHECK(makeWorld(scene).stages.drift == k.driftVelocityVerlet[int(ShellShape::ellipsoid)]);
+  scene.mechanics->physics.shell->holds = Held::surface;
+  CHECK(makeWorld(scene).stages.drift == k.driftVelocityVerlet[int(ShellShape::surface)]);
 }
 
 TEST_CASE("Contact of a cell that is alone changes nothing") {
@@ -90,6 +93,6 @@ TEST_CASE(
   }
   const World world = makeWorld(scenes::packed());
   CHECK(world.stagesOfLanes[0].drift ==
-        physicsKernels(Isa::scalar).driftVelocityVerlet[int(ShellShape::sphere)]);
+        physicsKernels(Isa::scalar).driftVelocityVerlet[int(ShellShape::surface)]);
   CHECK(world.stagesOfLanes[7].drift == world.stages.drift);
 }

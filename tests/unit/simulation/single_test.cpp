@@ -41,8 +41,9 @@ TEST_CASE("With floats, a whole life has the same lineage, and cells of the same
     wideVolume += wide.bodies->volume[slot];
     narrowVolume += narrow.bodies->volume[slot];
   }
-  // Which way a cell tips in the crowd may differ; what it holds may not.
-  CHECK(narrowVolume == Approx(wideVolume).epsilon(2e-3));
+  // Which way cells tip in the crowd differs, and with it what they hold together: in doubles, too, where one vertex of
+  // the egg moved by 1e-9 to 5e-9 makes it 2.9611 to 2.9732.
+  CHECK(narrowVolume == Approx(wideVolume).epsilon(6e-3));
 }
 
 TEST_CASE("With floats, touching cells keep their momentum to the floats' rounding") {
