@@ -86,7 +86,7 @@ TEST_CASE("Cells that collide without damping keep their energy, with the square
   // Vertices meet at times that have nothing to do with the steps, which is chance: in the mean over collisions.
   double halved[2] = {1, 1};
   int collisions = 0;
-  // With automatic steps up to 4e-4, and 1.1e-2 of cells that stick and crumple.
+  // With automatic steps up to 4e-4, and 3e-3 of cells that stick and crumple.
   for (const auto& [work, bound] : {std::pair{0.0, 2e-3}, {1.0, 5e-3}})
     for (int count : {3, 4})
       for (double speed : {0.5, 1.0}) {
