@@ -15,13 +15,13 @@
 #include "files/printable.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
-#include "golden/check_json.h"
 #include "golden/ci_reports.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
 #include "report/report.h"
 #include "system/console.h"
+#include "system/json_record.h"
 
 namespace morula::cli {
 

@@ -147,7 +147,7 @@ PageBlock madeBy(const AccuracyRead& read, const std::string& file) {
 
 PagePart accuracyPart(const std::string& file) {
   const std::string text = readFile(file);
-  const Json json = Json::tryParse(text);
+  const Json json = tryParseJson(text);
   const std::string right = "; needs what morula accuracy --json has printed";
   if (!json.is_object() || !json.contains("rows"))
     throw InputError(file + ": no rows of an accuracy run" + right);

@@ -92,14 +92,14 @@ AccuracyRead accuracyFrom(const Json& j) {
     rival.at("series").get_to(read.rival), rival.at("speed").get_to(read.rivalSpeed);
   for (const Json& row : j.at("rows")) read.rows.push_back(entryFrom(row));
   for (const Json& o : j.at("orders"))
-    read.orders.push_back({o.at("series").text(), o.at("theory").get<double>(),
+    read.orders.push_back({o.at("series").get<std::string>(), o.at("theory").get<double>(),
                            realOr(o.at("standard_error")).value_or(0), realOr(o.at("observed")),
                            o.at("points").get<int>()});
   for (const Json& s : j.at("beside_bullet")) {
     const auto number = [&](const char* name) { return s.at(name).get<double>(); };
     read.besideBullet.push_back({number("error"), number("cpu_seconds"), number("bullet_cpu_seconds"),
-                                 number("bullet_slowest_cpu_seconds"), s.at("series").text(),
-                                 s.at("bullet_series").text()});
+                                 number("bullet_slowest_cpu_seconds"), s.at("series").get<std::string>(),
+                                 s.at("bullet_series").get<std::string>()});
   }
   read.remarks = j.at("remarks").get<std::vector<std::string>>();
   read.target = valueOf(j, "target");

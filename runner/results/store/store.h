@@ -28,18 +28,6 @@ struct StoreOptions {
   std::chrono::milliseconds patience{30'000};  // how long to wait for another writer
 };
 
-/// A run as it stands in the file.
-struct StoredRun {
-  std::string id;
-  RunRecord record;  // without documents: see Store::documents
-  RunStatus status = RunStatus::running;
-  std::string started, ended;          // UTC; ended is "" while running
-  std::string stateHash;               // "" unless done
-  std::uint64_t steps = 0, cells = 0;  // 0 while running
-  double time = 0;                     // [time]
-  std::string failure;
-};
-
 class Store {
  public:
   using Options = StoreOptions;
@@ -103,11 +91,11 @@ class Store {
   /// table and value by value. Not those that come from elsewhere: what a golden file or Bullet says.
   std::vector<TableDifference> compareResults(const std::string& id, Store& again,
                                               const std::string& idAgain);
-  /// Which tables the file has, what they hold and why; `id`: rows of this run alone, "": of all.
-  std::vector<TableContents> contents(const std::string& id = {});
+  /// Which tables the file has, what they hold and, of those in `known`, why; `id`: rows of this run alone, "": of all.
+  std::vector<TableContents> contents(const std::vector<const Table*>& known, const std::string& id = {});
 
   /// A table's rows as they stand [store/table_rows.h]. `id`: of this run alone, "": of all.
-  std::vector<std::string> columns(const std::string& table) { return columnNames(db_, table); }
+  std::vector<std::string> columns(const std::string& table) { return plainColumns(db_, table); }
   void eachRow(const std::string& table, const std::string& id,
                const std::function<void(const TableRow&)>& take) {
     morula::eachRow(db_, table, id, take);

@@ -33,6 +33,8 @@ std::vector<TableDifference> Store::compareResults(const std::string& id, Store&
   return compareTables(db_, id, again.db_, idAgain);
 }
 
-std::vector<TableContents> Store::contents(const std::string& id) { return contentsOf(db_, id); }
+std::vector<TableContents> Store::contents(const std::vector<const Table*>& known, const std::string& id) {
+  return contentsOf(db_, id, known);
+}
 
 }  // namespace morula

@@ -119,19 +119,19 @@ E choiceOf(const Json& json) {
 
 Study studyOf(const Json& json) {
   Study s;
-  s.file = json.at("file").text();
-  s.bytes = json.at("text").text();
-  s.name = json.at("name").text();
-  s.summary = json.at("summary").text();
+  s.file = json.at("file").get<std::string>();
+  s.bytes = json.at("text").get<std::string>();
+  s.name = json.at("name").get<std::string>();
+  s.summary = json.at("summary").get<std::string>();
   for (const Json& base : json.at("bases"))
-    s.bases.push_back({base.at("label").text(), base.at("file").text(), {}});
+    s.bases.push_back({base.at("label").get<std::string>(), base.at("file").get<std::string>(), {}});
   for (const Json& axis : json.at("axes")) {
-    s.axes.push_back({axis.at("name").text(), {}});
+    s.axes.push_back({axis.at("name").get<std::string>(), {}});
     for (const Json& level : axis.at("levels")) {
-      Level& made = s.axes.back().levels.emplace_back(Level{level.at("label").text(), {}});
+      Level& made = s.axes.back().levels.emplace_back(Level{level.at("label").get<std::string>(), {}});
       for (const Json& change : level.at("changes"))
-        made.overrides.push_back({change.at("key").text(), change.at("value").text(),
-                                  change.at("place").text(), change.at("removes").get<bool>()});
+        made.overrides.push_back({change.at("key").get<std::string>(), change.at("value").get<std::string>(),
+                                  change.at("place").get<std::string>(), change.at("removes").get<bool>()});
     }
     if (s.axes.back().levels.empty()) throw FileError("an axis has no levels");
   }
@@ -152,7 +152,7 @@ Study studyOf(const Json& json) {
 
 NamedFile fileOf(const Json& files, const Json& number) {
   const Json& file = files.at(number.get<std::size_t>());
-  return {file.at("role").text(), file.at("path").text(), file.at("text").text()};
+  return {file.at("role").get<std::string>(), file.at("path").get<std::string>(), file.at("text").get<std::string>()};
 }
 
 Plan planOf(const Json& json) {
@@ -196,7 +196,7 @@ Plan readPlan(const std::string& text, const std::string& file) {
   const auto fail = [&](const std::string& what, const std::string& remedy) {
     return FileError("'" + file + "' " + what + "; " + remedy);
   };
-  Json json = Json::tryParse(text);
+  Json json = tryParseJson(text);
   if (!json.is_object() || !json.contains("morula-plan"))
     throw fail("is no plan of a study", "morula study plan makes one");
   if (json["morula-plan"] != formatVersion)
