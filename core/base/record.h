@@ -33,7 +33,9 @@ struct IgnoreFields {
   void operator()(const FieldInfo&, const auto&) const {}
 };
 template <class T>
-concept Record = requires(T& record) { listFields(record, IgnoreFields{}); };
+concept Record = requires(T& record) {
+  listFields(record, IgnoreFields{});
+};
 
 // What a list may say of a member, in place of the member itself.
 
@@ -93,6 +95,8 @@ concept IsTemplate = isTemplate<T, Kind>;
 template <class T>
 concept IsOptional = IsTemplate<T, std::optional>;
 template <class T>
-concept HasChoices = std::is_enum_v<T> && requires { choices<T>.size(); };
+concept HasChoices = std::is_enum_v<T> && requires {
+  choices<T>.size();
+};
 
 }  // namespace morula

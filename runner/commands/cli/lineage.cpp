@@ -39,6 +39,7 @@ struct Tree {
 Tree stored(const LineageOptions& options) {
   auto store = Store::openForReading(options.file);
   const auto run = store.find(options.run);
+  requireWholeRecord(store, run);
   return {run.record.scenario, run.time,
           options.colour.empty() ? store.lineage(run.id) : store.results(run.id)};
 }

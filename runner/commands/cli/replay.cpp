@@ -58,6 +58,10 @@ int report(const Replay& found, const StoredRun& run, const OutputOptions& outpu
 int act(const ReplayOptions& options) {
   const Target target = targetOf(options);
   auto store = Store::openForReading(target.database);
+  if (!options.databaseOut.empty() && sameFile(options.databaseOut, target.database))
+    throw UsageError("--db-out: '" + options.databaseOut +
+                     "' holds the run that is replayed; give another file");
+  store.requireIntact();
   const StoredRun before = store.find(target.run);
   if (before.status != RunStatus::done && before.status != RunStatus::failed)
     throw UsageError("replay: run " + before.id + " has not ended (" + name(before.status) +

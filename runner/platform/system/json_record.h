@@ -18,7 +18,9 @@ namespace morula {
 /// A whole number of that type; throws Json::exception for anything else, also where it does not fit.
 template <std::integral Whole>
 Whole wholeFrom(const Json& json) {
-  const auto refuse = [] { throw Json::out_of_range::create(401, "needs a whole number that is not too large", nullptr); };
+  const auto refuse = [] {
+    throw Json::out_of_range::create(401, "needs a whole number that is not too large", nullptr);
+  };
   if (!json.is_number_integer()) refuse();
   if (json.is_number_unsigned() ? !std::in_range<Whole>(json.get<std::uint64_t>())
                                 : !std::in_range<Whole>(json.get<std::int64_t>()))
@@ -102,7 +104,8 @@ void readMember(const Json& json, Member&& to) {
       for (const Json& item : json) readMember(item, to.emplace_back());
     }
   } else if constexpr (std::is_enum_v<T>) to = static_cast<T>(wholeFrom<int>(json));
-  else if constexpr (std::same_as<T, double>) to = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+  else if constexpr (std::same_as<T, double>)
+    to = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
   else if constexpr (std::integral<T> && !std::same_as<T, bool>) to = wholeFrom<T>(json);
   else json.get_to(to);
 }

@@ -114,7 +114,8 @@ void addProgram(Graph& graph, const StoredRun& run, const Json& about) {
 Json addConditions(Graph& graph, const StoredRun& run) {
   Json conditions = Json::array();
   eachFieldOf(run, [&](const RunField& field, const std::string& value) {
-    if (field.part == RunPart::environment) conditions.push_back(graph.addValue("environment", field.label, value));
+    if (field.part == RunPart::environment)
+      conditions.push_back(graph.addValue("environment", field.label, value));
   });
   return conditions;
 }

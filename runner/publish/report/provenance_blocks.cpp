@@ -90,7 +90,8 @@ PageBlock provenanceBlock(const std::vector<RunFacts>& runs) {
   for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i) {
     const auto of = provenanceOf(runs[i]);
     rows.resize(of.size());
-    for (std::size_t k = 0; k < of.size(); ++k) rows[k].first = of[k].first, rows[k].second.push_back(of[k].second);
+    for (std::size_t k = 0; k < of.size(); ++k)
+      rows[k].first = of[k].first, rows[k].second.push_back(of[k].second);
   }
   std::erase_if(rows, [](const auto& row) {
     // Runs of a study have no time and no machine of their own: they are the same bytes wherever they were run.

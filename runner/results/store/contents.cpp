@@ -33,7 +33,8 @@ std::uint64_t lengthOf(Database& db, const std::string& table, const std::vector
 
 }  // namespace
 
-std::vector<TableContents> contentsOf(Database& db, const std::string& id, const std::vector<const Table*>& known) {
+std::vector<TableContents> contentsOf(Database& db, const std::string& id,
+                                      const std::vector<const Table*>& known) {
   std::vector<std::string> tables;
   Statement names(
       db, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite%' ORDER BY rowid");
@@ -52,7 +53,7 @@ std::vector<TableContents> contentsOf(Database& db, const std::string& id, const
     const auto measured = pages.find(table);
     t.estimated = measured == pages.end();
     t.bytes = t.estimated ? lengthOf(db, table, columns) : measured->second;
-        const bool ofRuns = table == "document" || std::ranges::find(columns, "run_id") != columns.end();
+    const bool ofRuns = table == "document" || std::ranges::find(columns, "run_id") != columns.end();
     if (id.empty() || !ofRuns) continue;
     Statement count(db, table == "document" ? "SELECT count(DISTINCT hash) FROM run_document WHERE run_id = ?"
                                             : "SELECT count(*) FROM \"" + table + "\" WHERE run_id = ?");

@@ -20,6 +20,7 @@ struct TableContents {
 
 /// All tables, in the order of the schema; why is said of those in `known`. `id`: rows of this run alone; "": of all runs. Throws
 /// StoreError.
-std::vector<TableContents> contentsOf(Database& db, const std::string& id, const std::vector<const Table*>& known);
+std::vector<TableContents> contentsOf(Database& db, const std::string& id,
+                                      const std::vector<const Table*>& known);
 
 }  // namespace morula

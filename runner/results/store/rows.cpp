@@ -12,7 +12,8 @@ namespace {
 class Documents {
  public:
   Documents(Database& db, const std::string& id)
-      : id_(id), text_(db, table<StoredText>().insert() + " ON CONFLICT DO NOTHING"),
+      : id_(id),
+        text_(db, table<StoredText>().insert() + " ON CONFLICT DO NOTHING"),
         use_(db, table<DocumentUse>().insert()) {}
   void add(int number, const std::string& role, const std::string& path, const std::string& content) {
     const StoredText text{Hasher().add(content).digest().text(), content};
@@ -122,7 +123,8 @@ void endRun(Database& db, const std::string& id, const RunEnd& end) {
 
 void deleteRows(Database& db, const std::string& id, bool (*takes)(TablePart)) {
   for (const Table* t : runTables())
-    if (takes(t->info.part)) Statement(db, std::string("DELETE FROM ") + t->info.name + " WHERE run_id = ?").run(id);
+    if (takes(t->info.part))
+      Statement(db, std::string("DELETE FROM ") + t->info.name + " WHERE run_id = ?").run(id);
 }
 
 void insertRecords(Database& db, const std::string& id, const RunResults& results,
@@ -151,7 +153,8 @@ void insertBulletSamples(Database& db, const std::string& id, const std::string&
                          const std::vector<Sample>& samples) {
   Statement insert(db, table<BulletSampleRow>().insert());
   for (const Sample& sample : samples)
-    for (const CellMeasures& c : sample.cells) insert.run(id, sample.world.time, BulletSampleRow{c, baseline});
+    for (const CellMeasures& c : sample.cells)
+      insert.run(id, sample.world.time, BulletSampleRow{c, baseline});
 }
 
 }  // namespace morula

@@ -14,9 +14,9 @@ void restartRun(Database& db, const std::string& id, const std::string& started)
 void endRun(Database& db, const std::string& id, const RunEnd& end);
 void insertResults(Database& db, const std::string& id, const RunResults& results);
 /// All rows of the run in tables of these parts: of all that results are made of.
-void deleteRows(Database& db, const std::string& id, bool (*takes)(TablePart) = [](TablePart part) {
-  return isResult(part) || part == TablePart::bullet;
-});
+void deleteRows(
+    Database& db, const std::string& id,
+    bool (*takes)(TablePart) = [](TablePart part) { return isResult(part) || part == TablePart::bullet; });
 /// Of samples and hashes, those of steps after `after`; all of them if there is none.
 void insertRecords(Database& db, const std::string& id, const RunResults& results,
                    std::optional<std::uint64_t> after = {});

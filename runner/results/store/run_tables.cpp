@@ -14,11 +14,12 @@ const char* lasting(const std::string& text) {
 
 const std::vector<const Table*>& runTables() {
   static const std::vector<const Table*> tables{
-      &table<StoredRun>(),        &table<StoredText>(),     &table<DocumentUse>(),   &table<CellRow>(),
-      &table<WorldMeasures>(),    &table<CellSampleRow>(),  &table<ContactMeasures>(), &table<TakenMeasure>(),
-      &table<CellSurface>(),      &table<ConnectionRecord>(), &table<DivisionRecord>(), &table<TimeStepRecord>(),
-      &table<ChainLink>(),        &table<CellHash>(),       &table<CheckResult>(),   &table<BulletSampleRow>(),
-      &table<CheckpointRow>(),    &table<FrameRow>()};
+      &table<StoredRun>(),        &table<StoredText>(),     &table<DocumentUse>(),
+      &table<CellRow>(),          &table<WorldMeasures>(),  &table<CellSampleRow>(),
+      &table<ContactMeasures>(),  &table<TakenMeasure>(),   &table<CellSurface>(),
+      &table<ConnectionRecord>(), &table<DivisionRecord>(), &table<TimeStepRecord>(),
+      &table<ChainLink>(),        &table<CellHash>(),       &table<CheckResult>(),
+      &table<BulletSampleRow>(),  &table<CheckpointRow>(),  &table<FrameRow>()};
   return tables;
 }
 

@@ -11,11 +11,13 @@
 namespace morula {
 
 template <>
-inline constexpr auto choices<Fate> = std::to_array<Choice<Fate>>(
-    {{Fate::alive, "alive", ""}, {Fate::divided, "divided", ""}, {Fate::died, "died", ""}});
+inline constexpr auto choices<Fate> = std::to_array<Choice<Fate>>({{Fate::alive, "alive", ""},
+                                                                   {Fate::divided, "divided", ""},
+                                                                   {Fate::died, "died", ""}});
 template <>
-inline constexpr auto choices<Scope> = std::to_array<Choice<Scope>>(
-    {{Scope::world, "world", ""}, {Scope::cell, "cell", ""}, {Scope::pair, "pair", ""}});
+inline constexpr auto choices<Scope> = std::to_array<Choice<Scope>>({{Scope::world, "world", ""},
+                                                                     {Scope::cell, "cell", ""},
+                                                                     {Scope::pair, "pair", ""}});
 
 /// Texts that decided runs, each stored once however many runs share it.
 struct StoredText {
@@ -23,22 +25,27 @@ struct StoredText {
 };
 template <>
 inline constexpr TableInfo tableOf<StoredText> = {
-    .name = "document", .part = TablePart::record, .key = "hash",
+    .name = "document",
+    .part = TablePart::record,
+    .key = "hash",
     .why = "always: the scenario, its files and the program's changes, to repeat the run from"};
 template <IsA<StoredText> T>
 void listFields(T& text, auto&& field) {
   auto& [hash, content] = text;
   field({"hash"}, hash);
-  field({"content"}, BytesOf{[&]() -> std::string_view { return text.content; }, [&](const auto& bytes) { text.content = bytes; }});
+  field({"content"}, BytesOf{[&]() -> std::string_view { return text.content; },
+                             [&](const auto& bytes) { text.content = bytes; }});
 }
 
 struct DocumentUse {
   std::string role, path, hash;
 };
 template <>
-inline constexpr TableInfo tableOf<DocumentUse> = {
-    .name = "run_document", .part = TablePart::record, .context = "run_id number", .key = "run_id, number",
-    .why = "always: which document is what of which run"};
+inline constexpr TableInfo tableOf<DocumentUse> = {.name = "run_document",
+                                                   .part = TablePart::record,
+                                                   .context = "run_id number",
+                                                   .key = "run_id, number",
+                                                   .why = "always: which document is what of which run"};
 template <IsA<DocumentUse> T>
 void listFields(T& use, auto&& field) {
   auto& [role, path, hash] = use;
@@ -49,7 +56,11 @@ void listFields(T& use, auto&& field) {
 
 template <>
 inline constexpr TableInfo tableOf<StoredRun> = {
-    .name = "run", .part = TablePart::record, .key = "run_id", .hasRowNumbers = true,
+    .name = "run",
+    .part = TablePart::record,
+    .key = "run_id",
+    .hasRowNumbers = true,
+    .csv = "runs",
     .why = "always: which run it is, how it ended, with which program and where"};
 
 struct CellRow {
@@ -59,7 +70,12 @@ struct CellRow {
 };
 template <>
 inline constexpr TableInfo tableOf<CellRow> = {
-    .name = "cell", .part = TablePart::end, .context = "run_id", .key = "run_id, path", .order = "born, path",
+    .name = "cell",
+    .part = TablePart::end,
+    .context = "run_id",
+    .key = "run_id, path",
+    .order = "born, path",
+    .csv = "cells",
     .why = "always: the lineage; lineage, render, replay and explain read it"};
 template <IsA<CellRow> T>
 void listFields(T& row, auto&& field) {
@@ -81,7 +97,11 @@ void listFields(T& row, auto&& field) {
 
 template <>
 inline constexpr TableInfo tableOf<WorldMeasures> = {
-    .name = "sample", .part = TablePart::samples, .context = "run_id", .key = "run_id, time",
+    .name = "sample",
+    .part = TablePart::samples,
+    .context = "run_id",
+    .key = "run_id, time",
+    .csv = "samples",
     .why = "the organism over time, as often as `record.every` says; replay and queries read it"};
 inline bool isCells(const WorldMeasure& m) { return std::string_view(m.name) == "cells"; }
 template <IsA<WorldMeasures> T>
@@ -97,9 +117,12 @@ struct CellSampleRow {
   std::string state;
 };
 template <>
-inline constexpr TableInfo tableOf<CellSampleRow> = {
-    .name = "cell_sample", .part = TablePart::samples, .context = "run_id time", .key = "run_id, time, path",
-    .why = "each cell at the times of `sample`"};
+inline constexpr TableInfo tableOf<CellSampleRow> = {.name = "cell_sample",
+                                                     .part = TablePart::samples,
+                                                     .context = "run_id time",
+                                                     .key = "run_id, time, path",
+                                                     .csv = "cell_samples",
+                                                     .why = "each cell at the times of `sample`"};
 /// The columns that stand before `state`.
 inline bool isOfFirst(const CellMeasure& m) {
   for (const char* name : {"volume", "area", "pressure", "x", "y", "z", "sphericity", "neighbours"})
@@ -117,7 +140,11 @@ void listFields(T& row, auto&& field) {
 
 template <>
 inline constexpr TableInfo tableOf<ContactMeasures> = {
-    .name = "contact", .part = TablePart::samples, .context = "run_id time", .key = "run_id, time, a, b",
+    .name = "contact",
+    .part = TablePart::samples,
+    .context = "run_id time",
+    .key = "run_id, time, a, b",
+    .csv = "contacts",
     .why = "each pair of touching cells at the times of `sample`, in a scene with contact"};
 template <IsA<ContactMeasures> T>
 void listFields(T& contact, auto&& field) {
@@ -128,7 +155,10 @@ void listFields(T& contact, auto&& field) {
 
 template <>
 inline constexpr TableInfo tableOf<TakenMeasure> = {
-    .name = "measure", .part = TablePart::samples, .context = "run_id time", .key = "run_id, time, scope, name, a, b",
+    .name = "measure",
+    .part = TablePart::samples,
+    .context = "run_id time",
+    .key = "run_id, time, scope, name, a, b",
     .why = "what `record.measures` asks for, at the times of `sample`; replay and queries read it"};
 template <IsA<TakenMeasure> T>
 void listFields(T& taken, auto&& field) {
@@ -142,14 +172,21 @@ void listFields(T& taken, auto&& field) {
 
 template <>
 inline constexpr TableInfo tableOf<CellSurface> = {
-    .name = "mesh_sample", .part = TablePart::samples, .context = "run_id time", .key = "run_id, time, path",
-    .hasRowNumbers = true, .why = "each cell's surface, as often as `record.meshes` says; export and replay read it"};
+    .name = "mesh_sample",
+    .part = TablePart::samples,
+    .context = "run_id time",
+    .key = "run_id, time, path",
+    .hasRowNumbers = true,
+    .why = "each cell's surface, as often as `record.meshes` says; export and replay read it"};
 template <IsA<CellSurface> T>
 void listFields(T& surface, auto&& field) {
   auto& [path, mesh, low, step, numbers] = surface;
   const auto bytes = [&] { return numberBytes(surface); };
   field({"path"}, path);
-  field({"mesh", "0 the egg's, 1 ... the coarser ones; its faces: the run's document of the role faces and this path"}, mesh);
+  field(
+      {"mesh",
+       "0 the egg's, 1 ... the coarser ones; its faces: the run's document of the role faces and this path"},
+      mesh);
   field({"low", "a vertex = low + number * step, off by at most step / 2", "length"}, low);
   field({"step", "a 65535th of the extent", "length"}, step);
   field({"vertices", "the numbers of x, y and z of each vertex, 16 bits each, little-endian"},
@@ -158,7 +195,11 @@ void listFields(T& surface, auto&& field) {
 
 template <>
 inline constexpr TableInfo tableOf<ConnectionRecord> = {
-    .name = "connection", .part = TablePart::end, .context = "run_id number", .key = "run_id, number",
+    .name = "connection",
+    .part = TablePart::end,
+    .context = "run_id number",
+    .key = "run_id, number",
+    .csv = "connections",
     .why = "every connection that was ever made, in a scene with connections"};
 /// A copy of the text that lives as long as the program.
 const char* lasting(const std::string& text);
@@ -170,12 +211,18 @@ void listFields(T& connection, auto&& field) {
   field({"made", "", "time"}, made);
   field({"released", "NULL while it holds", "time"}, NullIf{released < 0, released});
   field({"cause", "of the release: '', divided, died, distance, gene"},
-        TextOf{[&] { return std::string(connection.cause); }, [&](const auto& text) { connection.cause = lasting(text); }});
+        TextOf{[&] { return std::string(connection.cause); },
+               [&](const auto& text) { connection.cause = lasting(text); }});
 }
 
 template <>
 inline constexpr TableInfo tableOf<DivisionRecord> = {
-    .name = "division", .part = TablePart::end, .context = "run_id", .key = "run_id, path", .order = "step, path",
+    .name = "division",
+    .part = TablePart::end,
+    .context = "run_id",
+    .key = "run_id, path",
+    .order = "step, path",
+    .csv = "divisions",
     .why = "every division: its axis and how the volume was shared"};
 template <IsA<DivisionRecord> T>
 void listFields(T& division, auto&& field) {
@@ -185,12 +232,18 @@ void listFields(T& division, auto&& field) {
   field({"step"}, step);
   field({"axis", "unit normal of the plane; points to daughter A"}, axis);
   field({"share", "of the mother's volume that daughter A has"}, share);
-  field({"extent_ratio", "of the mother's two largest extents; towards 1 it is ambiguous which is the longest"}, extentRatio);
+  field(
+      {"extent_ratio", "of the mother's two largest extents; towards 1 it is ambiguous which is the longest"},
+      extentRatio);
 }
 
 template <>
 inline constexpr TableInfo tableOf<TimeStepRecord> = {
-    .name = "time_step", .part = TablePart::end, .context = "run_id", .key = "run_id, step",
+    .name = "time_step",
+    .part = TablePart::end,
+    .context = "run_id",
+    .key = "run_id, step",
+    .csv = "time_steps",
     .why = "in a scene with bodies: the time step and its changes; replay reads it"};
 template <IsA<TimeStepRecord> T>
 void listFields(T& change, auto&& field) {
@@ -202,9 +255,14 @@ void listFields(T& change, auto&& field) {
 
 template <>
 inline constexpr TableInfo tableOf<ChainLink> = {
-    .name = "step_hash", .part = TablePart::samples, .context = "run_id", .key = "run_id, step",
-    .why = "where the run was checked against a golden or as `check` asks: explain --db and replay find with it the first step "
-           "that differs"};
+    .name = "step_hash",
+    .part = TablePart::samples,
+    .context = "run_id",
+    .key = "run_id, step",
+    .why =
+        "where the run was checked against a golden or as `check` asks: explain --db and replay find with it "
+        "the first step "
+        "that differs"};
 template <IsA<ChainLink> T>
 void listFields(T& link, auto&& field) {
   auto& [step, hash, state] = link;
@@ -219,7 +277,10 @@ void listFields(T& link, auto&& field) {
 
 template <>
 inline constexpr TableInfo tableOf<CellHash> = {
-    .name = "cell_hash", .part = TablePart::samples, .context = "run_id step", .key = "run_id, step, path",
+    .name = "cell_hash",
+    .part = TablePart::samples,
+    .context = "run_id step",
+    .key = "run_id, step, path",
     .why = "with `step_hash`: explain --db finds with it which cells differ there"};
 template <IsA<CellHash> T>
 void listFields(T& cell, auto&& field) {
@@ -229,9 +290,12 @@ void listFields(T& cell, auto&& field) {
 }
 
 template <>
-inline constexpr TableInfo tableOf<CheckResult> = {
-    .name = "check_result", .part = TablePart::checks, .context = "run_id number", .key = "run_id, number",
-    .why = "where the run was checked: what each check found"};
+inline constexpr TableInfo tableOf<CheckResult> = {.name = "check_result",
+                                                   .part = TablePart::checks,
+                                                   .context = "run_id number",
+                                                   .key = "run_id, number",
+                                                   .csv = "checks",
+                                                   .why = "where the run was checked: what each check found"};
 
 struct BulletSampleRow {
   CellMeasures cell;
@@ -239,7 +303,10 @@ struct BulletSampleRow {
 };
 template <>
 inline constexpr TableInfo tableOf<BulletSampleRow> = {
-    .name = "bullet_sample", .part = TablePart::bullet, .context = "run_id time", .key = "run_id, time, path",
+    .name = "bullet_sample",
+    .part = TablePart::bullet,
+    .context = "run_id time",
+    .key = "run_id, time, path",
     .why = "where `check.bullet` asks for it: each cell in Bullet beside the run's own"};
 template <IsA<BulletSampleRow> T>
 void listFields(T& row, auto&& field) {
@@ -255,7 +322,11 @@ struct CheckpointRow {
 };
 template <>
 inline constexpr TableInfo tableOf<CheckpointRow> = {
-    .name = "checkpoint", .part = TablePart::checkpoint, .context = "run_id", .key = "run_id", .hasRowNumbers = true,
+    .name = "checkpoint",
+    .part = TablePart::checkpoint,
+    .context = "run_id",
+    .key = "run_id",
+    .hasRowNumbers = true,
     .why = "only until the run has finished: run --resume goes on from it"};
 template <IsA<CheckpointRow> T>
 void listFields(T& row, auto&& field) {
@@ -265,8 +336,8 @@ void listFields(T& row, auto&& field) {
   field({"made", "UTC"}, made);
   field({"every", "between samples; NULL: none are taken", "time"}, every);
   field({"hash_every", "steps between hashes; NULL: none are taken"}, hashEvery);
-  field({"state", "core/simulation/checkpoint.h"},
-        BytesOf{[&]() -> std::string_view { return row.of.state; }, [&](const auto& bytes) { row.of.state = bytes; }});
+  field({"state", "core/simulation/checkpoint.h"}, BytesOf{[&]() -> std::string_view { return row.of.state; },
+                                                           [&](const auto& bytes) { row.of.state = bytes; }});
 }
 
 struct FrameRow {
@@ -274,12 +345,17 @@ struct FrameRow {
 };
 template <>
 inline constexpr TableInfo tableOf<FrameRow> = {
-    .name = "checkpoint_frame", .part = TablePart::checkpoint, .context = "run_id number", .key = "run_id, number",
-    .hasRowNumbers = true, .why = "only until the run has finished: the shapes of its sequence of pictures"};
+    .name = "checkpoint_frame",
+    .part = TablePart::checkpoint,
+    .context = "run_id number",
+    .key = "run_id, number",
+    .hasRowNumbers = true,
+    .why = "only until the run has finished: the shapes of its sequence of pictures"};
 template <IsA<FrameRow> T>
 void listFields(T& frame, auto&& field) {
   static_assert(sizeof frame == sizeof frame.content);
-  field({"content"}, BytesOf{[&]() -> std::string_view { return frame.content; }, [&](const auto& bytes) { frame.content = bytes; }});
+  field({"content"}, BytesOf{[&]() -> std::string_view { return frame.content; },
+                             [&](const auto& bytes) { frame.content = bytes; }});
 }
 
 /// In the order in which they can be filled.

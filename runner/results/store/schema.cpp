@@ -9,35 +9,42 @@ namespace morula {
 
 namespace {
 
+[[noreturn]] void refuseVersion(const Database& db, const std::string& why) {
+  throw StoreError(db.file().string() + ": written by another version of Morula (" + why +
+                   "); use the program that wrote it, or give another file");
+}
+
 /// Throws unless the file is empty or Morula's and of this version. True if it is empty.
 bool isEmpty(Database& db) {
-  const std::string file = db.file().string();
   const auto id = db.integer("PRAGMA application_id"), version = db.integer("PRAGMA user_version");
   if (id == 0 && version == 0 && db.integer("SELECT count(*) FROM sqlite_schema") == 0) return true;
   if (id != applicationId)
-    throw StoreError(file + ": a database, but not one of Morula's (application_id " + std::to_string(id) +
+    throw StoreError(db.file().string() + ": a database, but not one of Morula's (application_id " + std::to_string(id) +
                      "); give another file");
   if (version != schemaVersion)
-    throw StoreError(file + ": written by another version of Morula (database version " + std::to_string(version) +
-                     ", this program's is " + std::to_string(schemaVersion) +
-                     "); use the program that wrote it, or give another file");
+    refuseVersion(db, "database version " + std::to_string(version) + ", this program's is " + std::to_string(schemaVersion));
   return false;
 }
 
-/// What makes the tables, and the columns that a file of a program with fewer measures lacks; empty: nothing lacks.
-std::string lacking(Database& db, bool withComments) {
-  const bool empty = isEmpty(db);
+/// What adds the columns of measures that the file's tables lack; empty: none lack. Throws where any other lacks.
+std::string lackingMeasures(Database& db) {
   std::string sql;
   for (const Table* t : runTables()) {
-    if (empty) {
-      sql += t->create(withComments) + ";\n";
-      continue;
-    }
     const std::vector<std::string> there = columnNames(db, t->info.name);
-    for (const Column& c : t->own)
-      if (c.isMeasure && std::ranges::find(there, c.name) == there.end())
+    for (const auto* columns : {&t->context, &t->own})
+      for (const Column& c : *columns) {
+        if (std::ranges::find(there, c.name) != there.end()) continue;
+        if (!c.isMeasure) refuseVersion(db, "its table " + std::string(t->info.name) + " has no column " + c.name);
         sql += "ALTER TABLE " + quotedName(t->info.name) + " ADD COLUMN " + quotedName(c.name) + " " + c.type + ";\n";
+      }
   }
+  return sql;
+}
+
+std::string lacking(Database& db, bool withComments) {
+  if (!isEmpty(db)) return lackingMeasures(db);
+  std::string sql;
+  for (const Table* t : runTables()) sql += t->create(withComments) + ";\n";
   return sql;
 }
 
@@ -67,6 +74,7 @@ void makeTables(Database& db, bool withComments) {
 void requireTables(Database& db) {
   if (isEmpty(db))
     throw StoreError(db.file().string() + ": the file is empty; a database of results is expected");
+  lackingMeasures(db);
 }
 
 }  // namespace morula

@@ -139,8 +139,11 @@ void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
     const auto columns = columnNames(copy, table);
     const auto has = [&](const char* column) { return std::ranges::find(columns, column) != columns.end(); };
     if (has("run_id")) Statement(copy, "DELETE FROM " + quotedName(table) + " WHERE run_id <> ?").run(id);
-    else if (table == "timing") Statement(copy, "DELETE FROM timing WHERE task_id NOT IN (SELECT task_id FROM task WHERE run_id = ?)").run(id);
-    else if (table != "document") copy.execute("DROP TABLE " + quotedName(table));  // of all runs of a study together
+    else if (table == "timing")
+      Statement(copy, "DELETE FROM timing WHERE task_id NOT IN (SELECT task_id FROM task WHERE run_id = ?)")
+          .run(id);
+    else if (table != "document")
+      copy.execute("DROP TABLE " + quotedName(table));  // of all runs of a study together
   }
   configure(copy);
   copy.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");

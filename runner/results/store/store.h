@@ -84,9 +84,14 @@ class Store {
   std::vector<ChainLink> chain(const std::string& id);
   std::vector<Document> documents(const std::string& id);
 
+  /// Throws StoreError if the file is no whole database any more: rows may lack.
+  void requireIntact();
   /// What was changed in the record of a run since it was made: documents that do not fit the hashes that
   /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.
   std::vector<ValueDifference> changedRecord(const std::string& id);
+  /// What shows that cells of a run that has ended are gone: a cell without its mother, a mother without both daughters, fewer
+  /// leaves than the run counted. Empty for a whole lineage.
+  std::vector<ValueDifference> lostCells(const StoredRun& run);
   /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`, table by
   /// table and value by value. Not those that come from elsewhere: what a golden file or Bullet says.
   std::vector<TableDifference> compareResults(const std::string& id, Store& again,

@@ -44,7 +44,8 @@ void readLineage(Database& db, const std::string& id, RunResults& results, State
 
 void readSamples(Database& db, const std::string& id, RunResults& results, StateNumbers& numberOf) {
   Statement whole(db, table<WorldMeasures>().select(db)), cell(db, table<CellSampleRow>().select(db)),
-      contact(db, table<ContactMeasures>().select(db)), more(db, table<TakenMeasure>().select(db, "value IS NOT NULL"));
+      contact(db, table<ContactMeasures>().select(db)),
+      more(db, table<TakenMeasure>().select(db, "value IS NOT NULL"));
   for (whole.start(id); whole.next();) {
     Sample& sample = results.samples.emplace_back();
     sample.world = whole.row<WorldMeasures>();

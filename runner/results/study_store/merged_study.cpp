@@ -9,7 +9,8 @@ namespace {
 
 /// What `run` holds of times and machines stands in `timing` alone here.
 bool isBlank(const std::string& column) {
-  return column == "binary_hash" || partOf(column) == RunPart::environment || partOf(column) == RunPart::occasion;
+  return column == "binary_hash" || partOf(column) == RunPart::environment ||
+         partOf(column) == RunPart::occasion;
 }
 
 /// [SELECT from a task's file, INSERT into this one], of all columns in the order of this file.
@@ -18,13 +19,17 @@ std::pair<std::string, std::string> copyOf(Database& db, const Table& table) {
   const bool ofRuns = &table == &morula::table<StoredRun>();
   for (const std::string& column : columnNames(db, table.info.name)) {
     const std::string comma = columns.empty() ? "" : ", ", name = quotedName(column);
-    select += comma + (!ofRuns || !isBlank(column) ? name : column == "threads" ? "1" : column == "condition_id" ? "NULL" : "''");
+    select += comma + (!ofRuns || !isBlank(column) ? name
+                       : column == "threads"       ? "1"
+                       : column == "condition_id"  ? "NULL"
+                                                   : "''");
     columns += comma + name;
     places += comma + "?";
   }
   const std::string of = quotedName(table.info.name);
-  return {"SELECT " + select + " FROM " + of, std::string("INSERT ") + (&table == &morula::table<StoredText>() ? "OR IGNORE " : "") +
-                                                  "INTO " + of + " (" + columns + ") VALUES (" + places + ")"};
+  return {"SELECT " + select + " FROM " + of,
+          std::string("INSERT ") + (&table == &morula::table<StoredText>() ? "OR IGNORE " : "") + "INTO " +
+              of + " (" + columns + ") VALUES (" + places + ")"};
 }
 
 template <class Row>
@@ -72,7 +77,8 @@ MergedStudy::MergedStudy(const std::filesystem::path& file, const StudyTables& s
   insertConditions(db_, study);
   for (const Table* t : allTables()) {
     const TablePart part = t->info.part;
-    if (part != TablePart::record && !isResult(part) && t != &table<ResultRow>() && t != &table<TimingRow>()) continue;
+    if (part != TablePart::record && !isResult(part) && t != &table<ResultRow>() && t != &table<TimingRow>())
+      continue;
     auto [select, insert] = copyOf(db_, *t);
     copies_.push_back({std::move(select), Statement(db_, insert)});
   }
@@ -91,7 +97,9 @@ void MergedStudy::add(const TaskRow& planned, TaskFile& file) {
   addMissing(task);
 }
 
-void MergedStudy::addMissing(const TaskRow& planned) { Statement(db_, table<TaskRow>().insert()).run(planned); }
+void MergedStudy::addMissing(const TaskRow& planned) {
+  Statement(db_, table<TaskRow>().insert()).run(planned);
+}
 
 void MergedStudy::finish(const StudyTables& study, const std::string& buildId) {
   StudyRow row = study.study;

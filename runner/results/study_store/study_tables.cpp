@@ -46,7 +46,8 @@ bool TaskRow::isComputed() const {
 }
 
 void makeTaskTables(Database& db, bool withComments) {
-  for (const Table* t : {&table<TaskRow>(), &table<ResultRow>(), &table<TimingRow>()}) db.execute(t->create(withComments));
+  for (const Table* t : {&table<TaskRow>(), &table<ResultRow>(), &table<TimingRow>()})
+    db.execute(t->create(withComments));
 }
 
 void makeStudyTables(Database& db, const std::vector<std::string>& axes,
@@ -69,14 +70,22 @@ void makeStudyTables(Database& db, const std::vector<std::string>& axes,
 
 const std::vector<const Table*>& allTables() {
   // Of columns that the design decides, only why they are there.
-  static const Table condition{{.name = "condition", .part = TablePart::study,
-                                .why = "of a study: each combination of levels; compare reads it"}, {}, {}},
-      key{{.name = "condition_key", .part = TablePart::study,
-           .why = "of a study: the conditions' values of the scenario's keys, for queries"}, {}, {}};
+  static const Table condition{{.name = "condition",
+                                .part = TablePart::study,
+                                .csv = "conditions",
+                                .why = "of a study: each combination of levels; compare reads it"},
+                               {},
+                               {}},
+      key{{.name = "condition_key",
+           .part = TablePart::study,
+           .why = "of a study: the conditions' values of the scenario's keys, for queries"},
+          {},
+          {}};
   static const std::vector<const Table*> tables = [] {
     std::vector<const Table*> all = runTables();
-    all.insert(all.end(), {&table<StudyRow>(), &table<AxisRow>(), &table<LevelRow>(), &condition, &key, &table<ReplicateRow>(),
-                           &table<TaskRow>(), &table<ResultRow>(), &table<TimingRow>()});
+    all.insert(all.end(),
+               {&table<StudyRow>(), &table<AxisRow>(), &table<LevelRow>(), &condition, &key,
+                &table<ReplicateRow>(), &table<TaskRow>(), &table<ResultRow>(), &table<TimingRow>()});
     return all;
   }();
   return tables;

@@ -32,8 +32,12 @@ struct TaskRow {
   bool isComputed() const;
 };
 template <>
-inline constexpr TableInfo tableOf<TaskRow> = {.name = "task", .part = TablePart::study, .key = "task_id",
-                                               .why = "of a study: how each run ended; compare and status read it"};
+inline constexpr TableInfo tableOf<TaskRow> = {
+    .name = "task",
+    .part = TablePart::study,
+    .key = "task_id",
+    .csv = "tasks",
+    .why = "of a study: how each run ended; compare and status read it"};
 template <IsA<TaskRow> T>
 void listFields(T& task, auto&& field) {
   auto& [id, number, condition, seed, status, reason, runId, resultHash] = task;
@@ -42,10 +46,14 @@ void listFields(T& task, auto&& field) {
   field({"condition_id", "of the first replicate that needs it"}, condition);
   field({"seed", "of that replicate; two's complement from 2^63 on"}, AllBits{seed});
   field({.name = "status", .oneOf = "done failed missing"}, status);
-  field({.name = "reason", .meaning = "'numerical failure: …', 'cpu limit: …', 'memory limit: …', 'crash: …'; '' unless failed",
-         .anyCharacters = true}, reason);
-  field({.name = "run_id", .meaning = "NULL while it is missing", .refersTo = "run"}, NullIf{runId.empty(), runId});
-  field({"result_hash", "over all results of the run; NULL while it is missing"}, NullIf{resultHash.empty(), resultHash});
+  field({.name = "reason",
+         .meaning = "'numerical failure: …', 'cpu limit: …', 'memory limit: …', 'crash: …'; '' unless failed",
+         .anyCharacters = true},
+        reason);
+  field({.name = "run_id", .meaning = "NULL while it is missing", .refersTo = "run"},
+        NullIf{runId.empty(), runId});
+  field({"result_hash", "over all results of the run; NULL while it is missing"},
+        NullIf{resultHash.empty(), resultHash});
 }
 
 /// One value of one measure of a run: a scalar.
@@ -57,8 +65,14 @@ struct ResultRow {
 };
 template <>
 inline constexpr TableInfo tableOf<ResultRow> = {
-    .name = "result", .part = TablePart::study, .context = "run_id", .key = "run_id, measure, time",
-    .why = "of a study: what `measures` asks for: of cells the mean over the living, of pairs over those that touch; compare reads it"};
+    .name = "result",
+    .part = TablePart::study,
+    .context = "run_id",
+    .key = "run_id, measure, time",
+    .csv = "results",
+    .why =
+        "of a study: what `measures` asks for: of cells the mean over the living, of pairs over those that "
+        "touch; compare reads it"};
 template <IsA<ResultRow> T>
 void listFields(T& result, auto&& field) {
   auto& [measure, time, value] = result;
@@ -77,12 +91,15 @@ struct TimingRow {
   std::string command, binaryHash;
 };
 template <>
-inline constexpr TableInfo tableOf<TimingRow> = {.name = "timing", .part = TablePart::study, .context = "task_id", .key = "task_id",
+inline constexpr TableInfo tableOf<TimingRow> = {.name = "timing",
+                                                 .part = TablePart::study,
+                                                 .context = "task_id",
+                                                 .key = "task_id",
                                                  .why = "of a study: when and where each task was computed"};
 template <IsA<TimingRow> T>
 void listFields(T& timing, auto&& field) {
-  auto& [started, ended, cpuSeconds, maxMemory, host, cpu, kernel, cpuFeatures, fpEnvironment, isa, threads, command,
-         binaryHash] = timing;
+  auto& [started, ended, cpuSeconds, maxMemory, host, cpu, kernel, cpuFeatures, fpEnvironment, isa, threads,
+         command, binaryHash] = timing;
   field({"started", "UTC"}, started);
   field({"ended", "UTC"}, ended);
   field({"cpu_seconds", "", "s"}, cpuSeconds);
@@ -104,7 +121,10 @@ struct StudyRow {
   std::string name, summary, planId, plan, buildId;
 };
 template <>
-inline constexpr TableInfo tableOf<StudyRow> = {.name = "study", .part = TablePart::study, .key = "name", .hasRowNumbers = true,
+inline constexpr TableInfo tableOf<StudyRow> = {.name = "study",
+                                                .part = TablePart::study,
+                                                .key = "name",
+                                                .hasRowNumbers = true,
                                                 .why = "of a study: what was planned"};
 template <IsA<StudyRow> T>
 void listFields(T& study, auto&& field) {
@@ -121,7 +141,9 @@ struct AxisRow {
   std::string name;
 };
 template <>
-inline constexpr TableInfo tableOf<AxisRow> = {.name = "axis", .part = TablePart::study, .key = "number",
+inline constexpr TableInfo tableOf<AxisRow> = {.name = "axis",
+                                               .part = TablePart::study,
+                                               .key = "number",
                                                .why = "of a study: what it varies; compare reads it"};
 template <IsA<AxisRow> T>
 void listFields(T& axis, auto&& field) {
@@ -135,15 +157,21 @@ struct LevelRow {
   std::string label, keys;
 };
 template <>
-inline constexpr TableInfo tableOf<LevelRow> = {.name = "level", .part = TablePart::study, .key = "axis, number",
-                                                .why = "of a study: the values of each axis; compare reads it"};
+inline constexpr TableInfo tableOf<LevelRow> = {
+    .name = "level",
+    .part = TablePart::study,
+    .key = "axis, number",
+    .why = "of a study: the values of each axis; compare reads it"};
 template <IsA<LevelRow> T>
 void listFields(T& level, auto&& field) {
   auto& [axis, number, label, keys] = level;
   field({.name = "axis", .refersTo = "axis"}, axis);
   field({"number", "in the order of the study file"}, number);
   field({.name = "label", .anyCharacters = true}, label);
-  field({.name = "keys", .meaning = "JSON: what it changes in the scenario; null takes a part away", .anyCharacters = true}, keys);
+  field({.name = "keys",
+         .meaning = "JSON: what it changes in the scenario; null takes a part away",
+         .anyCharacters = true},
+        keys);
 }
 
 /// A run that the design asks for. Replicates that would be the same run share a task.
@@ -153,14 +181,18 @@ struct ReplicateRow {
 };
 template <>
 inline constexpr TableInfo tableOf<ReplicateRow> = {
-    .name = "replicate", .part = TablePart::study, .key = "condition_id, seed",
+    .name = "replicate",
+    .part = TablePart::study,
+    .key = "condition_id, seed",
+    .csv = "replicates",
     .why = "of a study: which task is which condition with which seed; compare reads it"};
 template <IsA<ReplicateRow> T>
 void listFields(T& replicate, auto&& field) {
   auto& [condition, seed, task] = replicate;
   field({.name = "condition_id", .refersTo = "condition"}, condition);
   field({"seed"}, AllBits{seed});
-  field({.name = "task_id", .meaning = "replicates that would be the same run share one", .refersTo = "task"}, task);
+  field({.name = "task_id", .meaning = "replicates that would be the same run share one", .refersTo = "task"},
+        task);
 }
 
 /// Makes `task`, `result` and `timing`.

@@ -133,7 +133,8 @@ Replay replay(Store& store, const StoredRun& before, const Scenario& scenario,
   const std::vector<ChainLink> hashes = store.chain(before.id);
 
   Progress progress(before.record.scenario, question.quiet);
-  const auto kinds = kindsOfChecks(store, before.id);
+  auto kinds = kindsOfChecks(store, before.id);
+  if (scenario.scene.mechanics) kinds.insert("sanity");  // each run with bodies is held to it
   Invariants invariants(kinds.contains("invariant") ? scenario.check : CheckParameters{});
   World world = makeScenarioWorld(scenario, how);
   const SanityCheck sanity(world);
