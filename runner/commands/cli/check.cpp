@@ -207,7 +207,7 @@ int act(const CheckOptions& options) {
   if (!beside.engines.empty()) {
     const auto rows = compareEngines(scenarios, own, beside);
     found["beside"] = toJson(rows, beside.engines);
-    table = tableOf(rows, beside.engines);
+    table = comparisonTable(rows, beside.engines);
   }
   if (options.output.json) printJson(found);
   else if (!table.empty()) print(table);
