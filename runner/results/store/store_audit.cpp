@@ -12,8 +12,9 @@ void Store::requireIntact() {
       intact;  // by this process; looking takes as long as reading the file does
   if (intact.contains(file())) return;
   Statement integrity(db_, "PRAGMA integrity_check(1)");
-  if (integrity.next() && integrity.text(0) != "ok")
-    throw StoreError(file().string() + ": the database is damaged: " + integrity.text(0) +
+  const std::string found = integrity.next() ? integrity.text(0) : "ok";
+  if (found != "ok")
+    throw StoreError(file().string() + ": the database is damaged: " + found.substr(found.find('\n') + 1) +
                      "; restore the file from a copy, or run the scenario again");
   intact.insert(file());
 }

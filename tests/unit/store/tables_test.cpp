@@ -26,7 +26,9 @@ std::string fill(const std::filesystem::path& file) {
 std::vector<std::string> columnsIn(const std::filesystem::path& file) {
   Database db(file, Database::Mode::existing, 1s);
   std::vector<std::string> columns;
-  Statement s(db, "SELECT m.name || '.' || c.name || ' ' || c.type FROM sqlite_schema m, pragma_table_info(m.name) c WHERE m.type = 'table'");
+  Statement s(db,
+              "SELECT m.name || '.' || c.name || ' ' || c.type FROM sqlite_schema m, "
+              "pragma_table_info(m.name) c WHERE m.type = 'table'");
   while (s.next()) columns.push_back(s.text(0));
   std::ranges::sort(columns);
   return columns;
@@ -55,14 +57,17 @@ TEST_CASE(".schema explains the columns") {
   CHECK_THAT(s.text(0), ContainsSubstring("\"time\" REAL,  -- simulated [time]"));
 }
 
-TEST_CASE("a file without a measure's column is read as if it had not been measured, and gets it with the next run") {
+TEST_CASE(
+    "a file without a measure's column is read as if it had not been measured, and gets it with the next "
+    "run") {
   TemporaryFolder folder;
   const auto file = folder / "runs.db";
   const std::string id = fill(file);
   Store::openForWriting(folder / "new.db");
   {
     Database db(file, Database::Mode::existing, 1s);
-    for (const char* column : {"sample DROP COLUMN shell_fill", "cell_sample DROP COLUMN sphericity", "bullet_sample DROP COLUMN z"})
+    for (const char* column : {"sample DROP COLUMN shell_fill", "cell_sample DROP COLUMN sphericity",
+                               "bullet_sample DROP COLUMN z"})
       db.execute(std::string("ALTER TABLE ") + column);
   }
   {
@@ -90,5 +95,6 @@ TEST_CASE("a value where there must be none, and none where there must be one, a
   };
   refuses("UPDATE cell SET ended = NULL WHERE path = 'B'", "ended: 'NULL'");
   refuses("UPDATE cell SET ended_step = NULL WHERE path = 'B'", "ended_step: 'NULL'");
-  refuses("UPDATE division SET axis_y = 9e999", "axis_y: 'Inf' is not what Morula writes there; needs a finite number");
+  refuses("UPDATE division SET axis_y = 9e999",
+          "axis_y: 'Inf' is not what Morula writes there; needs a finite number");
 }
