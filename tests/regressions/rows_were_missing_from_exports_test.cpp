@@ -41,7 +41,7 @@ struct Stored {
           {"lineage", damaged},
           {"report", damaged, "-o", folder / "new.html"}}) {
       const auto run = launch(words);
-      CAPTURE(words[0], words[2], run.out, run.err);
+      CAPTURE(words[0], run.out, run.err);
       CHECK(run.code == 6);
       CHECK_THAT(run.err, ContainsSubstring(because));
       CHECK_FALSE(fs::exists(folder / "new"));

@@ -147,7 +147,7 @@ void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
   }
   configure(copy);
   copy.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");
-  copy.execute("DELETE FROM checkpoint");
+  copy.execute("DELETE FROM checkpoint; DELETE FROM checkpoint_frame");
   copy.execute("VACUUM");
 }
 

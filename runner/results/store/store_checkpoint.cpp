@@ -50,7 +50,7 @@ bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, 
   if (kept && *kept > checkpoint.step) return true;
   if (!kept) {
     deleteRows(db_, id);
-    Statement(db_, "DELETE FROM checkpoint WHERE run_id = ?").run(id);  // and its frames
+    deleteRows(db_, id, [](TablePart part) { return part == TablePart::checkpoint; });
   }
   insertRecords(db_, id, records, kept);
   replaceCheckpoint(db_, id, checkpoint);
