@@ -12,6 +12,7 @@
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
+#include "study_store/study_tables.h"
 #include "system/console.h"
 
 namespace morula::cli {
@@ -50,7 +51,7 @@ int listTables(Store& store, const ExportOptions& options) {
   const std::string id = options.request.run.empty() ? "" : store.find(options.request.run).id;
   Json list = Json::array();
   std::uint64_t rows = 0, bytes = 0;
-  for (const TableContents& t : store.contents(id)) {
+  for (const TableContents& t : store.contents(allTables(), id)) {
     rows += t.rows, bytes += t.bytes;
     if (!options.output.json)
       print(fmt::format("{:<16} {:>9} row{} {}{:>10} B  {}\n", t.table, t.rows, t.rows == 1 ? " " : "s",

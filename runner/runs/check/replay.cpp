@@ -8,6 +8,7 @@
 #include "check/check_run.h"
 #include "check/sanity.h"
 #include "loop/simulate.h"
+#include "store/run_tables.h"
 
 namespace morula {
 
@@ -63,7 +64,7 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   for (const std::string& table : later) leaveOut(c, table, "another program stored none");
   // `keep: {samples: end}`
   bool ofStudy = false;
-  for (const TableContents& t : stored.contents()) ofStudy |= t.table == "task";
+  for (const TableContents& t : stored.contents(runTables())) ofStudy |= t.table == "task";
   std::vector<std::string> endAlone;
   for (const TableDifference& t : c.tables)
     for (const char* table : {"sample", "cell_sample", "contact", "measure", "connection"})
@@ -75,7 +76,7 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   if (elsewhere > 0)
     c.notCompared.push_back(fmt::format(
         "check_result: {} of kind golden or bullet, which hang on what is not stored", elsewhere));
-  for (const TableContents& t : stored.contents(before.id))
+  for (const TableContents& t : stored.contents(runTables(), before.id))
     if (t.table == "bullet_sample" && t.rows > 0)
       c.notCompared.push_back("bullet_sample: Bullet is not run again");
 }

@@ -112,7 +112,7 @@ std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios
   return rows;
 }
 
-std::string tableOf(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines) {
+std::string comparisonTable(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines) {
   std::string text = "| case | ours |", line = "|---|---|";
   for (const Engine engine : engines) text += std::string(" ") + title(engine) + " |", line += "---|";
   text += '\n' + line + '\n';

@@ -5,7 +5,7 @@
 
 #include "analysis/measure_words.h"
 #include "database/database.h"
-#include "database/schema.h"
+#include "store/schema.h"
 #include "database/store_error.h"
 #include "files/text.h"
 #include "system/json.h"
@@ -100,7 +100,7 @@ void readReplicates(Database& db, const std::map<std::int64_t, std::size_t>& con
 
 /// Those that the plan asks for, in its order, whether there was something to measure or not.
 void readMeasures(Database& db, const std::string& plan, StudyResults& results) {
-  const Json json = Json::tryParse(plan);
+  const Json json = tryParseJson(plan);
   if (json.is_object() && json.contains("study") && json["study"].contains("measures"))
     for (const Json& name : json["study"]["measures"])
       if (name.is_string()) results.measures.push_back(name.get<std::string>());
@@ -142,7 +142,7 @@ std::string StudyResults::nameOf(const ResultCondition& condition) const {
 
 StudyResults readStudyResults(const std::filesystem::path& file) {
   Database db(file, Database::Mode::existing, std::chrono::seconds(5));
-  requireCurrentSchema(db);
+  requireTables(db);
   if (db.integer(
           "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('study', 'replicate')") < 2)
     throw StoreError(

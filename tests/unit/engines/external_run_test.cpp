@@ -32,7 +32,7 @@ ExternalRun serve(const Scenario& scenario, Engine engine, const std::vector<dou
   std::ostringstream out;
   serveEngine(in, out);
   const std::string said = out.str();
-  return externalRunFrom(Json::parse(said.substr(said.rfind("{\"answer\""))).at("answer"));
+  return externalRunFrom(parseJson(said.substr(said.rfind("{\"answer\""))).at("answer"));
 }
 
 /// A program that does not do what it should: a shell script.
