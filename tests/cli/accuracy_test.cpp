@@ -96,7 +96,7 @@ TEST_CASE("accuracy refuses what makes no sense, and says what would") {
   refused({"--until", "7"}, 2, "--until: 7 is after the scene's end; needs at most 1");
   refused({"--until", "1e-9"}, 3, "nothing to compare");
   refused({"--target", "small"}, 2, "--target: 'small'");
-  refused({"--integrator", "leapfrog"}, 2, "'leapfrog' is no integrator; needs velocity-verlet");
+  refused({"--integrator", "leapfrog"}, 2, "'leapfrog' is not known; needs velocity-verlet");
   refused({"--quick", "--target", "1e-2"}, 2, "--quick is a first look");
   refused({"--level", "9"}, 2, "--level: 9 is out of range");
   refused({"--set", "physics.integrator=explicit-euler", "--set", "physics.drag=0"}, 3, "physics.drag > 0");

@@ -78,7 +78,7 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
   refuses({"compare", file, "--csv", "--json"}, 2, "--csv and --json: give one of them");
   refuses({"compare", file, "-o", folder / "all.gif"}, 2, "needs a name that ends in");
   const std::string picture = folder / "grid.png";
-  refuses({"compare", file, "--moments", "3"}, 2, "give --pictures FILE, too");
+  refuses({"compare", file, "--moments", "3"}, 2, "--moments: only with --pictures");
   refuses({"compare", file, "--pictures", picture, "--moments", "3", "--at-cells", "4"}, 2,
           "give one of them");
   refuses({"compare", file, "--pictures", picture, "--moments", "13"}, 2, "--moments");

@@ -188,8 +188,8 @@ TEST_CASE("what is asked for in a wrong way") {
           "has no rows for the table measures_world");
   refuses(stored.exported("ply", "x", {"--table", "cells"}), 2, "only --format csv has tables");
   refuses(stored.exported("vtk", "x", {"--run", "ffff"}), 6, "no run ffff");
-  refuses(stored.exported("vtk", "x", {"--list"}), 2, "only one of --format, --ro-crate and --list");
-  refuses(stored.exported("vtk", "x", {"--agent", "A. Nother"}), 2, "belong to --ro-crate");
+  refuses(stored.exported("vtk", "x", {"--list"}), 2, "--format and --list: give one of them");
+  refuses(stored.exported("vtk", "x", {"--agent", "A. Nother"}), 2, "--agent: only with --ro-crate");
   refuses(launch({"export", stored.database, "--format", "vtk"}), 2, "needs -o PATH");
   refuses(launch({"export", stored.database, "--time", "1"}), 2, "--time: only with --format");
   refuses(launch({"export", stored.folder / "none.db", "--format", "csv", "-o", stored.folder / "x"}), 6,

@@ -203,7 +203,7 @@ void addAccuracy(CLI::App& app, Action& action) {
   add(verb, words.output);
   verb.excludes("--into-golden", {"--output", "--set", "--seed", "--target"},
                 "it is the error of the scenario as it is, and nothing is drawn");
-  verb.excludes("--quick", {"--into-golden", "--target"}, "it is a first look");
+  verb.excludes("--quick", {"--into-golden", "--target"}, "--quick is a first look");
 }
 
 }  // namespace morula::cli

@@ -75,7 +75,7 @@ void Verb::add(const std::string& name, const std::string& type, const std::stri
 }
 
 void Verb::addList(const std::string& name, const std::string& type, const std::string& help, Take take) {
-  auto* option = declare(*verb_, name, type, help)->expected(1, CLI::detail::expected_max_vector_size);
+  auto* option = declare(*verb_, name, type, help)->expected(CLI::detail::expected_max_vector_size);
   if (type.ends_with(",...")) option->delimiter(',');
   else if (name.starts_with("-")) option->allow_extra_args(false);  // or --set a=1 FILE would swallow FILE
   checks_->ofValues.push_back([option, take = std::move(take)] { takeAll(*option, take); });

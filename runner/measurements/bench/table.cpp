@@ -79,10 +79,13 @@ Table sceneTable(const Rows& rows, const std::vector<std::string>& isas) {
   table.columns.push_back("");
   for (const BenchRow* row : rows) {
     const std::string label = labelOf(*row);
-    const auto known =
+    auto known =
         std::ranges::find(table.rows, label, [](const auto& cells) { return cells[0].words.text(); });
-    if (known == table.rows.end()) table.rows.emplace_back(table.columns.size(), Cell({}, " "))[0] = label;
-    auto& cells = known == table.rows.end() ? table.rows.back() : *known;
+    if (known == table.rows.end()) {
+      known = table.rows.emplace(known, table.columns.size(), Cell({}, " "));
+      (*known)[0] = label;
+    }
+    auto& cells = *known;
     const auto isa = static_cast<std::size_t>(std::ranges::find(isas, row->isa) - isas.begin());
     const std::size_t place = isa < isas.size() ? 1 + 2 * isa : 1;
     cells[place] = fixed(row->nsPerVertexStep, 2);

@@ -118,9 +118,10 @@ std::string markdownOf(const Table& table) {
   text += "\n";
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
-    for (const Cell& cell : row) {
-      std::string words = printableLine(cell.words.text());
-      const bool isBold = !words.empty() && cell.words.pieces().front().emphasis == Emphasis::bold;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (!table.columns[i].isShown) continue;
+      std::string words = printableLine(row[i].words.text());
+      const bool isBold = !words.empty() && row[i].words.pieces().front().emphasis == Emphasis::bold;
       cells.push_back(isBold ? "**" + words + "**" : words);
     }
     text += line(cells);

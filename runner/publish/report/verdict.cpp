@@ -201,7 +201,8 @@ Document verdictOf(const std::vector<const RunFacts*>& runs) {
   const auto has = [&](Kind kind) {
     return std::any_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.kind == kind; });
   };
-  Document all = verdict(sentenceOf(runs, has(Kind::bad), has(Kind::warning)), std::move(findings));
+  Words sentence = sentenceOf(runs, has(Kind::bad), has(Kind::warning));
+  Document all = verdict(std::move(sentence), std::move(findings));
   if (runs.size() > 1) all.add(runTable(runs));
   return all;
 }

@@ -102,7 +102,8 @@ TEST_CASE("Emphasis is no part of a text; lists and sizes are as people write th
   CHECK(("a " + bold("b") + code("c") + Words("z", Emphasis::subscript)).text() == "a bc_z");
   CHECK(listed(std::vector<std::string>{}).empty());
   CHECK(listed(std::vector<std::string>{"a", "b", "c"}) == "a, b and c");
-  CHECK(listed(std::vector<Words>{bold("a"), bold("b"), bold("c")}, 2) == bold("a") + " and 1 more");
+  CHECK(listed(std::vector<Words>{bold("a"), bold("b"), bold("c")}, 2) ==
+        bold("a") + ", " + bold("b") + " and 1 more");
   CHECK(inBytes(1) == "1 byte");
   CHECK(inBytes(2750) == "2.75 kB");
   CHECK(inBytes(1'200'000) == "1.2 MB");

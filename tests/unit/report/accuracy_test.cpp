@@ -117,7 +117,7 @@ TEST_CASE("An accuracy page says first what does not hold") {
   Json unknown = output();
   unknown["mesh"]["error"] = nullptr, unknown["mesh"]["unknown"] = "it comes from a file";
   unknown["as_it_is"]["parts"]["mesh"] = nullptr;
-  CHECK_THAT(verdict(unknown), ContainsSubstring("error at least 0.06"));
+  CHECK_THAT(verdict(unknown), ContainsSubstring("error at least 0.05: 0.05 of the time step, an unknown part"));
   CHECK_THAT(verdict(unknown), ContainsSubstring("What the mesh adds is not known"));
   Json untargeted = output();
   untargeted["target"] = {{"error", 1e-9}, {"run_to_the_end", nullptr}};
