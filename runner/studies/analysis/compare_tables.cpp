@@ -204,7 +204,7 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
     return of.corrected[static_cast<std::size_t>(&e - of.analysis.effects.data())];
   };
   const std::vector<FieldOf<Row>> fields{
-      {{"axes", "", " "}, [=](const Row& e) { return Cell(axesOf(e), join(axesOf(e), " × ")); }},
+      {{"axes", "", "effect of"}, [=](const Row& e) { return Cell(axesOf(e), join(axesOf(e), " × ")); }},
       {{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }},
       {{"", "by", ""}, [=](const Row& e) { return join(axesOf(e), " x "); }},
       {{"eta_squared", "value", "η²"}, [](const Row& e) { return number(e.share, 3); }},
