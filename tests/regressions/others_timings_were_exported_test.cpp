@@ -14,10 +14,10 @@ TEST_CASE("the database in a crate holds its run's rows, and nothing of other ta
       folder / "two.study.yaml",
       "morula-study: 1\nname: two\nbase: two.yaml\nvary:\n  length:\n    - {label: short, cycle.length: 1}\n"
       "    - {label: long, cycle.length: 2}\nseeds: [1]\nmeasures: [cells]\n");
-  const auto run = launch({"study", "run", folder / "two.study.yaml", "--to", folder / "out", "--quiet"});
+  const auto run = launch({"study", "run", folder / "two.study.yaml", "--out", folder / "out", "--quiet"});
   INFO(run.out << run.err);
   REQUIRE(run.code == 0);
-  REQUIRE(launch({"study", "merge", folder / "two.study.yaml", "--to", folder / "out", "--quiet"}).code ==
+  REQUIRE(launch({"study", "merge", folder / "two.study.yaml", "--out", folder / "out", "--quiet"}).code ==
           0);
   std::filesystem::path merged;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
