@@ -91,7 +91,7 @@ Json provenance(const Scenario& scenario, const Execution& how) {
   Json json = Json::object();
   eachFieldOf({.id = {}, .record = record, .started = {}, .ended = {}, .stateHash = {}, .failure = {}},
               [&](const RunField& field, const std::string& value) {
-                if (field.part != RunPart::result && !value.empty()) json[field.label] = value;
+                if (field.part != RunPart::result && !value.empty()) json[headingOf(field)] = value;
               });
   return json;
 }

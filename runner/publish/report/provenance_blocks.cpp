@@ -17,11 +17,9 @@ std::vector<std::pair<std::string, std::string>> provenanceOf(const RunFacts& r)
   std::vector<std::pair<std::string, std::string>> rows;
   eachFieldOf(r.run, [&](const RunField& field, std::string value) {
     const bool isIdle = field.name == std::string_view("seed") && !usesSeed(r.scenario.scene);
-    std::string label = field.label;
-    label[0] = static_cast<char>(std::toupper(label[0]));
     if (!value.empty() && isIdle) value += " (changes nothing in this scenario)";
     if (!value.empty() && field.changesNothing) value += " (changes no result)";
-    rows.push_back({label, std::move(value)});
+    rows.push_back({headingOf(field), std::move(value)});
   });
   rows.push_back({"Database", r.database});
   return rows;

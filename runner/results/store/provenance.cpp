@@ -13,7 +13,7 @@ std::vector<Item> compare(const RunRecord& before, const RunRecord& now, bool (*
   std::vector<Item> items;
   eachFieldOf({.id = {}, .record = before, .started = {}, .ended = {}, .stateHash = {}, .failure = {}},
               [&](const RunField& field, const std::string& value) {
-                if (takes(field.part)) items.push_back({field.label, value, {}});
+                if (takes(field.part)) items.push_back({field.name, field.label, value, {}});
               });
   std::size_t i = 0;
   eachFieldOf({.id = {}, .record = now, .started = {}, .ended = {}, .stateHash = {}, .failure = {}},

@@ -1,5 +1,7 @@
 #include "store/records.h"
 
+#include <cctype>
+
 #include "base/number_text.h"
 
 namespace morula {
@@ -23,6 +25,12 @@ std::string valueText(const Member& member) {
 void eachFieldOf(const StoredRun& run,
                  const std::function<void(const RunField&, const std::string&)>& visit) {
   listFields(run, [&](const RunField& field, const auto& member) { visit(field, valueText(member)); });
+}
+
+std::string headingOf(const RunField& field) {
+  std::string label = field.label;
+  label[0] = static_cast<char>(std::toupper(label[0]));
+  return label;
 }
 
 RunPart partOf(const std::string& column) {

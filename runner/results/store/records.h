@@ -155,6 +155,8 @@ void listFields(T& run, auto&& field) {
         condition);
 }
 
+/// The field's label with a capital.
+std::string headingOf(const RunField& field);
 /// Of a column of `run`.
 RunPart partOf(const std::string& column);
 /// visit(const RunField&, its value for people; "" where there is none) for each field.

@@ -168,9 +168,9 @@ std::string describe(const Replay& c, const StoredRun& run) {
     return text + "NOT the same record\n";
   }
   std::size_t same = 0;
-  for (const auto& [item, before, now] : c.conditions) {
+  for (const auto& [name, label, before, now] : c.conditions) {
     if (before == now) ++same;
-    else text += fmt::format("  {:<15} differs\n    then  {}\n    now   {}\n", item, before, now);
+    else text += fmt::format("  {:<15} differs\n    then  {}\n    now   {}\n", label, before, now);
   }
   text += same == c.conditions.size() ? fmt::format("  conditions      all {} the same\n", same)
                                       : fmt::format("  conditions      {} others the same\n", same);
@@ -187,8 +187,8 @@ std::string describe(const Replay& c, const StoredRun& run) {
 
 Json toJson(const Replay& c, const StoredRun& run) {
   Json conditions = Json::array(), tables = Json::array(), record = Json::array();
-  for (const auto& [item, before, now] : c.conditions)
-    conditions.push_back({{"item", item}, {"then", before}, {"now", now}, {"same", before == now}});
+  for (const auto& [name, label, before, now] : c.conditions)
+    conditions.push_back({{"item", name}, {"then", before}, {"now", now}, {"same", before == now}});
   for (const TableDifference& t : c.tables)
     tables.push_back({{"table", t.table},
                       {"stored", t.rows},
