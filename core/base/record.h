@@ -82,6 +82,15 @@ struct BytesOf {
 template <class Write, class Read>
 BytesOf(Write, Read) -> BytesOf<Write, Read>;
 
+/// Any value that is made of members, for JSON.
+template <class Write, class Read>
+struct ValueOf {
+  Write write;
+  Read read;  // void(the same type)
+};
+template <class Write, class Read>
+ValueOf(Write, Read) -> ValueOf<Write, Read>;
+
 inline constexpr auto notRead = [](const auto&) {};
 
 // Kinds of members, for what stores and sends them.

@@ -12,8 +12,8 @@ TEST_CASE("the database in a crate holds its run's rows, and nothing of other ta
              "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {cycles: 1}\n");
   writeWhole(
       folder / "two.study.yaml",
-      "morula-study: 1\nname: two\nbase: two.yaml\nvary:\n  length:\n    - {label: short, cycle.length: 1}\n"
-      "    - {label: long, cycle.length: 2}\nseeds: [1]\nmeasures: [cells]\n");
+      "morula-study: 1\nname: two\nbase: two.yaml\nvary:\n  length:\n    short: {cycle.length: 1}\n"
+      "    long: {cycle.length: 2}\nseeds: [1]\nmeasures: [cells]\n");
   const auto run = launch({"study", "run", folder / "two.study.yaml", "--out", folder / "out", "--quiet"});
   INFO(run.out << run.err);
   REQUIRE(run.code == 0);

@@ -38,6 +38,7 @@ Json memberJson(const Member& member) {
   else if constexpr (IsOptional<Member>) return member ? memberJson(*member) : Json();
   else if constexpr (IsTemplate<Member, AllBits> || IsTemplate<Member, AnyReal>) return member.of;
   else if constexpr (IsTemplate<Member, TextOf>) return member.write();
+  else if constexpr (IsTemplate<Member, ValueOf>) return memberJson(member.write());
   else if constexpr (HasChoices<Member>) return nameOf(member);
   else if constexpr (std::same_as<Member, Vector>) return Json::array({member.x, member.y, member.z});
   else if constexpr (requires { member.text(); }) return member.text();
@@ -79,6 +80,13 @@ void readMember(const Json& json, Member&& to) {
     if (!json.is_null()) readMember(json, to.emplace());
   } else if constexpr (IsTemplate<T, AllBits> || IsTemplate<T, AnyReal>) readMember(json, to.of);
   else if constexpr (IsTemplate<T, TextOf>) to.read(json.get<std::string>());
+  else if constexpr (IsTemplate<T, ValueOf>) {
+    if constexpr (!std::same_as<decltype(to.read), std::remove_const_t<decltype(notRead)>>) {
+      decltype(to.write()) value{};
+      readMember(json, value);
+      to.read(value);
+    }
+  }
   else if constexpr (HasChoices<T>) {
     const auto name = json.get<std::string>();
     for (const auto& row : choices<T>)
