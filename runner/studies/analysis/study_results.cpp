@@ -140,6 +140,29 @@ std::string StudyResults::nameOf(const ResultCondition& condition) const {
   return labels.empty() ? "the scenario as it is" : join(labels);
 }
 
+std::vector<TroubledRun> troubledRuns(const StudyResults& results) {
+  std::vector<TroubledRun> runs;
+  std::vector<bool> told(results.tasks.size());
+  for (const ResultCondition& condition : results.conditions)
+    for (std::size_t s = 0; s < results.seeds.size(); ++s) {
+      const std::size_t t = condition.tasks[s];
+      if (t == noTask || told[t] || (results.tasks[t].status == "done" && results.tasks[t].isSane)) continue;
+      told[t] = true;
+      runs.push_back({results.nameOf(condition), results.seeds[s], results.tasks[t]});
+    }
+  return runs;
+}
+
+std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& results) {
+  std::map<std::vector<std::size_t>, std::vector<std::string>> byTasks;
+  for (const ResultCondition& condition : results.conditions)
+    byTasks[condition.tasks].push_back(results.nameOf(condition));
+  std::vector<std::vector<std::string>> same;
+  for (auto& [tasks, names] : byTasks)
+    if (names.size() > 1) same.push_back(std::move(names));
+  return same;
+}
+
 StudyResults readStudyResults(const std::filesystem::path& file) {
   Database db(file, Database::Mode::existing, std::chrono::seconds(5));
   requireTables(db);
