@@ -68,7 +68,8 @@ Table absentTable(const Prediction& f) {
 }
 
 Document describe(const Prediction& f, const std::string& title) {
-  std::string size = title + (f.life.whole ? ": up to " : ": at least ") + counted(static_cast<std::uint64_t>(f.cells), "cell");
+  std::string size = title + (f.life.whole ? ": up to " : ": at least ") +
+                     counted(static_cast<std::uint64_t>(f.cells), "cell");
   std::string cost =
       fmt::format("foreseen on one thread: {}, {} of arrays", timeText(f.seconds()), memoryText(f.bytes()));
   if (f.vertices) {

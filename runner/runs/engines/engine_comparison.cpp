@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "base/error.h"
+#include "document/table.h"
 #include "engines/bullet_scene.h"
 #include "engines/engine_worker.h"
-#include "document/table.h"
 #include "golden/accept.h"
 #include "scenario/bullet_fit.h"
 #include "system/child_process.h"

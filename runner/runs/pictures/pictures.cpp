@@ -96,7 +96,8 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
         {"shell", std::move(flat.vertices), neutralGrey, shellOpacity, std::move(flat.faces)});
   }
   picture.legend = palette.legend();
-  picture.caption = fmt::format("time {:.4g}, {}", world.clock.time, counted(world.cells.path.size(), "cell"));
+  picture.caption =
+      fmt::format("time {:.4g}, {}", world.clock.time, counted(world.cells.path.size(), "cell"));
   return picture;
 }
 

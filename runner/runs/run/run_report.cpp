@@ -80,9 +80,9 @@ Json sampleJson(const Sample& sample) {
 
 std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
   const auto& end = outcome.end;
-  auto text = fmt::format("{}  seed {}: {}, {} at time {:.6g} after {} steps\n", scenario.scene.name,
-                          scenario.scene.seed, name(end.status), counted(end.cells, "cell"),
-                          end.time, end.steps);
+  auto text =
+      fmt::format("{}  seed {}: {}, {} at time {:.6g} after {} steps\n", scenario.scene.name,
+                  scenario.scene.seed, name(end.status), counted(end.cells, "cell"), end.time, end.steps);
   if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
   if (outcome.canBeResumed) text += "  go on    with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";

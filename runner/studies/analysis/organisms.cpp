@@ -56,9 +56,9 @@ class MomentTaker {
   }
   void add(const World& world) {
     const std::size_t cells = world.cells.path.size();
-    tiles.push_back({pictureOf(world, scenario_), false,
-                     counted(cells, "cell") +
-                         (cells_.empty() ? "" : ", time " + numberText(world.clock.time))});
+    tiles.push_back(
+        {pictureOf(world, scenario_), false,
+         counted(cells, "cell") + (cells_.empty() ? "" : ", time " + numberText(world.clock.time))});
   }
 
   std::vector<OrganismTile> tiles;
@@ -96,8 +96,7 @@ std::vector<OrganismTile> tilesOf(const ResultTask& task, const std::filesystem:
   const std::string time = numberText(run.end.time);
   if (taker.tiles.size() < wanted) {
     taker.add(run.world);
-    taker.tiles.back().words =
-        counted(run.end.cells, "cell") + " at the end, time " + time;
+    taker.tiles.back().words = counted(run.end.cells, "cell") + " at the end, time " + time;
   }
   while (taker.tiles.size() < wanted) taker.tiles.push_back({{}, true, "ended at time " + time});
   for (const OrganismTile& tile : taker.tiles)
@@ -170,8 +169,7 @@ Drawing drawOrganisms(const StudyResults& results, const std::filesystem::path& 
   }
   if (spread) grid.columns = results.axes.back().labels;
   else if (ends) grid.columns = {"the end"};
-  for (const std::size_t n : moments.cells)
-    grid.columns.push_back(counted(n, "cell"));
+  for (const std::size_t n : moments.cells) grid.columns.push_back(counted(n, "cell"));
   for (const double t : times) grid.columns.push_back("time " + numberText(t));
   std::map<std::size_t, std::vector<OrganismTile>> known;  // by task: conditions may share runs
   for (const ResultCondition& condition : results.conditions) {

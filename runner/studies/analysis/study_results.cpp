@@ -5,9 +5,9 @@
 
 #include "analysis/measure_words.h"
 #include "database/database.h"
-#include "store/schema.h"
 #include "database/store_error.h"
 #include "files/text.h"
+#include "store/schema.h"
 #include "system/json.h"
 
 namespace morula {
