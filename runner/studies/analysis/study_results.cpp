@@ -5,9 +5,9 @@
 
 #include "analysis/measure_words.h"
 #include "database/database.h"
-#include "store/schema.h"
 #include "database/store_error.h"
 #include "files/text.h"
+#include "store/schema.h"
 #include "system/json.h"
 
 namespace morula {
@@ -138,6 +138,29 @@ std::string StudyResults::nameOf(const ResultCondition& condition) const {
   std::vector<std::string> labels;
   for (std::size_t a = 0; a < axes.size(); ++a) labels.push_back(axes[a].labels[condition.levels[a]]);
   return labels.empty() ? "the scenario as it is" : join(labels);
+}
+
+std::vector<TroubledRun> troubledRuns(const StudyResults& results) {
+  std::vector<TroubledRun> runs;
+  std::vector<bool> told(results.tasks.size());
+  for (const ResultCondition& condition : results.conditions)
+    for (std::size_t s = 0; s < results.seeds.size(); ++s) {
+      const std::size_t t = condition.tasks[s];
+      if (t == noTask || told[t] || (results.tasks[t].status == "done" && results.tasks[t].isSane)) continue;
+      told[t] = true;
+      runs.push_back({results.nameOf(condition), results.seeds[s], results.tasks[t]});
+    }
+  return runs;
+}
+
+std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& results) {
+  std::map<std::vector<std::size_t>, std::vector<std::string>> byTasks;
+  for (const ResultCondition& condition : results.conditions)
+    byTasks[condition.tasks].push_back(results.nameOf(condition));
+  std::vector<std::vector<std::string>> same;
+  for (auto& [tasks, names] : byTasks)
+    if (names.size() > 1) same.push_back(std::move(names));
+  return same;
 }
 
 StudyResults readStudyResults(const std::filesystem::path& file) {
