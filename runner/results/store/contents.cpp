@@ -27,8 +27,8 @@ std::map<std::string, std::uint64_t> pagesOf(Database& db) {
 std::uint64_t lengthOf(Database& db, const std::string& table, const std::vector<std::string>& columns) {
   std::string sum;
   for (const std::string& c : columns)
-    sum += (sum.empty() ? "" : " + ") + ("ifnull(length(CAST(\"" + c + "\" AS BLOB)), 0)");
-  return static_cast<std::uint64_t>(db.integer("SELECT ifnull(sum(" + sum + "), 0) FROM \"" + table + '"'));
+    sum += (sum.empty() ? "" : " + ") + ("ifnull(length(CAST(" + sqlName(c) + " AS BLOB)), 0)");
+  return static_cast<std::uint64_t>(db.integer("SELECT ifnull(sum(" + sum + "), 0) FROM " + sqlName(table)));
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ std::vector<TableContents> contentsOf(Database& db, const std::string& id,
     t.table = table;
     for (const SqlTable* k : known)
       if (k->info.name == table) t.why = k->info.why;
-    const auto all = static_cast<std::uint64_t>(db.integer("SELECT count(*) FROM \"" + table + '"'));
+    const auto all = static_cast<std::uint64_t>(db.integer("SELECT count(*) FROM " + sqlName(table)));
     t.rows = all;
     const auto measured = pages.find(table);
     t.estimated = measured == pages.end();
@@ -56,7 +56,7 @@ std::vector<TableContents> contentsOf(Database& db, const std::string& id,
     const bool ofRuns = table == "document" || std::ranges::find(columns, "run_id") != columns.end();
     if (id.empty() || !ofRuns) continue;
     Statement count(db, table == "document" ? "SELECT count(DISTINCT hash) FROM run_document WHERE run_id = ?"
-                                            : "SELECT count(*) FROM \"" + table + "\" WHERE run_id = ?");
+                                            : "SELECT count(*) FROM " + sqlName(table) + " WHERE run_id = ?");
     count.start(id).next();
     t.rows = count.natural(0);
     if (t.rows == all) continue;
