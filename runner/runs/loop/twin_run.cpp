@@ -44,13 +44,17 @@ Twins::Twins(World world, World twin) : world_(std::move(world)), twin_(std::mov
 
 double Twins::step() {
   std::exception_ptr failure;
-  for (World* w : {&world_, &twin_}) {
+  if (twinGoesOn_) {
     try {
-      morula::step(*w);
-    } catch (const NumericalError&) { failure = std::current_exception(); }
+      morula::step(twin_);
+    } catch (const NumericalError& error) {
+      if (error.want != Want::nothing) failure = std::current_exception();
+      twinGoesOn_ = false;
+    }
   }
+  morula::step(world_);
   if (failure) std::rethrow_exception(failure);
-  return distance(world_, twin_);
+  return twinGoesOn_ ? distance(world_, twin_) : infinity;
 }
 
 TwinRun runTwins(World world, World twin, const std::function<void(const World&)>& watch) {
@@ -58,15 +62,9 @@ TwinRun runTwins(World world, World twin, const std::function<void(const World&)
   Twins twins(std::move(world), std::move(twin));
   TwinRun run;
   std::size_t next = 0;
-  for (bool bothLive = true; bothLive && !finished(twins.world());) {
+  while (!finished(twins.world())) {
     if (watch) watch(twins.world());
-    double apart = infinity;
-    try {
-      apart = twins.step() / radius;
-    } catch (const NumericalError& error) {
-      if (error.want != Want::nothing) throw;
-      bothLive = false;
-    }
+    const double apart = twins.step() / radius;
     for (; next < decades.size() && apart >= decades[next]; ++next)
       run.growth.push_back({decades[next], twins.world().clock.step});
   }

@@ -16,7 +16,8 @@ class Twins {
   Twins(World world, World twin);
 
   /// Both go on by one step. Returns the largest difference of any coordinate [length]; infinite from where other cells
-  /// live. Throws NumericalError if either cannot go on; both have tried then.
+  /// live, and once the twin cannot go on. Throws NumericalError if the undisturbed one cannot, or if the twin lacks
+  /// memory or the like (Want); both have tried then.
   double step();
 
   const World& world() const { return world_; }  // the one that nothing was done to
@@ -24,6 +25,7 @@ class Twins {
 
  private:
   World world_, twin_;
+  bool twinGoesOn_ = true;
   double ulp_;
 };
 
@@ -32,7 +34,7 @@ struct TwinRun {
   Hash end;                          // of the undisturbed world's last state
 };
 
-/// Runs twins to the end. Their distance is in radii of the egg, and infinite where only one goes on. `watch` is called
+/// Runs twins to the end. Their distance is in radii of the egg, and infinite once the twin cannot go on. `watch` is called
 /// before every step.
 TwinRun runTwins(World world, World twin, const std::function<void(const World&)>& watch = {});
 

@@ -48,6 +48,17 @@ TEST_CASE("Growth is told in rising decades at rising steps, and ends with the u
   CHECK(run.end == stateHash(ranToEnd(scene)));
 }
 
+TEST_CASE("A twin that cannot go on is infinitely far away, and the undisturbed run goes on to its end") {
+  Scene crushed = calm();
+  crushed.mechanics->physics.pressure.outside = 1000;
+  World alone = makeWorld(crushed, {Isa::scalar, 1});
+  CHECK_THROWS_AS(runToEnd(alone), NumericalError);
+  const TwinRun run = runTwins(makeWorld(calm(), {Isa::scalar, 1}), makeWorld(crushed, {Isa::scalar, 1}));
+  CHECK(run.end == stateHash(ranToEnd(calm())));
+  REQUIRE_FALSE(run.growth.empty());
+  CHECK(run.growth.back().size == 1);
+}
+
 TEST_CASE("The distance is that of two runs side by side") {
   const Scene scene = scenes::packed();
   const TwinRun run = twins(scene);
