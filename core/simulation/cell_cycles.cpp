@@ -101,7 +101,7 @@ double longestCycle(const CycleParameters& cycle) {
   return longest;
 }
 
-/// A run that only a number of cells ends must not go on for ever where cells do not come to it.
+/// Where stop.cells alone ends a run, cells that no longer divide would let it go on for ever.
 void requireCellsInTime(const World& world) {
   const Scene& scene = world.model;
   if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;

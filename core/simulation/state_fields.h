@@ -8,6 +8,7 @@
 #include <span>
 #include <type_traits>
 
+#include "base/record.h"
 #include "simulation/world.h"
 
 namespace morula {
@@ -32,9 +33,6 @@ struct StateNumbers {
 };
 template <class Numbers>
 StateNumbers(Numbers&) -> StateNumbers<Numbers>;
-
-template <class A, class T>
-concept IsA = std::same_as<std::remove_const_t<A>, T>;
 
 // visitFields(record, visit) calls visit(Field, member) for each member that is state, in the order of
 // checkpoints.

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "catch.h"
+#include "database/database.h"
 #include "launch.h"
 #include "store/store.h"
 
@@ -266,6 +267,14 @@ TEST_CASE("without a folder the runs are listed") {
   const Json json = Json::parse(launch({"export", stored.database, "--json"}).out);
   CHECK(json["runs"][0]["run_id"] == stored.id);
   CHECK(json["runs"][0]["status"] == "done");
+
+  // Tables of others, whatever they are called.
+  morula::Database(stored.database, morula::Database::Mode::existing, std::chrono::seconds(1))
+      .execute("CREATE TABLE \"a\"\"b\" (\"x\"\"y\" TEXT)");
+  const auto tables = launch({"export", stored.database, "--list"});
+  INFO(tables.err);
+  CHECK(tables.code == 0);
+  CHECK_THAT(tables.out, ContainsSubstring("\n  a\"b ") && ContainsSubstring("which run it is"));
 }
 
 TEST_CASE("what cannot be exported") {

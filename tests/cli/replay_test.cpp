@@ -92,7 +92,7 @@ TEST_CASE("on another instruction set and number of threads the bits are the sam
   CHECK(condition(json, "isa")["now"] == "scalar");
   CHECK(condition(json, "threads")["then"] == "1");
   CHECK(condition(json, "threads")["now"] == "2");
-  CHECK(condition(json, "binary")["same"] == true);
+  CHECK(condition(json, "binary_hash")["same"] == true);
 }
 
 TEST_CASE("by itself a replay computes as the run did") {
@@ -112,8 +112,8 @@ TEST_CASE("each condition that is not as it was is named") {
   stored.fit();
   const auto run = launch({"replay", stored.database});
   CHECK(run.code == 0);  // the bits are the same for all that
-  for (const char* item : {"sources", "commit", "compiler", "flags", "target", "libraries", "cpu", "kernel",
-                           "binary", "floating point", "cpu features", "version", "build id"}) {
+  for (const char* item : {"sources", "commit", "compiler", "flags", "target", "libraries", "processor", "kernel",
+                           "binary hash", "floating point", "processor features", "version", "build id"}) {
     CAPTURE(item);
     CHECK_THAT(run.out, ContainsSubstring(std::string("\n  ") + item + " "));
   }

@@ -66,7 +66,7 @@ TEST_CASE("an export that is killed at any moment leaves no folder or a whole on
     CHECK((left.empty() || left == whole));
   }
   fs::remove_all(e.folder / "out");
-  REQUIRE(launch(e.command("csv")).code == 0);  // and takes away what the others have left
+  REQUIRE(launch(e.command("csv")).code == 0);  // which removes the drafts of exports that were killed
   for (const auto& entry : fs::directory_iterator(e.folder.path()))
     CHECK(entry.path().filename().string().find(".morula-") != 0);
 }

@@ -1,4 +1,4 @@
-// A film that was ended by a signal left its folder of pictures beside it for ever.
+// When a signal ended the drawing of a film, its temporary folder of pictures stayed beside it.
 #include <csignal>
 #include <filesystem>
 

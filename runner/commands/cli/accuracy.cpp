@@ -88,19 +88,12 @@ ReadScenario readerOf(const AccuracyWords& words, const std::string& file) {
 /// Where the numbers come from: seconds of CPU time are of one machine.
 Json provenance(const Scenario& scenario, const Execution& how) {
   const RunRecord record = recordOf(scenario, how, commandLine());
-  return {{"Command", record.command},
-          {"Meaning of the scenario", record.scenarioHash},
-          {"Seed", std::to_string(record.seed)},
-          {"Version", record.build.version},
-          {"Commit", record.build.gitCommit + " (" + record.build.gitState + ")"},
-          {"Build", buildId(record.build)},
-          {"Compiler", record.build.compiler},
-          {"Flags", record.build.flags},
-          {"Libraries", librariesText(record.build)},
-          {"Processor", record.machine.cpu},
-          {"Kernel", record.machine.kernel},
-          {"Instruction set", record.isa},
-          {"Threads", std::to_string(record.threads)}};
+  Json json = Json::object();
+  eachFieldOf({.id = {}, .record = record, .started = {}, .ended = {}, .stateHash = {}, .failure = {}},
+              [&](const RunField& field, const std::string& value) {
+                if (field.part != RunPart::result && !value.empty()) json[headingOf(field)] = value;
+              });
+  return json;
 }
 
 /// One scenario, whose report goes to stdout.

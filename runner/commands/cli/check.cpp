@@ -14,13 +14,13 @@
 #include "files/printable.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
-#include "golden/check_json.h"
 #include "golden/ci_reports.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
 #include "report/report.h"
 #include "system/console.h"
+#include "system/json_record.h"
 
 namespace morula::cli {
 
@@ -194,7 +194,7 @@ int act(const CheckOptions& options) {
   if (!beside.engines.empty()) {
     const auto rows = compareEngines(scenarios, own, beside);
     found["beside"] = toJson(rows, beside.engines);
-    table = tableOf(rows, beside.engines);
+    table = comparisonTable(rows, beside.engines);
   }
   if (options.output.json) printJson(found);
   else if (!table.empty()) print(table);

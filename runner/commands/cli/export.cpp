@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "cli/verbs.h"
+#include "document/table.h"
 #include "export/formats.h"
 #include "export/license.h"
 #include "export/run_crate.h"
@@ -12,6 +13,7 @@
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
+#include "study_store/study_tables.h"
 #include "system/console.h"
 
 namespace morula::cli {
@@ -29,41 +31,41 @@ struct ExportOptions {
 };
 
 int listRuns(Store& store, const ExportOptions& options) {
-  Json list = Json::array();
-  for (const StoredRun& run : store.runs()) {
-    if (!options.output.json)
-      print(fmt::format("{}  {}  {}  {}  seed {}\n", run.id, run.started, name(run.status),
-                        run.record.scenario, run.record.seed));
-    list.push_back({{"run_id", run.id},
-                    {"scenario", run.record.scenario},
-                    {"seed", run.record.seed},
-                    {"status", name(run.status)},
-                    {"started", run.started},
-                    {"state_hash", run.stateHash.empty() ? Json() : Json(run.stateHash)}});
-  }
-  if (options.output.json) printJson({{"runs", list}});
+  using Row = StoredRun;
+  static const std::vector<FieldOf<Row>> fields{
+      {{"run_id", "", "run"}, [](const Row& run) { return run.id; }},
+      {{"scenario", "", "scenario"}, [](const Row& run) { return run.record.scenario; }},
+      {{"seed", "", "seed"}, [](const Row& run) { return run.record.seed; }},
+      {{"status", "", "status"}, [](const Row& run) { return name(run.status); }},
+      {{"started", "", "started"}, [](const Row& run) { return run.started; }},
+      {{"state_hash", "", ""},
+       [](const Row& run) { return exact(run.stateHash.empty() ? Json() : Json(run.stateHash)); }},
+  };
+  const Table runs = tableOf("Runs", fields, store.runs());
+  printEither(options.output, {{"runs", jsonOf(runs)}}, textOf(runs));
   return fine;
 }
 
 /// What the file consists of. Of one run only if it is named.
 int listTables(Store& store, const ExportOptions& options) {
+  using Row = TableContents;
+  static const std::vector<FieldOf<Row>> fields{
+      {{"table", "", "table"}, [](const Row& t) { return t.table; }},
+      {{"rows", "", "rows"}, [](const Row& t) { return t.rows; }},
+      {{"bytes", "", "bytes"},
+       [](const Row& t) { return Cell(t.bytes, (t.estimated ? "~" : "") + std::to_string(t.bytes)); }},
+      {{"bytes_estimated", "", ""}, [](const Row& t) { return exact(t.estimated); }},
+      {{"why", "", "stored"}, [](const Row& t) { return t.why; }},
+  };
   const std::string id = options.request.run.empty() ? "" : store.find(options.request.run).id;
-  Json list = Json::array();
+  const auto contents = store.contents(allTables(), id);
   std::uint64_t rows = 0, bytes = 0;
-  for (const TableContents& t : store.contents(id)) {
-    rows += t.rows, bytes += t.bytes;
-    if (!options.output.json)
-      print(fmt::format("{:<16} {:>9} row{} {}{:>10} B  {}\n", t.table, t.rows, t.rows == 1 ? " " : "s",
-                        t.estimated ? "~" : " ", t.bytes, t.why));
-    list.push_back({{"table", t.table},
-                    {"rows", t.rows},
-                    {"bytes", t.bytes},
-                    {"bytes_estimated", t.estimated},
-                    {"why", t.why}});
-  }
-  if (options.output.json)
-    printJson({{"file", options.database}, {"run_id", id.empty() ? Json() : Json(id)}, {"tables", list}});
-  else print(fmt::format("{:<16} {:>9} rows  {:>10} B\n", "all", rows, bytes));
+  for (const TableContents& t : contents) rows += t.rows, bytes += t.bytes;
+  const Table tables = tableOf("Tables", fields, contents);
+  printEither(
+      options.output,
+      {{"file", options.database}, {"run_id", id.empty() ? Json() : Json(id)}, {"tables", jsonOf(tables)}},
+      textOf(tables) + fmt::format("  all: {} rows, {} bytes\n", rows, bytes));
   return fine;
 }
 

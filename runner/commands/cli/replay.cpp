@@ -57,6 +57,10 @@ int act(const ReplayOptions& options) {
     throw UsageError("--db-out: '" + options.databaseOut +
                      "' holds the run that is replayed, and would be written over; needs another file");
   auto store = Store::openForReading(target.database);
+  if (!options.databaseOut.empty() && sameFile(options.databaseOut, target.database))
+    throw UsageError("--db-out: '" + options.databaseOut +
+                     "' holds the run that is replayed; give another file");
+  store.requireIntact();
   const StoredRun before = store.find(target.run);
   if (before.status != RunStatus::done && before.status != RunStatus::failed)
     throw UsageError("replay: run " + before.id + " has not ended (" + name(before.status) +

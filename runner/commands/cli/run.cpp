@@ -40,21 +40,24 @@ std::string digits(const Scenario& scenario) {
   return Hasher().add(scenario.resolved).digest().text().substr(0, 8);
 }
 
-/// Whether the last run of this name and seed in the database is of another file, which says something else.
+/// Whether the last run of this name and seed in the database is of another file, which says something else. Of runs that
+/// began in the same second any may be the last.
 bool isOfOther(const std::filesystem::path& database, const Scenario& scenario) {
   if (!fileExists(database)) return false;
   try {
     auto store = Store::openForReading(database);
-    const StoredRun* last = nullptr;
-    const auto runs = store.runs();
-    for (const StoredRun& run : runs)
-      if (run.record.scenario == scenario.scene.name && run.record.seed == scenario.scene.seed) last = &run;
-    if (!last) return false;
-    for (const SourceText& d : store.documents(last->id))
-      if ((d.role == "scenario" && absolutePath(d.path) == absolutePath(scenario.file)) ||
-          (d.role == "resolved" && d.content == scenario.resolved))
-        return false;
-    return true;
+    std::vector<StoredRun> last;
+    for (const StoredRun& run : store.runs()) {
+      if (run.record.scenario != scenario.scene.name || run.record.seed != scenario.scene.seed) continue;
+      if (!last.empty() && run.started > last[0].started) last.clear();
+      last.push_back(run);
+    }
+    for (const StoredRun& run : last)
+      for (const SourceText& d : store.documents(run.id))
+        if ((d.role == "scenario" && absolutePath(d.path) == absolutePath(scenario.file)) ||
+            (d.role == "resolved" && d.content == scenario.resolved))
+          return false;
+    return !last.empty();
   } catch (const FileError&) { return false; }  // who writes to it says what is wrong
 }
 

@@ -60,7 +60,7 @@ int act(const ValidateOptions& options) {
                       {"errors", Json::array()},
                       {"warnings", scenario.warnings}});
       tellWarnings(scenario.warnings, options.output.quiet);
-      if (options.resolved && options.output.json) list.back()["resolved"] = Json::parse(scenario.resolved);
+      if (options.resolved && options.output.json) list.back()["resolved"] = parseJson(scenario.resolved);
       else if (options.resolved) print(scenario.resolved);
       else if (!options.output.json)
         print(file + ": fine; " + std::to_string(scenario.scene.dna.genes.size()) + " genes" +

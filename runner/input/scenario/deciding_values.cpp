@@ -23,7 +23,7 @@ std::string oneLine(const Json& value) {
     return '[' + inside + ']';
   }
   if (!value.is_string()) return jsonText(value);
-  const std::string& text = value.text();
+  const std::string& text = value.get_ref<const std::string&>();
   const auto plain = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
            c == '_' || c == '.';

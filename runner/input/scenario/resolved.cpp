@@ -53,7 +53,7 @@ void hash(const Json& value, Hasher& hasher) {
   } else if (value.is_number()) {
     hasher.add("natural").add(value.get<std::uint64_t>());
   } else {
-    hasher.add("text").add(value.text());
+    hasher.add("text").add(value.get_ref<const std::string&>());
   }
 }
 

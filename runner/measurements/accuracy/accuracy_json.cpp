@@ -1,146 +1,253 @@
+// Accuracy for other programs: as JSON, which pages are made of again, and its rows as CSV.
+#include <stdexcept>
+
 #include "accuracy/accuracy.h"
+#include "system/json_record.h"
 
 namespace morula {
 
-Json toJson(const Setting& s) {
-  return {{"integrator", nameOf(s.integrator)},
-          {"time_step", s.timeStep},
-          {"automatic_share", s.automatic ? Json(s.autoShare) : Json()},
-          {"icosphere", orNull(s.level)},
-          {"substeps", s.substeps.value_or(1)},
-          {"precision", nameOf(s.precision)},
-          {"contact_law", s.law ? Json(nameOf(*s.law)) : Json()},
-          {"cell_model", s.model ? Json(nameOf(s.model->model)) : Json()},
-          {"set", changesFor(s)}};
+template <IsA<Setting> T>
+void listFields(T& s, auto&& field) {
+  auto& [integrator, timeStep, precision, level, law, substeps, model, automatic, autoShare, coarsen] = s;
+  field({"integrator"}, integrator);
+  field({"time_step"}, timeStep);
+  field({"automatic_share"},
+        ValueOf{[&] { return s.automatic ? std::optional(s.autoShare) : std::nullopt; },
+                [&](const auto& share) {
+                  s.automatic = share.has_value();
+                  if (share) s.autoShare = *share;
+                }});
+  field({"icosphere"}, level);
+  field({"substeps"}, ValueOf{[&] { return s.substeps.value_or(1); }, notRead});
+  field({"precision"}, precision);
+  field({"contact_law"}, law);
+  field({"cell_model"},
+        ValueOf{[&] { return s.model ? std::optional(s.model->model) : std::nullopt; }, notRead});
+  field({"set"}, ValueOf{[&] { return changesFor(s); }, notRead});
 }
 
-namespace {
-
-using morula::toJson;  // of settings
-
-Json toJson(const std::optional<DividedElsewhere>& cut) {
-  if (!cut) return {};
-  return {{"path", cut->mother.text()},
-          {"time", cut->time},
-          {"angle", cut->angle},
-          {"extent_ratio", orNull(cut->extentRatio)}};
+template <IsA<DividedElsewhere> T>
+void listFields(T& cut, auto&& field) {
+  auto& [mother, time, angle, extentRatio] = cut;
+  field({"path"}, mother);
+  field({"time"}, time);
+  field({"angle"}, angle);
+  field({"extent_ratio"}, extentRatio);
 }
 
-Json toJson(const AccuracyRow& row) {
-  const bool known = row.error.has_value();
-  return {{"settings", toJson(row.setting)},
-          {"engine", row.engine},
-          {"series", row.series},
-          {"error", known ? Json(row.parts.sum()) : Json()},
-          {"parts", known ? Json{{"time", orNull(row.parts.time)},
-                                 {"mesh", orNull(row.parts.mesh)},
-                                 {"precision", orNull(row.parts.precision)},
-                                 {"model", orNull(row.parts.model)}}
-                          : Json()},
-          {"error_on_scenario_mesh", orNull(row.error)},
-          {"divided_elsewhere", toJson(row.cut)},
-          {"errors", known ? Json{{"centroid", row.errors.centroid},
-                                  {"volume", row.errors.volume},
-                                  {"surface", row.errors.surface},
-                                  {"birth_times", row.birthTimes}}
-                           : Json()},
-          {"resolved", row.resolved},
-          {"lineages_part_at", orNull(row.partedAt)},
-          {"cpu_seconds", row.cpuSeconds},
-          {"force_evaluations", row.forceEvaluations},
-          {"vertex_steps", row.vertexSteps},
-          {"steps", row.steps},
-          {"failed", !row.failure.empty()},
-          {"failure", row.failure.empty() ? Json() : Json(row.failure)}};
+template <IsA<ErrorParts> T>
+void listFields(T& parts, auto&& field) {
+  auto& [time, mesh, precision, model] = parts;
+  field({"time"}, time);
+  field({"mesh"}, mesh);
+  field({"precision"}, precision);
+  field({"model"}, model);
 }
 
-/// JSON has no infinity: an error that is not known is null.
-Json finite(double a) { return a < 1e300 ? Json(a) : Json(); }
-
-Json toJson(const AccuracyReference& r) {
-  return {{"settings", toJson(r.setting)},
-          {"own_error", finite(r.left.error)},
-          {"observed_order", r.left.order},
-          {"witness", toJson(r.witness)},
-          {"witness_distance", finite(r.distance)},
-          {"witness_own_error", finite(r.witnessLeft.error)},
-          {"agrees", r.agrees}};
+template <IsA<AccuracyRow> T>
+void listFields(T& row, auto&& field) {
+  ValueOf sum{[&] { return row.parts.sum(); }, notRead};
+  ValueOf errors{[&] {
+                   return Json{{"centroid", row.errors.centroid},
+                               {"volume", row.errors.volume},
+                               {"surface", row.errors.surface},
+                               {"birth_times", row.birthTimes}};
+                 },
+                 [&](const auto& json) {
+                   readMember(json.at("centroid"), row.errors.centroid);
+                   readMember(json.at("volume"), row.errors.volume);
+                   readMember(json.at("surface"), row.errors.surface);
+                   readMember(json.at("birth_times"), row.birthTimes);
+                 }};
+  field({"settings"}, row.setting);
+  field({"engine"}, row.engine);
+  field({"series"}, row.series);
+  field({"error"}, NullIf{!row.error, sum});
+  field({"parts"}, NullIf{!row.error, row.parts});
+  field({"error_on_scenario_mesh"}, row.error);
+  field({"divided_elsewhere"}, row.cut);
+  field({"errors"}, NullIf{!row.error, errors});
+  field({"resolved"}, row.resolved);
+  field({"lineages_part_at"}, row.partedAt);
+  field({"cpu_seconds"}, row.cpuSeconds);
+  field({"force_evaluations"}, row.forceEvaluations);
+  field({"vertex_steps"}, row.vertexSteps);
+  field({"steps"}, row.steps);
+  field({"failed"}, ValueOf{[&] { return !row.failure.empty(); },
+                            [&](const auto& failed) { row.failure = failed ? "it says not why" : ""; }});
+  field({"failure"}, NullIf{row.failure.empty(), row.failure});
 }
 
-Json toJson(const MeshMeasures& m) {
-  return {{"position", m.centroid},
-          {"volume", m.volume},
-          {"surface", m.surface},
-          {"pressure", m.pressure},
-          {"contact_area", m.contactArea}};
+/// An error that is not known, infinite or not a number, is null.
+template <IsA<AccuracyReference> T>
+void listFields(T& r, auto&& field) {
+  auto& [setting, witness, left, witnessLeft, distance, agrees] = r;
+  field({"settings"}, setting);
+  field({"own_error"}, AnyReal{left.error});
+  field({"observed_order"}, left.order);
+  field({"witness"}, witness);
+  field({"witness_distance"}, AnyReal{distance});
+  field({"witness_own_error"}, AnyReal{witnessLeft.error});
+  field({"agrees"}, agrees);
 }
 
-Json toJson(const MeshError& mesh) {
-  Json levels = Json::array();
-  for (const LevelError& level : mesh.levels)
-    levels.push_back({{"icosphere", level.level},
-                      {"error", level.worst.largest()},
-                      {"largest", toJson(level.worst)},
-                      {"at_end", toJson(level.atEnd)}});
-  return {{"error", orNull(mesh.error())},
-          {"unknown", mesh.unknown.empty() ? Json() : Json(mesh.unknown)},
-          {"limit", mesh.limit.empty() ? Json() : Json(mesh.limit)},
-          {"icosphere", mesh.none || mesh.levels.empty() ? Json() : Json(mesh.own)},
-          {"levels", levels},
-          {"order", mesh.order},
-          {"order_is_observed", mesh.orderIsObserved},
-          {"surface_at_start", mesh.atStart},
-          {"until", mesh.until},
-          {"lineages_part_at", orNull(mesh.partedAt)},
-          {"divided_elsewhere", toJson(mesh.cut)},
-          {"time_error", mesh.timeError},
-          {"cpu_seconds", mesh.cpuSeconds}};
+template <IsA<MeshMeasures> T>
+void listFields(T& m, auto&& field) {
+  field({"position"}, m.centroid);
+  field({"volume"}, m.volume);
+  field({"surface"}, m.surface);
+  field({"pressure"}, m.pressure);
+  field({"contact_area"}, m.contactArea);
 }
 
-Json toJson(const SeriesOrder& o) {
-  return {{"series", o.series},
-          {"theory", o.theory},
-          {"observed", o.observed ? Json(o.observed->slope) : Json()},
-          {"standard_error", o.observed ? Json(o.observed->slopeError) : Json()},
-          {"points", o.observed ? o.observed->points : 0}};
+template <IsA<LevelError> T>
+void listFields(T& l, auto&& field) {
+  auto& [level, worst, atEnd] = l;
+  field({"icosphere"}, level);
+  field({"error"}, ValueOf{[&] { return l.worst.largest(); }, notRead});
+  field({"largest"}, worst);
+  field({"at_end"}, atEnd);
 }
 
-}  // namespace
+template <IsA<MeshError> T>
+void listFields(T& mesh, auto&& field) {
+  auto& [unknown, limit, none, levels, own, order, orderIsObserved, atStart, until, partedAt, cut, timeError,
+         cpuSeconds] = mesh;
+  field({"error"}, ValueOf{[&] { return mesh.error(); }, notRead});
+  field({"unknown"}, NullIf{unknown.empty(), unknown});
+  field({"limit"}, NullIf{limit.empty(), limit});
+  field({"icosphere"},
+        ValueOf{[&] { return mesh.none || mesh.levels.empty() ? std::nullopt : std::optional(mesh.own); },
+                [&](const auto& level) {
+                  mesh.none = mesh.unknown.empty() && !level;
+                  mesh.own = level.value_or(0);
+                }});
+  field({"levels"}, levels);
+  field({"order"}, order);
+  field({"order_is_observed"}, orderIsObserved);
+  field({"surface_at_start"}, atStart);
+  field({"until"}, until);
+  field({"lineages_part_at"}, partedAt);
+  field({"divided_elsewhere"}, cut);
+  field({"time_error"}, timeError);
+  field({"cpu_seconds"}, cpuSeconds);
+}
+
+template <IsA<Rival> T>
+void listFields(T& rival, auto&& field) {
+  auto& [series, cpuSeconds, speed] = rival;
+  field({"series"}, series);
+  field({"cpu_seconds"}, cpuSeconds);
+  field({"speed"}, speed);
+}
+
+void setIn(std::optional<PowerLaw>& law, double PowerLaw::*member, const auto& value) {
+  if (!value) return;
+  if (!law) law.emplace();
+  (*law).*member = *value;
+}
+
+template <IsA<SeriesOrder> T>
+void listFields(T& o, auto&& field) {
+  auto& [series, theory, observed] = o;
+  const auto ofLaw = [&](double PowerLaw::*member) {
+    return ValueOf{[&o, member] { return o.observed ? std::optional((*o.observed).*member) : std::nullopt; },
+                   [&o, member](const auto& value) { setIn(o.observed, member, value); }};
+  };
+  field({"series"}, series);
+  field({"theory"}, theory);
+  field({"observed"}, ofLaw(&PowerLaw::slope));
+  field({"standard_error"}, ofLaw(&PowerLaw::slopeError));
+  field({"points"}, ValueOf{[&] { return o.observed ? o.observed->points : 0; },
+                            [&](const auto& points) {
+                              if (o.observed) o.observed->points = points;
+                            }});
+}
+
+template <IsA<SpeedAtError> T>
+void listFields(T& s, auto&& field) {
+  auto& [error, series, cpuSeconds, forceEvaluations, speed] = s;
+  field({"error"}, error);
+  field({"series"}, series);
+  field({"cpu_seconds"}, cpuSeconds);
+  field({"force_evaluations"}, forceEvaluations);
+  field({"speed"}, speed);
+}
+
+template <IsA<BulletSpeed> T>
+void listFields(T& s, auto&& field) {
+  auto& [error, ours, bullets, ourSeconds, bulletSeconds, bulletMostSeconds] = s;
+  field({"error"}, error);
+  field({"series"}, ours);
+  field({"cpu_seconds"}, ourSeconds);
+  field({"bullet_series"}, bullets);
+  field({"bullet_cpu_seconds"}, bulletSeconds);
+  field({"bullet_slowest_cpu_seconds"}, bulletMostSeconds);
+}
+
+template <IsA<AccuracyReport> T>
+void listFields(T& report, auto&& field) {
+  auto& [scenario, usual, own, rival, mesh, times, end, horizon, reference, rows, orders, speeds,
+         bulletSpeeds, remarks] = report;
+  field({"scenario"}, scenario);
+  field({"times"}, times);
+  field({"end"}, end);
+  field({"reference"}, reference);
+  field({"mesh"}, mesh);
+  field({"as_it_is"}, own);
+  field({"rival"}, rival);
+  field({"rows"}, rows);
+  field({"orders"}, orders);
+  field({"speed_at_error"}, speeds);
+  field({"beside_bullet"}, bulletSpeeds);
+  field({"remarks"}, remarks);
+}
+
+Json toJson(const Setting& setting) { return toJson<Setting>(setting); }
 
 Json toJson(const AccuracyReport& report, const std::string& picture) {
-  Json rows = Json::array(), orders = Json::array(), speeds = Json::array();
-  for (const auto& row : report.rows) rows.push_back(toJson(row));
-  for (const auto& order : report.orders) orders.push_back(toJson(order));
-  Json besideBullet = Json::array();
-  for (const auto& s : report.bulletSpeeds)
-    besideBullet.push_back({{"error", s.error},
-                            {"series", s.ours},
-                            {"cpu_seconds", s.ourSeconds},
-                            {"bullet_series", s.bullets},
-                            {"bullet_cpu_seconds", s.bulletSeconds},
-                            {"bullet_slowest_cpu_seconds", s.bulletMostSeconds}});
-  for (const auto& s : report.speeds)
-    speeds.push_back({{"error", s.error},
-                      {"series", s.series},
-                      {"cpu_seconds", s.cpuSeconds},
-                      {"force_evaluations", s.forceEvaluations},
-                      {"speed", orNull(s.speed)}});
-  return {{"scenario", report.scenario},
-          {"times", report.times},
-          {"end", orNull(report.end)},
-          {"reference", toJson(report.reference)},
-          {"mesh", toJson(report.mesh)},
-          {"as_it_is", toJson(report.own)},
-          {"rival", report.rival ? Json{{"series", report.rival->series},
-                                        {"cpu_seconds", report.rival->cpuSeconds},
-                                        {"speed", report.rival->speed}}
-                                 : Json()},
-          {"rows", rows},
-          {"orders", orders},
-          {"speed_at_error", speeds},
-          {"beside_bullet", besideBullet},
-          {"remarks", report.remarks},
-          {"picture", picture}};
+  Json json = toJson<AccuracyReport>(report);
+  json["picture"] = picture;
+  return json;
+}
+
+AccuracyReport accuracyFrom(const Json& json) {
+  auto report = fromJson<AccuracyReport>(json);
+  if (report.times.empty()) throw std::invalid_argument("no times");
+  const auto readSet = [](const Json& row, AccuracyRow& to) {
+    readMember(row.at("settings").at("set"), to.set);
+  };
+  readSet(json.at("as_it_is"), report.own);
+  for (std::size_t i = 0; i < report.rows.size(); ++i) readSet(json.at("rows").at(i), report.rows[i]);
+  return report;
+}
+
+std::string accuracyCsv(const Json& rows) {
+  struct Members {
+    std::string of, prefix;  // of: "" for those of the row itself
+    std::vector<const char*> names;
+  };
+  static const Members all[] = {
+      {"", "", {"series", "engine"}},
+      {"settings",
+       "",
+       {"integrator", "time_step", "icosphere", "substeps", "precision", "contact_law", "cell_model"}},
+      {"parts", "error_of_", {"time", "mesh", "precision", "model"}},
+      {"errors", "error_in_", {"centroid", "volume", "surface", "birth_times"}},
+      {"", "", {"error", "error_on_scenario_mesh", "resolved", "lineages_part_at", "cpu_seconds"}},
+      {"", "", {"force_evaluations", "vertex_steps", "steps", "failed", "failure"}}};
+  Table table{"Settings", {}};
+  for (const Members& members : all)
+    for (const char* name : members.names) table.columns.push_back({"", members.prefix + name, ""});
+  for (const Json& row : rows) {
+    table.rows.emplace_back();
+    for (const Members& members : all) {
+      const Json& of = members.of.empty() ? row : row.at(members.of);
+      for (const char* name : members.names)
+        table.rows.back().push_back(exact(of.is_object() ? of.at(name) : Json()));
+    }
+  }
+  return csvOf(table);
 }
 
 }  // namespace morula

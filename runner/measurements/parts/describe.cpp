@@ -16,10 +16,6 @@ std::string memoryText(double bytes) {
   return fmt::format("{:.1f} GiB", bytes / (1024.0 * 1024 * 1024));
 }
 
-std::string plural(double count, const std::string& word) {
-  return fmt::format("{:.0f} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 template <class Text>
 Cell valued(const std::optional<double>& value, const Text& textOf) {
   return value ? Cell(*value, textOf(*value)) : exact({});
@@ -72,12 +68,13 @@ Table absentTable(const Prediction& f) {
 }
 
 Document describe(const Prediction& f, const std::string& title) {
-  std::string size = title + (f.life.whole ? ": up to " : ": at least ") + plural(double(f.cells), "cell");
+  std::string size = title + (f.life.whole ? ": up to " : ": at least ") +
+                     counted(static_cast<std::uint64_t>(f.cells), "cell");
   std::string cost =
       fmt::format("foreseen on one thread: {}, {} of arrays", timeText(f.seconds()), memoryText(f.bytes()));
   if (f.vertices) {
     size += fmt::format(" of {} {}, {}", f.vertices, f.vertices == 1 ? "vertex" : "vertices",
-                        plural(f.steps, "step"));
+                        counted(static_cast<std::uint64_t>(f.steps), "step"));
     cost += f.triedWhole
                 ? "; the whole run was rehearsed"
                 : fmt::format("; rehearsed until time {:.4g} of {:.4g}", f.triedTime, f.life.eras.back().to);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "document/words.h"
 #include "loop/simulate.h"
 #include "physics/integrator.h"
 
@@ -158,8 +159,7 @@ std::vector<Part> partsOf(const Scenario& scenario, const RunAsk& ask) {
   const std::size_t genes = scenario.scene.dna.genes.size();
   const std::size_t senses = scenario.scene.senses.size();
   parts.push_back({"biology", true,
-                   fmt::format("{} gene{}", genes, genes == 1 ? "" : "s") +
-                       (senses > 0 ? fmt::format(", {} sense{}", senses, senses == 1 ? "" : "s") : ""),
+                   counted(genes, "gene") + (senses > 0 ? ", " + counted(senses, "sense") : ""),
                    why.of({"dna.file", "dna"})});
   addBodies(parts, scenario, why);
   addContact(parts, scenario, ask, why);

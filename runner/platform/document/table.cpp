@@ -4,6 +4,7 @@
 
 #include "base/number_text.h"
 #include "files/printable.h"
+#include "files/quote.h"
 #include "files/text.h"
 
 namespace morula {
@@ -32,14 +33,11 @@ std::vector<std::string> headOf(const Table& table) {
   return head;
 }
 
-std::string csvField(const Json& value) {
+std::string csvText(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_number_float()) return exactText(value.get<double>());
   const std::string text = value.is_string() ? value.get<std::string>() : jsonText(value);
-  if (text.find_first_of(",\"\r\n") == text.npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+  return text.empty() ? text : csvField(text);
 }
 
 }  // namespace
@@ -135,7 +133,7 @@ std::string csvOf(const Table& table, const std::string& lineEnd) {
     std::string line;
     bool first = true;
     for (std::size_t i = 0; i < table.columns.size(); ++i)
-      if (!table.columns[i].csv.empty()) line += (first ? "" : ",") + csvField(fieldAt(i)), first = false;
+      if (!table.columns[i].csv.empty()) line += (first ? "" : ",") + csvText(fieldAt(i)), first = false;
     text += line + lineEnd;
   };
   addLine([&](std::size_t i) { return Json(table.columns[i].csv); });

@@ -106,6 +106,11 @@ bool liesWithin(const fs::path& path, const fs::path& folder) {
   return rest == outer.end() || (rest->empty() && std::next(rest) == outer.end());
 }
 
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code none;
+  return std::filesystem::equivalent(a, b, none);
+}
+
 fs::path readLink(const fs::path& link) {
   std::error_code error;
   auto target = fs::read_symlink(link, error);

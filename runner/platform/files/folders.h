@@ -36,6 +36,8 @@ std::filesystem::path absolutePath(const std::filesystem::path& path);
 /// Whether `path` leads to something in the folder or below it, with all links followed. What is not there yet counts by
 /// its folder.
 bool liesWithin(const std::filesystem::path& path, const std::filesystem::path& folder);
+/// Whether both are there, and are one file by whatever names.
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 /// Where a link leads.
 std::filesystem::path readLink(const std::filesystem::path& link);
 

@@ -12,7 +12,7 @@ std::string csvField(std::string_view text);
 /// The name of a table or a column in SQL.
 std::string sqlName(std::string_view name);
 
-/// A word of a POSIX shell. A line end in it ends a comment: see `oneLine` of whoever writes comments.
+/// A word of a POSIX shell. Not for its comments, which a line end in the word would end: put `oneLine` there.
 std::string shellWord(std::string_view text);
 
 /// A scalar of YAML that is this text, in quotes unless it is made of harmless letters. Without zero bytes.

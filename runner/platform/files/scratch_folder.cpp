@@ -57,7 +57,7 @@ DraftFolder::DraftFolder(const fs::path& folder)
 void DraftFolder::takePlace() {
   const bool isThere = fileExists(folder_);
   const fs::path target = isThere ? fs::canonical(folder_) : folder_;
-  // Whoever stands in a folder must not find it replaced by another one.
+  // The working directory itself stays: a shell in it would be left in a folder that is gone.
   if (isThere && fs::equivalent(target, currentFolder())) {
     for (const fs::path& name : namesIn(path()))
       if (::rename((path() / name).c_str(), (target / name).c_str()) != 0) refuseFolder(folder_);

@@ -6,30 +6,12 @@
 #include <utility>
 
 #include "export/csv.h"
+#include "study_store/study_tables.h"
 
 namespace morula {
 
 namespace {
 
-struct Source {
-  const char* name;   // of the file
-  const char* table;  // of the database
-};
-
-/// Written even where they have no rows, so that a script finds them.
-constexpr Source always[] = {
-    {"runs", "run"},
-    {"cells", "cell"},
-    {"samples", "sample"},
-    {"cell_samples", "cell_sample"},
-    {"contacts", "contact"},
-    {"connections", "connection"},
-    {"divisions", "division"},
-    {"time_steps", "time_step"},
-    {"checks", "check_result"},
-};
-constexpr Source ofStudies[] = {
-    {"conditions", "condition"}, {"replicates", "replicate"}, {"tasks", "task"}, {"results", "result"}};
 constexpr std::pair<const char*, const char*> ofScopes[] = {
     {"measures_world", "world"}, {"measures_cell", "cell"}, {"measures_pair", "pair"}};
 
@@ -94,24 +76,24 @@ std::optional<std::string> wideMeasures(Store& store, const std::string& scope, 
 
 std::vector<std::string> csvTableNames() {
   std::vector<std::string> names;
-  for (const Source& s : always) names.push_back(s.name);
+  for (const SqlTable* t : allTables())
+    if (*t->info.csv) names.push_back(t->info.csv);
   for (const auto& [file, scope] : ofScopes) names.push_back(file);
-  for (const Source& s : ofStudies) names.push_back(s.name);
   return names;
 }
 
 std::vector<NamedTable> csvTables(Store& store, const std::string& id, const std::string& only) {
   std::vector<NamedTable> tables;
   const auto isWanted = [&](const std::string& name) { return only.empty() || only == name; };
-  const auto add = [&](const Source& s) {
-    const auto columns = isWanted(s.name) ? store.columns(s.table) : std::vector<std::string>();
-    if (!columns.empty()) tables.push_back({s.name, plainTable(store, s.table, id, columns)});
-  };
-  for (const Source& s : always) add(s);
+  for (const SqlTable* t : allTables()) {
+    if (!*t->info.csv || !isWanted(t->info.csv)) continue;
+    const auto columns = store.columns(
+        t->info.name);  // none where the file has no such table; without rows, too, so that a script finds it
+    if (!columns.empty()) tables.push_back({t->info.csv, plainTable(store, t->info.name, id, columns)});
+  }
   for (const auto& [file, scope] : ofScopes)
     if (isWanted(file))
       if (auto text = wideMeasures(store, scope, id)) tables.push_back({file, std::move(*text)});
-  for (const Source& s : ofStudies) add(s);
   return tables;
 }
 

@@ -71,7 +71,7 @@ class Graph {
  public:
   Json add(const Json& entity) {
     entities_.push_back(entity);
-    return reference(entity["@id"].text());
+    return reference(entity.at("@id").get<std::string>());
   }
   /// A named value: one number or text that is in no file.
   Json addValue(const std::string& kind, const std::string& name, const std::string& value) {
@@ -85,21 +85,20 @@ class Graph {
   Json entities_ = Json::array();
 };
 
-void addProgram(Graph& graph, const RunRecord& r, const Json& about) {
+void addProgram(Graph& graph, const StoredRun& run, const Json& about) {
+  const RunRecord& r = run.record;
   Json libraries = Json::array(), facts = Json::array();
   for (const auto& [library, version] : r.build.libraries)
     libraries.push_back(graph.add({{"@id", "#library-" + uri(library)},
                                    {"@type", "SoftwareApplication"},
                                    {"name", library},
                                    {"softwareVersion", version}}));
-  for (const auto& [name, value] : {std::pair{"sources", r.build.sources},
-                                    {"commit", r.build.gitCommit},
-                                    {"tree", r.build.gitState},
-                                    {"compiler", r.build.compiler},
-                                    {"flags", r.build.flags},
-                                    {"target", r.build.target},
-                                    {"binary hash", r.binaryHash}})
-    facts.push_back(graph.addValue("build", name, value));
+  eachFieldOf(run, [&](const RunField& field, const std::string& value) {
+    const std::string_view name = field.name;
+    const bool isSaidBelow = name == "build_id" || name == "version" || name == "libraries";
+    if ((field.part == RunPart::program || field.part == RunPart::detail) && !isSaidBelow)
+      facts.push_back(graph.addValue("build", field.label, value));
+  });
   Json program{{"@id", instrument},
                {"@type", "SoftwareApplication"},
                {"name", "Morula"},
@@ -112,15 +111,12 @@ void addProgram(Graph& graph, const RunRecord& r, const Json& about) {
   graph.add(program);
 }
 
-Json addConditions(Graph& graph, const RunRecord& r) {
+Json addConditions(Graph& graph, const StoredRun& run) {
   Json conditions = Json::array();
-  for (const auto& [name, value] : {std::pair{"processor", r.machine.cpu},
-                                    {"processor features", r.machine.features},
-                                    {"kernel", r.machine.kernel},
-                                    {"floating point", r.machine.fpEnvironment},
-                                    {"instruction set", r.isa},
-                                    {"threads", std::to_string(r.threads)}})
-    conditions.push_back(graph.addValue("environment", name, value));
+  eachFieldOf(run, [&](const RunField& field, const std::string& value) {
+    if (field.part == RunPart::environment)
+      conditions.push_back(graph.addValue("environment", field.label, value));
+  });
   return conditions;
 }
 
@@ -196,13 +192,13 @@ void writeCrate(CrateRun crate, const fs::path& folder) {
   }
   graph.add(describeRoot(crate, parts));
   graph.add({{"@id", profile}, {"@type", "CreativeWork"}, {"name", "Process Run Crate"}, {"version", "0.5"}});
-  addProgram(graph, crate.run.record, about);
+  addProgram(graph, crate.run, about);
   objects.push_back(graph.addValue("parameter", "seed", std::to_string(crate.run.record.seed)));
   results.push_back(graph.addValue("result", "state hash", crate.run.stateHash));
   Json run = describeAction(crate);
   run["object"] = objects;
   run["result"] = results;
-  run["environment"] = addConditions(graph, crate.run.record);
+  run["environment"] = addConditions(graph, crate.run);
   graph.add(run);
   if (!crate.agent.empty())
     graph.add(

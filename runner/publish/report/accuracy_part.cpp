@@ -149,7 +149,7 @@ PageSection madeBy(const Json& json, const std::string& scenario, const std::str
 
 PagePart accuracyPart(const std::string& file) {
   const std::string text = readFile(file);
-  const Json json = Json::tryParse(text);
+  const Json json = tryParseJson(text);
   const std::string right = "; needs what morula accuracy --json has printed";
   if (!json.is_object() || !json.contains("rows"))
     throw InputError(file + ": no rows of an accuracy run" + right);

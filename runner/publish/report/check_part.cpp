@@ -6,11 +6,11 @@
 #include "check/check_run.h"
 #include "files/folders.h"
 #include "files/read_file.h"
-#include "golden/check_json.h"
 #include "pictures/pictures.h"
 #include "report/check_tables.h"
 #include "report/golden_pictures.h"
 #include "report/parts.h"
+#include "system/json_record.h"
 
 namespace morula {
 
@@ -78,7 +78,7 @@ Document bodyOf(const CheckedScenario& c) {
 }  // namespace
 
 std::vector<CheckedScenario> readChecked(const std::string& file) {
-  const Json json = Json::tryParse(readFile(file));
+  const Json json = tryParseJson(readFile(file));
   if (!json.is_object() || !json.contains("results")) refuse(file, "no results of a check");
   std::vector<CheckedScenario> checked;
   std::map<std::string, std::size_t> places;
@@ -97,7 +97,7 @@ std::vector<CheckedScenario> readChecked(const std::string& file) {
       }
       Json whole = result;
       if (!whole.contains("message")) whole["message"] = "";
-      checked[place->second].report.results.push_back(checkResultFrom(whole));
+      checked[place->second].report.results.push_back(fromJson<CheckResult>(whole));
     }
   } catch (const Json::exception&) { refuse(file, "results that are none of a check"); }
   return checked;

@@ -1,6 +1,5 @@
 // Where runs come from, and their parameters.
 #include <algorithm>
-#include <functional>
 #include <set>
 
 #include "report/run_blocks.h"
@@ -13,47 +12,16 @@ namespace {
 
 constexpr std::size_t mostColumns = 6;  // runs side by side
 
-struct Row {
-  const char* name;
-  std::function<std::string(const RunFacts&)> get;
-};
-
-const std::vector<Row>& provenanceRows() {
-  static const std::vector<Row> rows{
-      {"Run", [](const RunFacts& r) { return r.run.id; }},
-      {"Scenario", [](const RunFacts& r) { return r.run.record.scenario; }},
-      {"Meaning of the scenario", [](const RunFacts& r) { return r.run.record.scenarioHash; }},
-      {"Seed",
-       [](const RunFacts& r) {
-         return std::to_string(r.run.record.seed) +
-                (usesSeed(r.scenario.scene) ? "" : " (changes nothing in this scenario)");
-       }},
-      {"End state", [](const RunFacts& r) { return r.run.stateHash; }},
-      {"Steps", [](const RunFacts& r) { return std::to_string(r.run.steps); }},
-      {"Started", [](const RunFacts& r) { return r.run.started; }},
-      {"Ended", [](const RunFacts& r) { return r.run.ended; }},
-      {"Command", [](const RunFacts& r) { return r.run.record.command; }},
-      {"Database", [](const RunFacts& r) { return r.database; }},
-      {"Version", [](const RunFacts& r) { return r.run.record.build.version; }},
-      {"Commit",
-       [](const RunFacts& r) {
-         return r.run.record.build.gitCommit + " (" + r.run.record.build.gitState + ")";
-       }},
-      {"Build", [](const RunFacts& r) { return buildId(r.run.record.build); }},
-      {"Program file", [](const RunFacts& r) { return r.run.record.binaryHash; }},
-      {"Compiler", [](const RunFacts& r) { return r.run.record.build.compiler; }},
-      {"Flags", [](const RunFacts& r) { return r.run.record.build.flags; }},
-      {"Target", [](const RunFacts& r) { return r.run.record.build.target; }},
-      {"Libraries", [](const RunFacts& r) { return librariesText(r.run.record.build); }},
-      {"Processor", [](const RunFacts& r) { return r.run.record.machine.cpu; }},
-      {"Kernel", [](const RunFacts& r) { return r.run.record.machine.kernel; }},
-      {"Instruction set",
-       [](const RunFacts& r) {
-         return r.run.record.isa.empty() ? "" : r.run.record.isa + " (changes no result)";
-       }},
-      {"Threads",
-       [](const RunFacts& r) { return std::to_string(r.run.record.threads) + " (changes no result)"; }},
-  };
+/// [label, value] Of a run's record, and where it is stored.
+std::vector<std::pair<std::string, std::string>> provenanceOf(const RunFacts& r) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  eachFieldOf(r.run, [&](const RunField& field, std::string value) {
+    const bool isIdle = field.name == std::string_view("seed") && !usesSeed(r.scenario.scene);
+    if (!value.empty() && isIdle) value += " (changes nothing in this scenario)";
+    if (!value.empty() && field.changesNothing) value += " (changes no result)";
+    rows.push_back({headingOf(field), std::move(value)});
+  });
+  rows.push_back({"Database", r.database});
   return rows;
 }
 
@@ -103,7 +71,7 @@ Document differences(const std::vector<RunFacts>& runs) {
 
 /// JSON with line breaks, for people; as it is if it cannot be read.
 std::string indented(const std::string& json) {
-  const Json read = Json::tryParse(json);
+  const Json read = tryParseJson(json);
   return read.is_null() ? json : jsonText(read, 2);
 }
 
@@ -111,13 +79,16 @@ std::string indented(const std::string& json) {
 
 PageSection provenanceSection(const std::vector<RunFacts>& runs) {
   std::vector<std::pair<std::string, std::vector<std::string>>> rows;
-  for (const Row& row : provenanceRows()) {
-    std::vector<std::string> values;
-    for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i) values.push_back(row.get(runs[i]));
-    // Runs of a study have no time and no machine of their own: they are the same bytes wherever they were run.
-    if (std::all_of(values.begin(), values.end(), [](const std::string& v) { return v.empty(); })) continue;
-    rows.push_back({row.name, std::move(values)});
+  for (std::size_t i = 0; i < std::min(runs.size(), mostColumns); ++i) {
+    const auto of = provenanceOf(runs[i]);
+    rows.resize(of.size());
+    for (std::size_t k = 0; k < of.size(); ++k)
+      rows[k].first = of[k].first, rows[k].second.push_back(of[k].second);
   }
+  std::erase_if(rows, [](const auto& row) {
+    // Runs of a study have no time and no machine of their own: they are the same bytes wherever they were run.
+    return std::ranges::all_of(row.second, [](const std::string& v) { return v.empty(); });
+  });
   PageSection section{"provenance", "Provenance", {}};
   section.body.add(sideBySide("Provenance", runs, rows));
   if (runs.size() > mostColumns)

@@ -21,7 +21,7 @@ bool addSource(const std::string& file, Sources& sources) {
     return (isMergedStudy(file) ? sources.studies : sources.databases).push_back(file), true;
   const auto first = readHead(file, 1);
   if (first != "{") return false;
-  const Json json = Json::tryParse(readFile(file));
+  const Json json = tryParseJson(readFile(file));
   if (!json.is_object() || !json.contains("morula")) return false;
   if (json.contains("rows") && json.contains("scenario")) return sources.accuracies.push_back(file), true;
   if (json.contains("results")) return sources.checks.push_back(file), true;

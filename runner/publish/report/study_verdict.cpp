@@ -1,6 +1,5 @@
 // What must be known first of a study: which runs failed or are not sane, which are no replicates, which cut an ambiguous axis.
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "check/ambiguous.h"
@@ -22,17 +21,12 @@ struct Trouble {
 /// Runs that failed, are missing or are not sane: those of one condition with one reason once.
 void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
   std::vector<std::pair<Trouble, std::vector<std::string>>> found;  // with the seeds
-  std::vector<bool> told(r.tasks.size());
-  for (const ResultCondition& condition : r.conditions)
-    for (std::size_t s = 0; s < r.seeds.size(); ++s) {
-      const std::size_t t = condition.tasks[s];
-      if (t == noTask || told[t] || (r.tasks[t].status == "done" && r.tasks[t].isSane)) continue;
-      told[t] = true;
-      const Trouble trouble{r.nameOf(condition), r.tasks[t].status, r.tasks[t].reason};
-      auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == trouble; });
-      if (same == found.end()) same = found.insert(found.end(), {trouble, {}});
-      same->second.push_back(std::to_string(r.seeds[s]));
-    }
+  for (const auto& [condition, seed, task] : troubledRuns(r)) {
+    const Trouble trouble{condition, task.status, task.reason};
+    auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == trouble; });
+    if (same == found.end()) same = found.insert(found.end(), {trouble, {}});
+    same->second.push_back(std::to_string(seed));
+  }
   for (const auto& [trouble, seeds] : found) {
     const Words which =
         bold(trouble.condition) + ", " + (seeds.size() == 1 ? "seed " : "seeds ") + listed(seeds, 12) + ": ";
@@ -54,12 +48,11 @@ void judgeTasks(const StudyResults& r, std::vector<Finding>& findings) {
 /// Conditions that are the same runs, and those whose seeds change nothing.
 void judgeConditions(const StudyComparison& c, std::vector<Finding>& findings) {
   const StudyResults& r = c.results;
-  std::map<std::vector<std::size_t>, std::vector<Words>> byTasks;
-  for (const ResultCondition& condition : r.conditions)
-    byTasks[condition.tasks].push_back(bold(r.nameOf(condition)));
-  for (const auto& [tasks, names] : byTasks)
-    if (names.size() > 1)
-      findings.push_back({Finding::Kind::warning, listed(names, 12) + " are the same runs"});
+  for (const auto& names : namesOfSameRuns(r)) {
+    std::vector<Words> bolds;
+    for (const std::string& name : names) bolds.push_back(bold(name));
+    findings.push_back({Finding::Kind::warning, listed(bolds, 12) + " are the same runs"});
+  }
   for (const std::size_t k : c.seedless)
     findings.push_back(
         {Finding::Kind::warning, "Seeds change nothing under " + bold(r.nameOf(r.conditions[k])) +

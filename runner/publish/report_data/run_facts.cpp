@@ -43,6 +43,7 @@ void compareWithGolden(RunFacts& facts) {
 }  // namespace
 
 RunFacts factsOf(Store& store, const StoredRun& run) {
+  requireWholeRecord(store, run);
   RunFacts facts{.database = store.file().string(),
                  .label = {},
                  .title = {},

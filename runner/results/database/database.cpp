@@ -3,10 +3,11 @@
 #include <sqlite3.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "base/error.h"
-#include "base/hash.h"
+#include "base/read_hash.h"
 #include "database/store_error.h"
 #include "files/folders.h"
 #include "files/printable.h"
@@ -208,6 +209,32 @@ std::string Statement::line(int column) const {
   auto value = text(column);
   if (printableLine(value) != value) refuse(column, "needs one line of plain text");
   return value;
+}
+
+double Statement::finite(int column) const {
+  const double value = real(column);
+  if (!std::isfinite(value)) refuse(column, "needs a finite number");
+  return value;
+}
+
+int Statement::small(int column) const {
+  const auto value = integer(column);
+  if (value < 0 || value > 1'000'000) refuse(column, "needs a whole number from 0 to 1000000");
+  return static_cast<int>(value);
+}
+
+Hash Statement::hash(int column) const {
+  const auto hash = readHash(line(column));
+  if (!hash) refuse(column, "needs 32 hexadecimal digits");
+  return *hash;
+}
+
+CellPath Statement::path(int column) const {
+  try {
+    return CellPath::parse(line(column));
+  } catch (const InputError& error) {
+    refuse(column, std::string("needs a cell's path (") + error.what() + ")");
+  }
 }
 
 int Statement::columns() const { return sqlite3_column_count(statement_.get()); }

@@ -8,14 +8,19 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "base/cell_path.h"
+#include "base/hash.h"
+#include "base/record.h"
+#include "base/vec3.h"
+#include "simulation/measure_fields.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace morula {
-
-class Hasher;
 
 class Database {
  public:
@@ -57,15 +62,6 @@ struct Blob {
   std::string_view bytes;
 };
 
-/// Numbers for several columns in a row; NULL where there is none, whole ones as integers.
-struct BoundNumbers {
-  struct Number {
-    std::optional<double> value;
-    bool isWhole = false;
-  };
-  std::vector<Number> numbers;
-};
-
 /// Texts for several columns in a row; NULL where there is none.
 struct Texts {
   std::vector<std::optional<std::string>> texts;
@@ -103,6 +99,8 @@ class Statement {
   bool isNull(int column) const;
   std::int64_t integer(int column) const;
   std::uint64_t natural(int column) const;  // from 0
+  int small(int column) const;              // from 0 to a million
+  double finite(int column) const;
   /// As `bind` writes numbers from 2^63 on.
   std::uint64_t bits(int column) const { return static_cast<std::uint64_t>(integer(column)); }
   /// NULL reads as NaN: see bind(double).
@@ -110,6 +108,18 @@ class Statement {
   std::string text(int column) const;  // or a BLOB; NULL reads as ""
   /// A text of one line, without control characters.
   std::string line(int column) const;
+
+  /// A record of the columns from number `from` on, in the order of its fields. What its list says is null and is not, or is
+  /// not null and should be, is refused, too.
+  template <Record Row>
+  Row row(int from = 0) const {
+    Row row{};
+    int column = from;
+    listFields(row, [&](const FieldInfo& field, auto&& member) { read(field, column, member); });
+    column = from;
+    listFields(row, [&](const FieldInfo&, auto&& member) { refuseWrongNull(column, member); });
+    return row;
+  }
 
   int columns() const;
   /// Adds a value with its type; nothing for NULL.
@@ -131,20 +141,99 @@ class Statement {
     expectParameters(place);
   }
 
+  // Each takes as many places as the value has columns.
   template <class T>
   void bindNext(int& place, const T& value) {
-    bind(++place, value);
+    if constexpr (Record<T>)
+      listFields(value, [&](const FieldInfo&, const auto& member) { bindNext(place, member); });
+    else if constexpr (IsMeasures<T>)
+      value.each([&](const auto& measure, std::size_t i) {
+        const std::optional<double>& v = value.of.values[i];
+        if (v && measure.isWhole) bind(++place, static_cast<std::int64_t>(*v));
+        else bind(++place, v);
+      });
+    else if constexpr (HasChoices<T>) bind(++place, nameOf(value));
+    else if constexpr (requires { value.isAbsent; }) {
+      if (value.isAbsent) bindNull(++place);
+      else bindNext(place, value.of);
+    } else if constexpr (IsTemplate<T, AnyReal> || IsTemplate<T, AllBits>) bind(++place, value.of);
+    else if constexpr (IsTemplate<T, TextOf>) bindCopy(++place, std::string_view(value.write()));
+    else if constexpr (IsTemplate<T, BytesOf>) bindCopy(++place, Blob{value.write()});
+    else bind(++place, value);
   }
-  void bindNext(int& place, const BoundNumbers& values) {
-    for (const auto& [value, isWhole] : values.numbers) {
-      if (value && isWhole) bind(++place, static_cast<std::int64_t>(*value));
-      else bind(++place, value);
-    }
-  }
-
   void bindNext(int& place, const Texts& values) {
     for (const auto& text : values.texts) bind(++place, text);
   }
+  void bindNext(int& place, const Vector& v) {
+    for (const double x : {v.x, v.y, v.z}) bind(++place, x);
+  }
+  void bindNext(int& place, const Hash& hash) { bindCopy(++place, hash.text()); }
+  void bindNext(int& place, const CellPath& path) { bindCopy(++place, path.text()); }
+  /// Of what does not live until the statement has run.
+  template <class T>
+  void bindCopy(int place, const T& value) {
+    const bool before = std::exchange(copyValues_, true);
+    bind(place, value);
+    copyValues_ = before;
+  }
+
+  template <class T>
+  void read(const FieldInfo& field, int& column, T&& member) const {
+    using Member = std::remove_cvref_t<T>;
+    if constexpr (IsMeasures<Member>)
+      member.each([&](const auto& measure, std::size_t i) {
+        const int c = column++;
+        if (!isNull(c)) member.of.values[i] = measure.isWhole ? static_cast<double>(natural(c)) : real(c);
+      });
+    else if constexpr (std::same_as<Member, Vector>)
+      for (double* x : {&member.x, &member.y, &member.z}) *x = finite(column++);
+    else if constexpr (requires { member.isAbsent; }) {
+      if (isNull(column)) ++column;
+      else read(field, column, member.of);
+    } else if constexpr (IsOptional<Member>) {
+      if (isNull(column)) ++column;
+      else if constexpr (std::same_as<Member, std::optional<double>>) member = real(column++);
+      else read(field, column, member.emplace());
+    } else readOne(field, column++, member);
+  }
+
+  template <class T>
+  void readOne(const FieldInfo& field, int column, T&& member) const {
+    using Member = std::remove_cvref_t<T>;
+    if constexpr (HasChoices<Member>) member = choice<Member>(column);
+    else if constexpr (IsTemplate<Member, AnyReal>) member.of = real(column);
+    else if constexpr (IsTemplate<Member, AllBits>) member.of = bits(column);
+    else if constexpr (IsTemplate<Member, TextOf>) member.read(textFor(field, column));
+    else if constexpr (IsTemplate<Member, BytesOf>) member.read(text(column));
+    else if constexpr (std::same_as<Member, bool>) member = integer(column) != 0;
+    else if constexpr (std::same_as<Member, int>) member = small(column);
+    else if constexpr (std::integral<Member>) member = natural(column);
+    else if constexpr (std::floating_point<Member>) member = finite(column);
+    else if constexpr (std::same_as<Member, Hash>) member = hash(column);
+    else if constexpr (std::same_as<Member, CellPath>) member = path(column);
+    else member = textFor(field, column);
+  }
+
+  template <class T>
+  void refuseWrongNull(int& column, const T& member) const {
+    if constexpr (requires { member.isAbsent; })
+      if (isNull(column) && !member.isAbsent) refuse(column, "needs a value");
+    if constexpr (IsMeasures<T>) member.each([&](const auto&, std::size_t) { ++column; });
+    else column += std::same_as<T, Vector> ? 3 : 1;
+  }
+
+  template <class E>
+  E choice(int column) const {
+    const std::string name = line(column);
+    for (const auto& row : choices<E>)
+      if (row.name == name) return row.value;
+    refuse(column, "needs " + namesOf<E>());
+  }
+  std::string textFor(const FieldInfo& field, int column) const {
+    return field.anyCharacters ? text(column) : line(column);
+  }
+  Hash hash(int column) const;
+  CellPath path(int column) const;
 
   /// SQLite keeps every finite double and the infinities bit for bit, but −0.0 becomes 0.0 and NaN becomes
   /// NULL. So REAL columns are for reading and reckoning; what must be exact to the last bit is stored as a

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/record.h"
+
 namespace morula {
 
 struct CheckResult {
@@ -25,6 +27,23 @@ struct CheckResult {
   std::string message = {};  // for people: all that differs, several lines; "" when passed
   friend bool operator==(const CheckResult&, const CheckResult&) = default;
 };
+
+template <IsA<CheckResult> T>
+void listFields(T& r, auto&& field) {
+  auto& [check, kind, expected, actual, tolerance, passed, failureClass, firstStep, cell, at, share, message] = r;
+  field({.name = "check", .anyCharacters = true}, check);
+  field({.name = "kind", .oneOf = "golden bullet invariant sanity"}, kind);
+  field({.name = "expected", .anyCharacters = true}, expected);
+  field({.name = "actual", .anyCharacters = true}, actual);
+  field({.name = "tolerance", .anyCharacters = true}, tolerance);
+  field({"passed"}, passed);
+  field({.name = "class", .meaning = "'' when passed", .anyCharacters = true}, failureClass);
+  field({"first_step"}, firstStep);
+  field({.name = "cell", .anyCharacters = true}, cell);
+  field({.name = "field", .anyCharacters = true}, at);
+  field({"share_of_tolerance"}, share);
+  field({.name = "message", .anyCharacters = true}, message);
+}
 
 /// `result` as one that passed, or as one that failed: of this class, and with `message` for people.
 inline CheckResult judged(CheckResult result, bool passed, const std::string& message,

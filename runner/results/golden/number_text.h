@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "base/hash.h"
 #include "base/number_text.h"
 
 namespace morula {
@@ -23,15 +22,6 @@ std::optional<Number> readNumber(std::string_view text) {
 inline std::optional<double> readReal(std::string_view text) { return readNumber<double>(text); }
 inline std::optional<std::uint64_t> readNatural(std::string_view text) {
   return readNumber<std::uint64_t>(text);
-}
-
-/// 32 hexadecimal digits, as Hash::text writes them.
-inline std::optional<Hash> readHash(std::string_view text) {
-  if (text.size() != 32 || text.find_first_not_of("0123456789abcdef") != text.npos) return std::nullopt;
-  Hash hash;
-  std::from_chars(text.data(), text.data() + 16, hash.high, 16);
-  std::from_chars(text.data() + 16, text.data() + 32, hash.low, 16);
-  return hash;
 }
 
 }  // namespace morula

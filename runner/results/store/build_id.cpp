@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/hash.h"
 #include "store/build_info.h"
 
@@ -8,6 +10,17 @@ std::string librariesText(const BuildInfo& build) {
   for (const auto& [library, version] : build.libraries)
     text += (text.empty() ? "" : "; ") + library + ' ' + version;
   return text;
+}
+
+std::vector<std::pair<std::string, std::string>> librariesFrom(const std::string& text) {
+  std::vector<std::pair<std::string, std::string>> libraries;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find("; ", begin), text.size());
+    const std::size_t space = text.rfind(' ', end - 1);
+    libraries.emplace_back(text.substr(begin, space - begin), text.substr(space + 1, end - space - 1));
+    begin = end + 2;
+  }
+  return libraries;
 }
 
 std::string buildId(const BuildInfo& build) {

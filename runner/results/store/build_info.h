@@ -26,6 +26,7 @@ const std::string& buildDiff();
 
 /// "Eigen 3.4.0; SQLite 3.40.1".
 std::string librariesText(const BuildInfo& build);
+std::vector<std::pair<std::string, std::string>> librariesFrom(const std::string& text);
 
 /// 32 hexadecimal digits over what can change a result: sources, compiler, flags, target, libraries. The
 /// commit is not in it: the same sources under another commit are the same program.

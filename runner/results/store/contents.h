@@ -7,6 +7,7 @@
 namespace morula {
 
 class Database;
+struct SqlTable;
 
 struct TableContents {
   std::string table;
@@ -17,7 +18,9 @@ struct TableContents {
   std::string why;  // who reads it, and when it is stored
 };
 
-/// All tables, in the order of the schema. `id`: rows of this run alone; "": of all runs. Throws StoreError.
-std::vector<TableContents> contentsOf(Database& db, const std::string& id);
+/// All tables, in the order of the schema; why is said of those in `known`. `id`: rows of this run alone; "": of all runs. Throws
+/// StoreError.
+std::vector<TableContents> contentsOf(Database& db, const std::string& id,
+                                      const std::vector<const SqlTable*>& known);
 
 }  // namespace morula

@@ -2,30 +2,35 @@
 
 namespace morula {
 
-std::vector<Item> compareIdentity(const RunRecord& a, const RunRecord& b) {
-  return {{"scenario", a.scenarioHash, b.scenarioHash},
-          {"seed", std::to_string(a.seed), std::to_string(b.seed)},
-          {"sources", a.build.sources, b.build.sources},
-          {"compiler", a.build.compiler, b.build.compiler},
-          {"flags", a.build.flags, b.build.flags},
-          {"target", a.build.target, b.build.target},
-          {"libraries", librariesText(a.build), librariesText(b.build)}};
+namespace {
+
+bool isIdentity(RunPart part) { return part == RunPart::scene || part == RunPart::program; }
+bool isCondition(RunPart part) {
+  return isIdentity(part) || part == RunPart::detail || part == RunPart::environment;
 }
 
-std::vector<Item> compareConditions(const RunRecord& a, const RunRecord& b) {
-  std::vector<Item> items = compareIdentity(a, b);
-  items.insert(items.end(), {{"build id", buildId(a.build), buildId(b.build)},
-                             {"version", a.build.version, b.build.version},
-                             {"commit", a.build.gitCommit, b.build.gitCommit},
-                             {"tree", a.build.gitState, b.build.gitState},
-                             {"binary", a.binaryHash, b.binaryHash},
-                             {"cpu", a.machine.cpu, b.machine.cpu},
-                             {"cpu features", a.machine.features, b.machine.features},
-                             {"kernel", a.machine.kernel, b.machine.kernel},
-                             {"floating point", a.machine.fpEnvironment, b.machine.fpEnvironment},
-                             {"isa", a.isa, b.isa},
-                             {"threads", std::to_string(a.threads), std::to_string(b.threads)}});
+std::vector<Item> compare(const RunRecord& before, const RunRecord& now, bool (*takes)(RunPart)) {
+  std::vector<Item> items;
+  eachFieldOf({.id = {}, .record = before, .started = {}, .ended = {}, .stateHash = {}, .failure = {}},
+              [&](const RunField& field, const std::string& value) {
+                if (takes(field.part)) items.push_back({field.name, field.label, value, {}});
+              });
+  std::size_t i = 0;
+  eachFieldOf({.id = {}, .record = now, .started = {}, .ended = {}, .stateHash = {}, .failure = {}},
+              [&](const RunField& field, const std::string& value) {
+                if (takes(field.part)) items[i++].now = value;
+              });
   return items;
+}
+
+}  // namespace
+
+std::vector<Item> compareIdentity(const RunRecord& before, const RunRecord& now) {
+  return compare(before, now, isIdentity);
+}
+
+std::vector<Item> compareConditions(const RunRecord& before, const RunRecord& now) {
+  return compare(before, now, isCondition);
 }
 
 }  // namespace morula

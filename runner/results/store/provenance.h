@@ -8,7 +8,8 @@
 namespace morula {
 
 struct Item {
-  std::string name, before, now;
+  std::string name, label;  // of the column; for people
+  std::string before, now;
 };
 
 /// What makes a run_id: scenario, seed and what the program was built from.

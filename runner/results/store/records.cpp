@@ -1,21 +1,45 @@
 #include "store/records.h"
 
-#include "base/error.h"
+#include <cctype>
+
+#include "base/number_text.h"
 
 namespace morula {
 
-const char* name(RunStatus status) {
-  switch (status) {
-    case RunStatus::running:
-      return "running";
-    case RunStatus::done:
-      return "done";
-    case RunStatus::failed:
-      return "failed";
-    case RunStatus::killed:
-      return "killed";
-  }
-  throw BugError("a run status that is not one");
+namespace {
+
+template <class Member>
+std::string valueText(const Member& member) {
+  if constexpr (requires { member.isAbsent; }) return member.isAbsent ? "" : valueText(member.of);
+  else if constexpr (IsOptional<Member>) return member ? valueText(*member) : "";
+  else if constexpr (IsTemplate<Member, AllBits>) return valueText(member.of);
+  else if constexpr (IsTemplate<Member, TextOf>) return member.write();
+  else if constexpr (HasChoices<Member>) return nameOf(member);
+  else if constexpr (std::floating_point<Member>) return numberText(member);
+  else if constexpr (std::integral<Member>) return std::to_string(member);
+  else return member;
+}
+
+}  // namespace
+
+void eachFieldOf(const StoredRun& run,
+                 const std::function<void(const RunField&, const std::string&)>& visit) {
+  listFields(run, [&](const RunField& field, const auto& member) { visit(field, valueText(member)); });
+}
+
+std::string headingOf(const RunField& field) {
+  std::string label = field.label;
+  label[0] = static_cast<char>(std::toupper(label[0]));
+  return label;
+}
+
+RunPart partOf(const std::string& column) {
+  static const auto parts = [] {
+    std::map<std::string, RunPart> parts;
+    eachFieldOf({}, [&](const RunField& field, const std::string&) { parts[field.name] = field.part; });
+    return parts;
+  }();
+  return parts.at(column);
 }
 
 std::string runId(const RunRecord& record) {

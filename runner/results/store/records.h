@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "base/choice.h"
 #include "base/error.h"
+#include "base/record.h"
 #include "biology/lineage.h"
 #include "division/record.h"
 #include "golden/check_result.h"
@@ -21,7 +23,13 @@
 namespace morula {
 
 enum class RunStatus { running, done, failed, killed };
-const char* name(RunStatus status);
+template <>
+inline constexpr auto choices<RunStatus> =
+    std::to_array<Choice<RunStatus>>({{RunStatus::running, "running", ""},
+                                      {RunStatus::done, "done", ""},
+                                      {RunStatus::failed, "failed", ""},
+                                      {RunStatus::killed, "killed", ""}});
+inline const char* name(RunStatus status) { return nameOf(status); }
 
 /// A text that decided the run, byte for byte, so that the run can be repeated from the database alone.
 struct SourceText {
@@ -60,6 +68,99 @@ struct RunEnd {
   std::string failure;        // what went wrong; "" unless failed
   Want want = Want::nothing;  // what the failure is for want of: then it is compared with nothing
 };
+
+/// A run as it stands in the file.
+struct StoredRun {
+  std::string id;
+  RunRecord record;  // without documents: see Store::documents
+  RunStatus status = RunStatus::running;
+  std::string started, ended;          // UTC; ended is "" while running
+  std::string stateHash;               // "" unless done
+  std::uint64_t steps = 0, cells = 0;  // 0 while running
+  double time = 0;                     // [time]
+  std::string failure;
+  std::optional<std::uint64_t> condition = {};
+};
+
+/// What a field of a run is about.
+enum class RunPart {
+  result,       // what the computation decides
+  scene,        // what is computed
+  program,      // with what: two that differ give two results, or so it must be assumed
+  detail,       // that program, more closely
+  environment,  // on what
+  occasion,     // when, and by which command
+};
+struct RunField : FieldInfo {
+  RunPart part;
+  const char* label;            // for people
+  bool changesNothing = false;  // in results, which tests hold
+};
+
+template <IsA<StoredRun> T>
+void listFields(T& run, auto&& field) {
+  auto& [id, record, status, started, ended, stateHash, steps, cells, time, failure, condition] = run;
+  auto& [scenario, scenarioHash, seed, documents, command, isa, threads, build, machine, binaryHash] = record;
+  auto& [version, sources, gitCommit, gitState, compiler, flags, target, libraries] = build;
+  auto& [cpu, kernel, features, fpEnvironment] = machine;
+  TextOf buildIdText{[&] { return buildId(run.record.build); }, notRead};
+  TextOf librariesList{[&] { return librariesText(run.record.build); },
+                       [&](const auto& text) { run.record.build.libraries = librariesFrom(text); }};
+  const bool runs = status == RunStatus::running;
+  using enum RunPart;
+  field(RunField{{"run_id", "from scenario_hash, seed and build_id: the same computation, the same id"},
+                 result,
+                 "run"},
+        id);
+  field(RunField{{"scenario"}, result, "scenario"}, scenario);
+  field(RunField{{"seed", "two's complement from 2^63 on"}, scene, "seed"}, AllBits{seed});
+  field(RunField{{"status"}, result, "status"}, status);
+  field(RunField{{"state_hash", "of the final state, all bits; NULL unless done"}, result, "end state"},
+        NullIf{stateHash.empty(), stateHash});
+  field(RunField{{"started", "UTC"}, occasion, "started"}, started);
+  field(RunField{{"ended", "NULL while running"}, occasion, "ended"}, NullIf{ended.empty(), ended});
+  field(RunField{{"steps"}, result, "steps"}, NullIf{runs, steps});
+  field(RunField{{"cells", "alive at the end"}, result, "cells"}, NullIf{runs, cells});
+  field(RunField{{"time", "simulated", "time"}, result, "time"}, NullIf{runs, time});
+  field(RunField{{"failure", "why a failed run stopped"}, result, "failure"},
+        NullIf{failure.empty(), failure});
+  field(RunField{{"scenario_hash", "of the meaning: formatting and key order do not count"},
+                 scene,
+                 "meaning of the scenario"},
+        scenarioHash);
+  field(RunField{{"build_id", "from sources, compiler, flags, target and libraries"}, detail, "build id"},
+        buildIdText);
+  field(RunField{{"version"}, detail, "version"}, version);
+  field(RunField{{"sources", "digest of the program's sources"}, program, "sources"}, sources);
+  field(RunField{{"git_commit"}, detail, "commit"}, gitCommit);
+  field(RunField{{.name = "git_state", .oneOf = "clean modified unknown"}, detail, "tree"}, gitState);
+  field(RunField{{"compiler"}, program, "compiler"}, compiler);
+  field(RunField{{"flags"}, program, "flags"}, flags);
+  field(RunField{{"target"}, program, "target"}, target);
+  field(RunField{{"libraries", "'Eigen 3.4.0; SQLite 3.40.1'"}, program, "libraries"}, librariesList);
+  field(RunField{{"cpu"}, environment, "processor"}, cpu);
+  field(RunField{{"kernel"}, environment, "kernel"}, kernel);
+  field(RunField{{"isa", "changes no result"}, environment, "instruction set", true}, isa);
+  field(RunField{{"threads", "changes no result"}, environment, "threads", true}, threads);
+  field(RunField{{.name = "command", .meaning = "as typed", .anyCharacters = true}, occasion, "command"},
+        command);
+  field(RunField{{"binary_hash", "XXH3-128 of the program's file"}, detail, "binary hash"}, binaryHash);
+  field(RunField{{"fp_environment", "how the processor rounds, and what it does with denormals"},
+                 environment,
+                 "floating point"},
+        fpEnvironment);
+  field(RunField{{"cpu_features", "those that arithmetic can hang on"}, environment, "processor features"},
+        features);
+  field(RunField{{"condition_id", "of a study's merged database; NULL elsewhere"}, occasion, "condition"},
+        condition);
+}
+
+/// The field's label with a capital.
+std::string headingOf(const RunField& field);
+/// Of a column of `run`.
+RunPart partOf(const std::string& column);
+/// visit(const RunField&, its value for people; "" where there is none) for each field.
+void eachFieldOf(const StoredRun& run, const std::function<void(const RunField&, const std::string&)>& visit);
 
 /// The state of the organism at one moment, as far as it was measured.
 struct Sample {

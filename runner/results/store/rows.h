@@ -1,6 +1,6 @@
 #pragma once
 // Rows out of plain data. Each function writes into a transaction of its caller's.
-#include "database/database.h"
+#include "database/record_table.h"
 #include "store/records.h"
 
 namespace morula {
@@ -13,8 +13,10 @@ void restartRun(Database& db, const std::string& id, const std::string& started)
 /// The row `run` is there and running: how it ended.
 void endRun(Database& db, const std::string& id, const RunEnd& end);
 void insertResults(Database& db, const std::string& id, const RunResults& results);
-/// All rows that results are made of.
-void deleteResults(Database& db, const std::string& id);
+/// All rows of the run in tables of these parts: of all that results are made of.
+void deleteRows(
+    Database& db, const std::string& id,
+    bool (*takes)(TablePart) = [](TablePart part) { return isResult(part) || part == TablePart::bullet; });
 /// Of samples and hashes, those of steps after `after`; all of them if there is none.
 void insertRecords(Database& db, const std::string& id, const RunResults& results,
                    std::optional<std::uint64_t> after = {});

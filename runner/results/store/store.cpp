@@ -1,40 +1,33 @@
 // Opening a file, and the life of a run in it.
 #include "store/store.h"
 
+#include <algorithm>
+
 #include "base/error.h"
-#include "database/schema.h"
 #include "database/store_error.h"
 #include "store/rows.h"
+#include "store/run_tables.h"
+#include "store/schema.h"
 
 namespace morula {
 
 namespace {
 
 /// What the file says of a run that is already there.
-struct Earlier {
-  std::string status, stateHash, started, cpu, isa;
-  std::int64_t threads;
-};
-
-std::optional<Earlier> findEarlier(Database& db, const std::string& id) {
-  Statement s(db, "SELECT status, state_hash, started, cpu, isa, threads FROM run WHERE run_id = ?");
+std::optional<StoredRun> findEarlier(Database& db, const std::string& id) {
+  Statement s(db, sqlTable<StoredRun>().select(db, "run_id = ?"));
   if (!s.start(id).next()) return std::nullopt;
-  return Earlier{s.text(0), s.text(1), s.text(2), s.text(3), s.text(4), s.integer(5)};
+  return s.row<StoredRun>();
 }
 
-/// The rows for which `which` holds, by the names of their columns.
-template <class... Values>
-void copyRows(Database& from, Database& to, const std::string& table, const std::string& which,
-              const Values&... values) {
-  std::string names, places;
-  Statement columns(from, "SELECT name FROM pragma_table_info(?)");
-  for (columns.start(table); columns.next();) {
-    names += (names.empty() ? "" : ", ") + columns.text(0);
-    places += places.empty() ? "?" : ", ?";
-  }
-  Statement rows(from, "SELECT " + names + " FROM " + table + " WHERE " + which);
-  Statement insert(to, "INSERT INTO " + table + " (" + names + ") VALUES (" + places + ")");
-  for (rows.start(values...); rows.next();) insert.runWith(rows);
+/// The run's rows whose `column`, of time or step, is after `after`.
+template <class Number>
+void copyRows(Database& from, Database& to, const SqlTable& table, const std::string& id, const char* column,
+              Number after) {
+  Statement rows(from, "SELECT " + table.names() + " FROM " + table.info.name + " WHERE run_id = ? AND " +
+                           column + " > ?");
+  Statement insert(to, table.insert());
+  for (rows.start(id, after); rows.next();) insert.runWith(rows);
 }
 
 void deleteRun(Database& db, const std::string& id) {
@@ -42,13 +35,13 @@ void deleteRun(Database& db, const std::string& id) {
   db.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");
 }
 
-[[noreturn]] void reportNondeterminism(const Database& db, const std::string& id, const Earlier& earlier,
+[[noreturn]] void reportNondeterminism(const Database& db, const std::string& id, const StoredRun& earlier,
                                        const std::string& computed) {
   throw NondeterminismError(
       db.file().string() + ": run " + id +
           ": NONDETERMINISM: the same scenario, seed and build gave another result; stored " +
-          earlier.stateHash + " (" + earlier.started + ", " + earlier.cpu + ", " + earlier.isa +
-          ", threads " + std::to_string(earlier.threads) + "), now " + computed +
+          earlier.stateHash + " (" + earlier.started + ", " + earlier.record.machine.cpu + ", " +
+          earlier.record.isa + ", threads " + std::to_string(earlier.record.threads) + "), now " + computed +
           "; the stored run is kept. This is a bug or broken hardware: `morula explain` finds where they "
           "part",
       id, earlier.stateHash, computed);
@@ -61,31 +54,31 @@ Store Store::openForWriting(const std::filesystem::path& file, Options options) 
   if (db.readOnly())
     throw StoreError(file.string() +
                      ": the file is not writable; change its permissions or give another file");
-  migrate(db);
+  makeTables(db);
   configure(db);
   return Store(std::move(db));
 }
 
 Store Store::temporary() {
   Database db("the temporary database", Database::Mode::temporary, std::chrono::seconds(1));
-  migrate(db);
+  makeTables(db);
   configure(db);
   return Store(std::move(db));
 }
 
 Store Store::openForReading(const std::filesystem::path& file, Options options) {
   Database db(file, Database::Mode::existing, options.patience);
-  requireCurrentSchema(db);
+  requireTables(db);
   return Store(std::move(db));
 }
 
 std::string Store::begin(const RunRecord& record) {
   const std::string id = runId(record);
   const Attempt& attempt = attempts_[id] = {record, utcNow()};
-  if (recorded_) deleteResults(*recorded_, id);
+  if (recorded_) deleteRows(*recorded_, id);
   Transaction transaction(db_);
   if (const auto earlier = findEarlier(db_, id)) {
-    if (earlier->status == name(RunStatus::done)) return id;
+    if (earlier->status == RunStatus::done) return id;
     if (checkpointStep(id)) {
       restartRun(db_, id, attempt.started);
       transaction.commit();
@@ -102,7 +95,7 @@ void Store::record(const std::string& id, const RunResults& records) {
   if (!recorded_) {
     recorded_.emplace("the records of a run that goes on", Database::Mode::temporary,
                       std::chrono::seconds(1));
-    migrate(*recorded_);
+    makeTables(*recorded_);
   }
   recorded_->execute("BEGIN");
   insertRecords(*recorded_, id, records);
@@ -115,10 +108,12 @@ void Store::takeOver(const std::string& id, std::optional<std::uint64_t> after) 
   Statement last(db_, "SELECT max(time) FROM sample WHERE run_id = ? AND step <= ?");
   const double time = after && last.start(id, *after).next() && !last.isNull(0) ? last.real(0) : -1;
   const std::int64_t step = after ? static_cast<std::int64_t>(*after) : -1;
-  for (const char* table : {"sample", "cell_sample", "contact", "measure", "mesh_sample"})
-    copyRows(*recorded_, db_, table, "run_id = ? AND time > ?", id, time);
-  for (const char* table : {"step_hash", "cell_hash"})
-    copyRows(*recorded_, db_, table, "run_id = ? AND step > ?", id, step);
+  for (const SqlTable* t : runTables()) {
+    if (t->info.part != TablePart::samples) continue;
+    if (std::string_view(t->info.key).starts_with("run_id, time"))
+      copyRows(*recorded_, db_, *t, id, "time", time);
+    else copyRows(*recorded_, db_, *t, id, "step", step);
+  }
 }
 
 void Store::finish(const std::string& id, const RunEnd& end, const RunResults& results) {
@@ -128,7 +123,7 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
   MORULA_CHECK(end.status != RunStatus::done || end.stateHash, "a run that is done has a state hash");
   Transaction transaction(db_);
   if (const auto earlier = findEarlier(db_, id)) {
-    if (earlier->status == name(RunStatus::done)) {
+    if (earlier->status == RunStatus::done) {
       // Half a run says nothing against a whole one.
       if (end.status == RunStatus::killed || end.want != Want::nothing) return;
       const std::string computed =
@@ -138,7 +133,7 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
     if (end.status == RunStatus::killed) {
       endRun(db_, id, end);
       if (checkpointStep(id).value_or(0) <= end.steps) {  // else the file knows more of this run already
-        deleteResults(db_, id);
+        deleteRows(db_, id);
         takeOver(id);
         insertResults(db_, id, results);
       }
@@ -176,12 +171,22 @@ void Store::putBulletSamples(const std::string& id, const std::string& baseline,
 void Store::copyRun(const std::string& id, const std::filesystem::path& file) {
   Statement(db_, "VACUUM INTO ?").run(file.string());
   Database copy(file, Database::Mode::existing, std::chrono::seconds(1));
+  std::vector<std::string> tables;
+  Statement names(copy, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite%'");
+  while (names.next()) tables.push_back(names.text(0));
+  for (const std::string& table : tables) {
+    const auto columns = columnNames(copy, table);
+    const auto has = [&](const char* column) { return std::ranges::find(columns, column) != columns.end(); };
+    if (has("run_id")) Statement(copy, "DELETE FROM " + sqlName(table) + " WHERE run_id <> ?").run(id);
+    else if (table == "timing")
+      Statement(copy, "DELETE FROM timing WHERE task_id NOT IN (SELECT task_id FROM task WHERE run_id = ?)")
+          .run(id);
+    else if (table != "document")
+      copy.execute("DROP TABLE " + sqlName(table));  // of all runs of a study together
+  }
   configure(copy);
-  for (const char* table : {"replicate", "condition_key", "condition", "level", "axis", "study"})
-    copy.execute(std::string("DROP TABLE IF EXISTS ") + table);  // of all runs of a study together
-  Statement(copy, "DELETE FROM run WHERE run_id <> ?").run(id);
   copy.execute("DELETE FROM document WHERE hash NOT IN (SELECT hash FROM run_document)");
-  copy.execute("DELETE FROM checkpoint");
+  copy.execute("DELETE FROM checkpoint; DELETE FROM checkpoint_frame");
   copy.execute("VACUUM");
 }
 

@@ -28,18 +28,6 @@ struct StoreOptions {
   std::chrono::milliseconds patience{30'000};  // how long to wait for another writer
 };
 
-/// A run as it stands in the file.
-struct StoredRun {
-  std::string id;
-  RunRecord record;  // without documents: see Store::documents
-  RunStatus status = RunStatus::running;
-  std::string started, ended;          // UTC; ended is "" while running
-  std::string stateHash;               // "" unless done
-  std::uint64_t steps = 0, cells = 0;  // 0 while running
-  double time = 0;                     // [time]
-  std::string failure;
-};
-
 class Store {
  public:
   using Options = StoreOptions;
@@ -103,18 +91,23 @@ class Store {
   std::vector<ChainLink> chain(const std::string& id);
   std::vector<SourceText> documents(const std::string& id);
 
+  /// Throws StoreError if the file is no whole database any more: rows may lack.
+  void requireIntact();
   /// What was changed in the record of a run since it was made: documents that do not fit the hashes that
   /// they are stored under, a run_id or build_id that does not follow from the row. Empty for a whole record.
   std::vector<ValueDifference> changedRecord(const std::string& id);
+  /// What shows that cells of a run that has ended are gone: a cell without its mother, a mother without both daughters, fewer
+  /// leaves than the run counted. Empty for a whole lineage.
+  std::vector<ValueDifference> lostCells(const StoredRun& run);
   /// The results of a run beside those of the same run made again and stored in `again` as `idAgain`, table by
   /// table and value by value. Not those that come from elsewhere: what a golden file or Bullet says.
   std::vector<TableDifference> compareResults(const std::string& id, Store& again,
                                               const std::string& idAgain);
-  /// Which tables the file has, what they hold and why; `id`: rows of this run alone, "": of all.
-  std::vector<TableContents> contents(const std::string& id = {});
+  /// Which tables the file has, what they hold and, of those in `known`, why; `id`: rows of this run alone, "": of all.
+  std::vector<TableContents> contents(const std::vector<const SqlTable*>& known, const std::string& id = {});
 
   /// A table's rows as they stand [store/table_rows.h]. `id`: of this run alone, "": of all.
-  std::vector<std::string> columns(const std::string& table) { return columnNames(db_, table); }
+  std::vector<std::string> columns(const std::string& table) { return plainColumns(db_, table); }
   void eachRow(const std::string& table, const std::string& id,
                const std::function<void(const TableRow&)>& take) {
     morula::eachRow(db_, table, id, take);

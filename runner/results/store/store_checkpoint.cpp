@@ -1,7 +1,7 @@
 // Runs that stop on the way, and go on.
 #include "base/error.h"
-#include "database/measure_columns.h"
 #include "store/rows.h"
+#include "store/run_tables.h"
 #include "store/store.h"
 
 namespace morula {
@@ -16,21 +16,18 @@ std::optional<std::uint64_t> keptStep(Database& db, const std::string& id, const
 }
 
 void replaceCheckpoint(Database& db, const std::string& id, const Checkpoint& c) {
-  Statement(db, insertInto("checkpoint", "run_id, step, made, every, hash_every, state") +
-                    " ON CONFLICT DO UPDATE SET step = excluded.step, "
-                    "made = excluded.made, every = excluded.every, hash_every = excluded.hash_every, "
-                    "state = excluded.state")
-      .run(id, c.step, utcNow(), c.every, c.hashEvery, Blob{c.state});
+  std::string update;
+  for (const SqlColumn& column : sqlTable<CheckpointRow>().own)
+    update += (update.empty() ? "" : ", ") + column.name + " = excluded." + column.name;
+  Statement(db, sqlTable<CheckpointRow>().insert() + " ON CONFLICT DO UPDATE SET " + update)
+      .run(id, CheckpointRow{c, utcNow()});
 }
 
 void addFrames(Database& db, const std::string& id, const FrameSource& frames) {
   Statement there(db, "SELECT count(*) FROM checkpoint_frame WHERE run_id = ?");
   there.start(id).next();
-  Statement insert(db, insertInto("checkpoint_frame", "run_id, number, content"));
-  for (std::size_t i = there.natural(0); i < frames.count; ++i) {
-    const std::string bytes = frames.bytes(i);
-    insert.run(id, i, Blob{bytes});
-  }
+  Statement insert(db, sqlTable<FrameRow>().insert());
+  for (std::size_t i = there.natural(0); i < frames.count; ++i) insert.run(id, i, FrameRow{frames.bytes(i)});
 }
 
 }  // namespace
@@ -52,8 +49,8 @@ bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, 
   const auto kept = keptStep(db_, id, checkpoint);
   if (kept && *kept > checkpoint.step) return true;
   if (!kept) {
-    deleteResults(db_, id);
-    Statement(db_, "DELETE FROM checkpoint WHERE run_id = ?").run(id);  // and its frames
+    deleteRows(db_, id);
+    deleteRows(db_, id, [](TablePart part) { return part == TablePart::checkpoint; });
   }
   takeOver(id, kept);
   insertRecords(db_, id, records, kept);
@@ -66,20 +63,11 @@ bool Store::keepCheckpoint(const std::string& id, const Checkpoint& checkpoint, 
 std::optional<ResumedRun> Store::resume(const RunRecord& record) {
   const std::string id = runId(record);
   Transaction transaction(db_);
-  Statement row(
-      db_,
-      "SELECT step, every, hash_every, state, started, status FROM checkpoint JOIN run USING (run_id) "
-      "WHERE run_id = ?");
-  if (!row.start(id).next()) return std::nullopt;
-  ResumedRun run{id, {}, {}};
-  Checkpoint& c = run.checkpoint;
-  c.step = row.natural(0);
-  if (!row.isNull(1)) c.every = row.real(1);
-  if (!row.isNull(2)) c.hashEvery = row.natural(2);
-  c.state = row.text(3);
-  attempts_[id] = {record, row.line(4)};
-  Statement frame(db_, "SELECT content FROM checkpoint_frame WHERE run_id = ? ORDER BY number");
-  for (frame.start(id); frame.next();) run.frames.push_back(frame.text(0));
+  auto kept = rowsOf<CheckpointRow>(db_, "", id);
+  if (kept.empty()) return std::nullopt;
+  ResumedRun run{id, std::move(kept.front().of), {}};
+  attempts_[id] = {record, find(id).started};
+  for (FrameRow& frame : rowsOf<FrameRow>(db_, "", id)) run.frames.push_back(std::move(frame.content));
   restartRun(db_, id, attempts_[id].started);
   transaction.commit();
   return run;

@@ -5,20 +5,20 @@
 #include <cstring>
 
 #include "base/hash.h"
-#include "database/database.h"
+#include "store/run_tables.h"
 
 namespace morula {
 
 namespace {
 
-struct ColumnType {
+struct TypedColumn {
   std::string name, type;  // TEXT, INTEGER, REAL or BLOB: the tables are STRICT
 };
 
 /// How rows of a table are found and ordered, and what of them is compared.
 struct Form {
   std::string table;
-  std::vector<ColumnType> key, values;
+  std::vector<TypedColumn> key, values;
   std::string where = "run_id = ?";
 };
 
@@ -26,24 +26,8 @@ struct Form {
 const char* naturalKey(const std::string& table) { return table == "check_result" ? "kind check" : nullptr; }
 
 /// Of the row `run`: what the computation decides. The rest says where and when it was made.
-constexpr const char* decided[] = {"scenario", "seed", "status",  "state_hash",   "steps",
-                                   "cells",    "time", "failure", "scenario_hash"};
-
-bool isLeftOut(const std::string& table) {
-  return table == "run_document" || table == "bullet_sample" || table.starts_with("checkpoint");
-}
-
-std::string inQuotes(const std::string& name) { return '"' + name + '"'; }
-
-std::vector<std::string> tablesOfRuns(Database& db) {
-  Statement s(
-      db,
-      "SELECT s.name FROM sqlite_schema s, pragma_table_info(s.name) c WHERE s.type = 'table' AND c.name "
-      "= 'run_id' ORDER BY s.rowid");
-  std::vector<std::string> tables;
-  while (s.next()) tables.push_back(s.text(0));
-  std::erase_if(tables, isLeftOut);
-  return tables;
+bool isDecided(const std::string& column) {
+  return partOf(column) == RunPart::result || partOf(column) == RunPart::scene;
 }
 
 Form formOf(Database& db, const std::string& table) {
@@ -54,14 +38,12 @@ Form formOf(Database& db, const std::string& table) {
   };
   Statement s(db, "SELECT name, type, pk FROM pragma_table_info(?) ORDER BY cid");
   for (s.start(table); s.next();) {
-    const ColumnType column{s.text(0), s.text(1)};
+    const TypedColumn column{s.text(0), s.text(1)};
     if (column.name == "run_id") continue;
     const bool isKey = natural ? isIn(natural, column.name) : s.integer(2) > 0;
     if (isKey) form.key.push_back(column);
     else if (s.integer(2) > 0) continue;  // the number that stands in for a key
-    else if (table != "run" ||
-             std::find(std::begin(decided), std::end(decided), column.name) != std::end(decided))
-      form.values.push_back(column);
+    else if (table != "run" || isDecided(column.name)) form.values.push_back(column);
   }
   if (table == "check_result") form.where += " AND kind NOT IN ('golden', 'bullet')";
   return form;
@@ -113,7 +95,7 @@ class Rows {
     ++count_;
     int place = 0;
     for (const auto* columns : {&form_.key, &form_.values})
-      for (const ColumnType& c : *columns) row_.push_back(read(place++, c.type));
+      for (const TypedColumn& c : *columns) row_.push_back(read(place++, c.type));
   }
   std::uint64_t count() const { return count_; }
   const std::vector<Value>& values() const { return row_; }
@@ -122,9 +104,9 @@ class Rows {
   static std::string query(const Form& form) {
     std::string columns, keys;
     for (const auto* list : {&form.key, &form.values})
-      for (const ColumnType& c : *list) columns += (columns.empty() ? "" : ", ") + inQuotes(c.name);
-    for (const ColumnType& c : form.key) keys += (keys.empty() ? " ORDER BY " : ", ") + inQuotes(c.name);
-    return "SELECT " + columns + " FROM " + inQuotes(form.table) + " WHERE " + form.where + keys;
+      for (const TypedColumn& c : *list) columns += (columns.empty() ? "" : ", ") + sqlName(c.name);
+    for (const TypedColumn& c : form.key) keys += (keys.empty() ? " ORDER BY " : ", ") + sqlName(c.name);
+    return "SELECT " + columns + " FROM " + sqlName(form.table) + " WHERE " + form.where + keys;
   }
 
   Value read(int place, const std::string& type) const {
@@ -185,8 +167,9 @@ TableDifference compareTable(const Form& form, Database& stored, const std::stri
 std::vector<TableDifference> compareTables(Database& stored, const std::string& id, Database& again,
                                            const std::string& idAgain) {
   std::vector<TableDifference> tables;
-  for (const std::string& table : tablesOfRuns(again))
-    tables.push_back(compareTable(formOf(again, table), stored, id, again, idAgain));
+  for (const SqlTable* t : runTables())
+    if (t->info.name == std::string_view("run") || isResult(t->info.part))
+      tables.push_back(compareTable(formOf(again, t->info.name), stored, id, again, idAgain));
   return tables;
 }
 

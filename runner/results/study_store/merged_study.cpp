@@ -1,39 +1,41 @@
 #include "study_store/merged_study.h"
 
-#include "database/measure_columns.h"
-#include "database/schema.h"
-#include "database/store_error.h"
+#include "store/run_tables.h"
+#include "store/schema.h"
 
 namespace morula {
 
 namespace {
 
-/// What `run` holds of times and machines, and stands in `timing` alone here.
-constexpr const char* ofMachine[] = {
-    "started", "ended", "cpu", "kernel", "isa", "command", "binary_hash", "fp_environment", "cpu_features"};
-
-std::string selectedOf(const std::string& table, const std::string& column) {
-  if (table != "run") return quotedName(column);
-  for (const char* name : ofMachine)
-    if (column == name) return "''";
-  if (column == "threads") return "1";
-  if (column == "condition_id") return "NULL";
-  return quotedName(column);
+/// What `run` holds of times and machines stands in `timing` alone here.
+bool isBlank(const std::string& column) {
+  return column == "binary_hash" || partOf(column) == RunPart::environment ||
+         partOf(column) == RunPart::occasion;
 }
 
 /// [SELECT from a task's file, INSERT into this one], of all columns in the order of this file.
-std::pair<std::string, std::string> copyOf(Database& db, const std::string& table) {
+std::pair<std::string, std::string> copyOf(Database& db, const SqlTable& table) {
   std::string select, columns, places;
-  Statement s(db, "SELECT name FROM pragma_table_info(?)");
-  for (s.start(table); s.next();) {
-    const std::string column = s.text(0), comma = columns.empty() ? "" : ", ";
-    select += comma + selectedOf(table, column);
-    columns += comma + quotedName(column);
+  const bool ofRuns = &table == &morula::sqlTable<StoredRun>();
+  for (const std::string& column : columnNames(db, table.info.name)) {
+    const std::string comma = columns.empty() ? "" : ", ", name = sqlName(column);
+    select += comma + (!ofRuns || !isBlank(column) ? name
+                       : column == "threads"       ? "1"
+                       : column == "condition_id"  ? "NULL"
+                                                   : "''");
+    columns += comma + name;
     places += comma + "?";
   }
-  return {"SELECT " + select + " FROM " + quotedName(table),
-          "INSERT " + std::string(table == "document" ? "OR IGNORE " : "") + "INTO " + quotedName(table) +
-              " (" + columns + ") VALUES (" + places + ")"};
+  const std::string of = sqlName(table.info.name);
+  return {"SELECT " + select + " FROM " + of,
+          std::string("INSERT ") + (&table == &morula::sqlTable<StoredText>() ? "OR IGNORE " : "") + "INTO " +
+              of + " (" + columns + ") VALUES (" + places + ")"};
+}
+
+template <class Row>
+void insertAll(Database& db, const std::vector<Row>& rows) {
+  Statement insert(db, sqlTable<Row>().insert());
+  for (const Row& row : rows) insert.run(row);
 }
 
 std::vector<std::string> axisNames(const StudyTables& study) {
@@ -58,36 +60,26 @@ void insertConditions(Database& db, const StudyTables& study) {
   }
 }
 
-void insertAxes(Database& db, const StudyTables& study) {
-  Statement axis(db, insertInto("axis", "number, name")),
-      level(db, insertInto("level", "axis, number, label, keys"));
-  for (std::size_t a = 0; a < study.axes.size(); ++a) {
-    axis.run(std::uint64_t{a}, study.axes[a].name);
-    for (std::size_t l = 0; l < study.axes[a].levels.size(); ++l)
-      level.run(std::uint64_t{a}, std::uint64_t{l}, study.axes[a].levels[l].label,
-                study.axes[a].levels[l].keys);
-  }
-}
-
 }  // namespace
 
 MergedStudy::MergedStudy(const std::filesystem::path& file, const StudyTables& study)
     : draft_(file), db_(draft_.path(), Database::Mode::existing, std::chrono::seconds(1)) {
   db_.execute(
       "PRAGMA journal_mode = OFF");  // a draft that is not finished is thrown away, and has no file beside it
-  migrate(db_);
+  makeTables(db_);
   db_.execute("PRAGMA foreign_keys = ON");
   db_.execute("PRAGMA cache_size = -65536");
   db_.execute("BEGIN");
   makeTaskTables(db_);
   makeStudyTables(db_, axisNames(study), study.keys);
-  insertAxes(db_, study);
+  insertAll(db_, study.axes);
+  insertAll(db_, study.levels);
   insertConditions(db_, study);
-  std::vector<std::string> tables{"run", "document", "run_document"};
-  tables.insert(tables.end(), tablesOfResults().begin(), tablesOfResults().end());
-  tables.push_back("timing");
-  for (const std::string& table : tables) {
-    auto [select, insert] = copyOf(db_, table);
+  for (const SqlTable* t : allTables()) {
+    const TablePart part = t->info.part;
+    if (part != TablePart::record && !isResult(part) && t != &sqlTable<ResultRow>() && t != &sqlTable<TimingRow>())
+      continue;
+    auto [select, insert] = copyOf(db_, *t);
     copies_.push_back({std::move(select), Statement(db_, insert)});
   }
 }
@@ -102,16 +94,18 @@ void MergedStudy::add(const TaskRow& planned, TaskFile& file) {
   TaskRow task = file.task();
   task.id = planned.id, task.number = planned.number, task.condition = planned.condition,
   task.seed = planned.seed;
-  insertTask(db_, task);
+  addMissing(task);
 }
 
-void MergedStudy::addMissing(const TaskRow& planned) { insertTask(db_, planned); }
+void MergedStudy::addMissing(const TaskRow& planned) {
+  Statement(db_, sqlTable<TaskRow>().insert()).run(planned);
+}
 
 void MergedStudy::finish(const StudyTables& study, const std::string& buildId) {
-  Statement(db_, insertInto("study", "name, summary, plan_id, plan, build_id"))
-      .run(study.name, study.summary, study.planId, study.plan, buildId);
-  Statement replicate(db_, insertInto("replicate", "condition_id, seed, task_id"));
-  for (const auto& r : study.replicates) replicate.run(r.condition, r.seed, r.task);
+  StudyRow row = study.study;
+  row.buildId = buildId;
+  insertAll<StudyRow>(db_, {row});
+  insertAll(db_, study.replicates);
   db_.execute("COMMIT");
   draft_.takePlace();
 }

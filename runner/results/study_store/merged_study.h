@@ -13,15 +13,9 @@ namespace morula {
 
 /// What the plan says, as rows.
 struct StudyTables {
-  std::string name, summary, planId, plan;
-  struct AxisRow {
-    std::string name;
-    struct LevelRow {
-      std::string label, keys;
-    };
-    std::vector<LevelRow> levels;
-  };
+  StudyRow study;  // but for its build
   std::vector<AxisRow> axes;
+  std::vector<LevelRow> levels;
   std::vector<std::string> keys;  // columns of condition_key
   struct ConditionRow {
     std::vector<std::string> labels;  // one for each axis
@@ -30,10 +24,6 @@ struct StudyTables {
     std::vector<std::optional<std::string>> keyValues;  // one for each of `keys`
   };
   std::vector<ConditionRow> conditions;  // by number
-  struct ReplicateRow {
-    std::uint64_t condition = 0, seed = 0;
-    std::string task;
-  };
   std::vector<ReplicateRow> replicates;
 };
 

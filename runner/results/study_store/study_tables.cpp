@@ -1,98 +1,16 @@
 #include "study_store/study_tables.h"
 
-#include <array>
-
 #include "base/error.h"
-#include "database/measure_columns.h"
-#include "database/store_error.h"
+#include "store/run_tables.h"
 
 namespace morula {
 
 namespace {
 
-// Keys that are texts of the plan's own making stand first, as in database/schema.cpp.
-const char* const taskTables = R"sql(
-CREATE TABLE task (
-  task_id      TEXT NOT NULL,        -- from the scene's meaning, the seed if it is used, measures, when and keep
-  number       INTEGER NOT NULL,     -- in the plan
-  condition_id INTEGER NOT NULL,     -- of the first replicate that needs it
-  seed         INTEGER NOT NULL,     -- of that replicate; two's complement from 2^63 on
-  status       TEXT NOT NULL CHECK (status = 'done' OR status = 'failed' OR status = 'missing'),
-  reason       TEXT NOT NULL,        -- 'numerical failure: …', 'cpu limit: …', 'memory limit: …', 'crash: …'; '' unless failed
-  run_id       TEXT REFERENCES run ON DELETE CASCADE,  -- NULL while it is missing
-  result_hash  TEXT,                 -- over all results of the run; NULL while it is missing
-  PRIMARY KEY (task_id)
-) STRICT, WITHOUT ROWID;
-
-CREATE TABLE result (                -- a measure of the world; of cells, the mean over the living; of pairs, over those that touch
-  run_id  TEXT NOT NULL REFERENCES run ON DELETE CASCADE,
-  measure TEXT NOT NULL,
-  time    REAL NOT NULL,             -- the last is the end
-  value   REAL NOT NULL,
-  PRIMARY KEY (run_id, measure, time)
-) STRICT, WITHOUT ROWID;
-
-CREATE TABLE timing (                -- when and where: the only table in which two runs of a study may differ
-  task_id        TEXT NOT NULL,
-  started        TEXT NOT NULL,      -- UTC
-  ended          TEXT NOT NULL,
-  cpu_seconds    REAL NOT NULL,
-  max_memory     INTEGER NOT NULL,   -- bytes
-  host           TEXT NOT NULL,
-  cpu            TEXT NOT NULL,
-  kernel         TEXT NOT NULL,
-  cpu_features   TEXT NOT NULL,
-  fp_environment TEXT NOT NULL,
-  isa            TEXT NOT NULL,
-  threads        INTEGER NOT NULL,
-  command        TEXT NOT NULL,
-  binary_hash    TEXT NOT NULL,
-  PRIMARY KEY (task_id)
-) STRICT, WITHOUT ROWID;
-)sql";
-
-const char* const studyTables = R"sql(
-CREATE TABLE study (                 -- one row
-  name     TEXT NOT NULL,
-  summary  TEXT NOT NULL,
-  plan_id  TEXT NOT NULL,
-  plan     TEXT NOT NULL,            -- the plan's file without what it predicts
-  build_id TEXT NOT NULL             -- of the program that computed all tasks; '' if there is none yet
-) STRICT;
-
-CREATE TABLE axis (
-  number INTEGER NOT NULL,           -- in the order of the study file
-  name   TEXT NOT NULL,
-  PRIMARY KEY (number)
-) STRICT, WITHOUT ROWID;
-
-CREATE TABLE level (
-  axis   INTEGER NOT NULL REFERENCES axis,
-  number INTEGER NOT NULL,           -- in the order of the study file
-  label  TEXT NOT NULL,
-  keys   TEXT NOT NULL,              -- JSON: what it changes in the scenario; null takes a part away
-  PRIMARY KEY (axis, number)
-) STRICT, WITHOUT ROWID;
-
-CREATE TABLE replicate (             -- each run that the design asks for
-  condition_id INTEGER NOT NULL REFERENCES condition,
-  seed         INTEGER NOT NULL,
-  task_id      TEXT NOT NULL REFERENCES task,  -- replicates that would be the same run share one
-  PRIMARY KEY (condition_id, seed)
-) STRICT, WITHOUT ROWID;
-)sql";
-
 std::string columnsOfTexts(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += ",\n  " + quotedName(name) + " TEXT";
+  for (const std::string& name : names) text += ",\n  " + sqlName(name) + " TEXT";
   return text;
-}
-
-std::vector<std::string> columnsOfTable(Database& db, const std::string& table) {
-  std::vector<std::string> names;
-  Statement s(db, "SELECT name FROM pragma_table_info(?)");
-  for (s.start(table); s.next();) names.push_back(s.text(0));
-  return names;
 }
 
 /// All rows of the statement, one after the other.
@@ -127,7 +45,10 @@ bool TaskRow::isComputed() const {
   return status == "done" || (status == "failed" && reason.starts_with(name(FailureKind::numerical)));
 }
 
-void makeTaskTables(Database& db) { db.execute(taskTables); }
+void makeTaskTables(Database& db, bool withComments) {
+  for (const SqlTable* t : {&sqlTable<TaskRow>(), &sqlTable<ResultRow>(), &sqlTable<TimingRow>()})
+    db.execute(t->create(withComments));
+}
 
 void makeStudyTables(Database& db, const std::vector<std::string>& axes,
                      const std::vector<std::string>& keys) {
@@ -143,66 +64,48 @@ void makeStudyTables(Database& db, const std::vector<std::string>& axes,
       "JSON; NULL: the scene has no such part\n"
       "  condition_id INTEGER PRIMARY KEY REFERENCES condition" +
       columnsOfTexts(keys) + "\n) STRICT");
-  db.execute(studyTables);
+  for (const SqlTable* t : {&sqlTable<StudyRow>(), &sqlTable<AxisRow>(), &sqlTable<LevelRow>(), &sqlTable<ReplicateRow>()})
+    db.execute(t->create());
 }
 
-void insertTask(Database& db, const TaskRow& t) {
-  const auto orNull = [](const std::string& text) {
-    return text.empty() ? std::nullopt : std::optional<std::string_view>(text);
-  };
-  Statement(db,
-            insertInto("task", "task_id, number, condition_id, seed, status, reason, run_id, result_hash"))
-      .run(t.id, t.number, t.condition, t.seed, t.status, t.reason, orNull(t.runId), orNull(t.resultHash));
-}
-
-void insertResults(Database& db, const std::string& run, const std::vector<ResultRow>& results) {
-  Statement insert(db, insertInto("result", "run_id, measure, time, value"));
-  for (const ResultRow& r : results) insert.run(run, r.measure, r.time, r.value);
-}
-
-void insertTiming(Database& db, const std::string& task, const TimingRow& t) {
-  Statement(db,
-            insertInto("timing",
-                       "task_id, started, ended, cpu_seconds, max_memory, host, cpu, kernel, cpu_features, "
-                       "fp_environment, isa, threads, command, binary_hash"))
-      .run(task, t.started, t.ended, t.cpuSeconds, t.maxMemory, t.host, t.cpu, t.kernel, t.cpuFeatures,
-           t.fpEnvironment, t.isa, t.threads, t.command, t.binaryHash);
-}
-
-const std::vector<std::string>& tablesOfResults() {
-  static const std::vector<std::string> tables{
-      "cell",     "sample",    "cell_sample", "contact",      "measure", "connection", "time_step",
-      "division", "step_hash", "cell_hash",   "check_result", "result",  "mesh_sample"};
+const std::vector<const SqlTable*>& allTables() {
+  // Of columns that the design decides, only why they are there.
+  static const SqlTable condition{{.name = "condition",
+                                .part = TablePart::study,
+                                .csv = "conditions",
+                                .why = "of a study: each combination of levels; compare reads it"},
+                               {},
+                               {}},
+      key{{.name = "condition_key",
+           .part = TablePart::study,
+           .why = "of a study: the conditions' values of the scenario's keys, for queries"},
+          {},
+          {}};
+  static const std::vector<const SqlTable*> tables = [] {
+    std::vector<const SqlTable*> all = runTables();
+    all.insert(all.end(),
+               {&sqlTable<StudyRow>(), &sqlTable<AxisRow>(), &sqlTable<LevelRow>(), &condition, &key,
+                &sqlTable<ReplicateRow>(), &sqlTable<TaskRow>(), &sqlTable<ResultRow>(), &sqlTable<TimingRow>()});
+    return all;
+  }();
   return tables;
 }
 
 Hash resultHash(Database& db, const std::string& run) {
   Hasher hasher;
-  Statement end(
-      db,
-      "SELECT run_id, scenario_hash, status, state_hash, steps, cells, time, failure FROM run WHERE "
-      "run_id = ?");
-  end.start(run);
-  hasher.field("run");
-  addRows(hasher, end,
-          {"run_id", "scenario_hash", "status", "state_hash", "steps", "cells", "time", "failure"});
-  for (const std::string& table : tablesOfResults()) {
-    // Each row in the order of its key: the tables have no other.
-    std::vector<std::string> columns = columnsOfTable(db, table);
+  const auto add = [&](const char* table, const std::vector<std::string>& columns) {
     std::string list;
-    for (const std::string& column : columns) list += (list.empty() ? "" : ", ") + quotedName(column);
-    Statement rows(db, "SELECT " + list + " FROM " + quotedName(table) + " WHERE run_id = ?");
+    for (const std::string& column : columns) list += (list.empty() ? "" : ", ") + sqlName(column);
+    // Each row in the order of its key: the tables have no other.
+    Statement rows(db, "SELECT " + list + " FROM " + sqlName(table) + " WHERE run_id = ?");
     rows.start(run);
     hasher.field(table);
     addRows(hasher, rows, columns);
-  }
+  };
+  add("run", {"run_id", "scenario_hash", "status", "state_hash", "steps", "cells", "time", "failure"});
+  for (const SqlTable* t : allTables())
+    if (isResult(t->info.part) || t == &sqlTable<ResultRow>()) add(t->info.name, columnNames(db, t->info.name));
   return hasher.digest();
-}
-
-std::string quotedName(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + '"';
 }
 
 }  // namespace morula

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "database/database.h"
+#include "database/record_table.h"
 
 namespace morula {
 
@@ -31,6 +31,30 @@ struct TaskRow {
   /// machine, too.
   bool isComputed() const;
 };
+template <>
+inline constexpr TableInfo tableInfo<TaskRow> = {
+    .name = "task",
+    .part = TablePart::study,
+    .key = "task_id",
+    .csv = "tasks",
+    .why = "of a study: how each run ended; compare and status read it"};
+template <IsA<TaskRow> T>
+void listFields(T& task, auto&& field) {
+  auto& [id, number, condition, seed, status, reason, runId, resultHash] = task;
+  field({"task_id", "from the scene's meaning, the seed if it is used, measures, when and keep"}, id);
+  field({"number", "in the plan"}, number);
+  field({"condition_id", "of the first replicate that needs it"}, condition);
+  field({"seed", "of that replicate; two's complement from 2^63 on"}, AllBits{seed});
+  field({.name = "status", .oneOf = "done failed missing"}, status);
+  field({.name = "reason",
+         .meaning = "'numerical failure: …', 'cpu limit: …', 'memory limit: …', 'crash: …'; '' unless failed",
+         .anyCharacters = true},
+        reason);
+  field({.name = "run_id", .meaning = "NULL while it is missing", .refersTo = "run"},
+        NullIf{runId.empty(), runId});
+  field({"result_hash", "over all results of the run; NULL while it is missing"},
+        NullIf{resultHash.empty(), resultHash});
+}
 
 /// One value of one measure of a run: a scalar.
 struct ResultRow {
@@ -39,6 +63,23 @@ struct ResultRow {
   double value = 0;
   friend bool operator==(const ResultRow&, const ResultRow&) = default;
 };
+template <>
+inline constexpr TableInfo tableInfo<ResultRow> = {
+    .name = "result",
+    .part = TablePart::study,
+    .context = "run_id",
+    .key = "run_id, measure, time",
+    .csv = "results",
+    .why =
+        "of a study: what `measures` asks for: of cells the mean over the living, of pairs over those that "
+        "touch; compare reads it"};
+template <IsA<ResultRow> T>
+void listFields(T& result, auto&& field) {
+  auto& [measure, time, value] = result;
+  field({"measure"}, measure);
+  field({"time", "the last is the end", "time"}, time);
+  field({"value"}, value);
+}
 
 /// When and where a task was computed: all that may differ between two runs of the same task.
 struct TimingRow {
@@ -49,25 +90,122 @@ struct TimingRow {
   int threads = 1;
   std::string command, binaryHash;
 };
+template <>
+inline constexpr TableInfo tableInfo<TimingRow> = {.name = "timing",
+                                                 .part = TablePart::study,
+                                                 .context = "task_id",
+                                                 .key = "task_id",
+                                                 .why = "of a study: when and where each task was computed"};
+template <IsA<TimingRow> T>
+void listFields(T& timing, auto&& field) {
+  auto& [started, ended, cpuSeconds, maxMemory, host, cpu, kernel, cpuFeatures, fpEnvironment, isa, threads,
+         command, binaryHash] = timing;
+  field({"started", "UTC"}, started);
+  field({"ended", "UTC"}, ended);
+  field({"cpu_seconds", "", "s"}, cpuSeconds);
+  field({"max_memory", "", "byte"}, maxMemory);
+  field({"host"}, host);
+  field({"cpu"}, cpu);
+  field({"kernel"}, kernel);
+  field({"cpu_features"}, cpuFeatures);
+  field({"fp_environment"}, fpEnvironment);
+  field({"isa"}, isa);
+  field({"threads"}, threads);
+  field({.name = "command", .anyCharacters = true}, command);
+  field({"binary_hash"}, binaryHash);
+}
+
+// The merged file alone.
+
+struct StudyRow {
+  std::string name, summary, planId, plan, buildId;
+};
+template <>
+inline constexpr TableInfo tableInfo<StudyRow> = {.name = "study",
+                                                .part = TablePart::study,
+                                                .key = "name",
+                                                .hasRowNumbers = true,
+                                                .why = "of a study: what was planned"};
+template <IsA<StudyRow> T>
+void listFields(T& study, auto&& field) {
+  auto& [name, summary, planId, plan, buildId] = study;
+  field({"name"}, name);
+  field({.name = "summary", .anyCharacters = true}, summary);
+  field({"plan_id"}, planId);
+  field({.name = "plan", .meaning = "the plan's file without what it predicts", .anyCharacters = true}, plan);
+  field({"build_id", "of the program that computed all tasks; '' if there is none yet"}, buildId);
+}
+
+struct AxisRow {
+  std::uint64_t number = 0;
+  std::string name;
+};
+template <>
+inline constexpr TableInfo tableInfo<AxisRow> = {.name = "axis",
+                                               .part = TablePart::study,
+                                               .key = "number",
+                                               .why = "of a study: what it varies; compare reads it"};
+template <IsA<AxisRow> T>
+void listFields(T& axis, auto&& field) {
+  auto& [number, name] = axis;
+  field({"number", "in the order of the study file"}, number);
+  field({"name"}, name);
+}
+
+struct LevelRow {
+  std::uint64_t axis = 0, number = 0;
+  std::string label, keys;
+};
+template <>
+inline constexpr TableInfo tableInfo<LevelRow> = {
+    .name = "level",
+    .part = TablePart::study,
+    .key = "axis, number",
+    .why = "of a study: the values of each axis; compare reads it"};
+template <IsA<LevelRow> T>
+void listFields(T& level, auto&& field) {
+  auto& [axis, number, label, keys] = level;
+  field({.name = "axis", .refersTo = "axis"}, axis);
+  field({"number", "in the order of the study file"}, number);
+  field({.name = "label", .anyCharacters = true}, label);
+  field({.name = "keys",
+         .meaning = "JSON: what it changes in the scenario; null takes a part away",
+         .anyCharacters = true},
+        keys);
+}
+
+/// A run that the design asks for. Replicates that would be the same run share a task.
+struct ReplicateRow {
+  std::uint64_t condition = 0, seed = 0;
+  std::string task;
+};
+template <>
+inline constexpr TableInfo tableInfo<ReplicateRow> = {
+    .name = "replicate",
+    .part = TablePart::study,
+    .key = "condition_id, seed",
+    .csv = "replicates",
+    .why = "of a study: which task is which condition with which seed; compare reads it"};
+template <IsA<ReplicateRow> T>
+void listFields(T& replicate, auto&& field) {
+  auto& [condition, seed, task] = replicate;
+  field({.name = "condition_id", .refersTo = "condition"}, condition);
+  field({"seed"}, AllBits{seed});
+  field({.name = "task_id", .meaning = "replicates that would be the same run share one", .refersTo = "task"},
+        task);
+}
 
 /// Makes `task`, `result` and `timing`.
-void makeTaskTables(Database& db);
+void makeTaskTables(Database& db, bool withComments = true);
 /// Makes the others. `axes`, `keys`: columns of `condition` and `condition_key`.
 void makeStudyTables(Database& db, const std::vector<std::string>& axes,
                      const std::vector<std::string>& keys);
 
-void insertTask(Database& db, const TaskRow& task);
-void insertResults(Database& db, const std::string& run, const std::vector<ResultRow>& results);
-void insertTiming(Database& db, const std::string& task, const TimingRow& timing);
-
-/// All tables that hold results of a run, the measures' `result` among them, in the order in which they can be filled.
-const std::vector<std::string>& tablesOfResults();
+/// All tables of a run and of a study.
+const std::vector<const SqlTable*>& allTables();
 
 /// Over how the run ended and all rows of its results: what must be the same wherever the task is computed. Columns that
 /// are NULL do not count, so that a later version of the tables finds the same hash.
 Hash resultHash(Database& db, const std::string& run);
-
-/// "name" for SQL, whatever stands in it.
-std::string quotedName(const std::string& name);
 
 }  // namespace morula

@@ -1,10 +1,10 @@
 #include "study_store/task_file.h"
 
-#include "database/schema.h"
 #include "database/store_error.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "store/rows.h"
+#include "store/schema.h"
 
 namespace morula {
 
@@ -18,45 +18,11 @@ TaskRow taskOf(Database& db) {
   if (db.integer("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'task'") != 1 ||
       db.integer("SELECT count(*) FROM task") != 1)
     throw StoreError(db.file().string() + ": a database of Morula's, but not of one task of a study");
-  Statement s(db,
-              "SELECT task_id, number, condition_id, seed, status, reason, run_id, result_hash FROM task");
+  Statement s(db, sqlTable<TaskRow>().select(db));
   s.next();
-  TaskRow task{.id = s.line(0),
-               .number = s.natural(1),
-               .condition = s.natural(2),
-               .seed = s.bits(3),
-               .status = s.line(4),
-               .reason = s.text(5),
-               .runId = s.line(6),
-               .resultHash = s.line(7)};
+  const auto task = s.row<TaskRow>();
   if (task.status != "done" && task.status != "failed") s.refuse(4, "needs done or failed");
   return task;
-}
-
-}  // namespace
-
-namespace {
-
-/// Comments make up half of the tables' text, which each task's file would repeat: `.schema` of the merged file has them.
-void dropComments(Database& db) {
-  std::vector<std::pair<std::string, std::string>> tables;
-  Statement s(db, "SELECT name, sql FROM sqlite_schema WHERE sql IS NOT NULL");
-  while (s.next()) tables.emplace_back(s.text(0), s.text(1));
-  db.execute("PRAGMA writable_schema = ON");
-  Statement change(db, "UPDATE sqlite_schema SET sql = ? WHERE name = ?");
-  for (auto& [name, sql] : tables) {
-    std::string bare;
-    for (std::size_t begin = 0; begin < sql.size();) {
-      const std::size_t end = std::min(sql.find('\n', begin), sql.size());
-      std::string line = sql.substr(begin, end - begin);
-      line.resize(std::min(line.find("--"), line.size()));
-      const std::size_t first = line.find_first_not_of(' '), last = line.find_last_not_of(' ');
-      if (first != line.npos) bare += (bare.empty() ? "" : " ") + line.substr(first, last - first + 1);
-      begin = end + 1;
-    }
-    change.run(bare, name);
-  }
-  db.execute("PRAGMA writable_schema = RESET");
 }
 
 }  // namespace
@@ -65,9 +31,9 @@ const std::string& emptyTaskFile() {
   static const std::string bytes = [] {
     Database db = Database::inMemory("a task's database");
     db.execute("PRAGMA page_size = " + std::to_string(pageSize));
-    migrate(db);
-    makeTaskTables(db);
-    dropComments(db);
+    // Comments make up half of the tables' text, which each task's file would repeat: `.schema` of the merged file has them.
+    makeTables(db, false);
+    makeTaskTables(db, false);
     db.execute("VACUUM");
     return db.bytes();
   }();
@@ -80,12 +46,13 @@ std::string taskFileBytes(TaskOutcome o) {
   const std::string id = runId(o.record);
   insertRun(db, id, o.record, o.timing.started, &o.end);
   insertResults(db, id, o.results);
-  insertResults(db, id, o.values);
+  Statement value(db, sqlTable<ResultRow>().insert());
+  for (const ResultRow& row : o.values) value.run(id, row);
   o.task.status = name(o.end.status);
   o.task.runId = id;
   o.task.resultHash = resultHash(db, id).text();
-  insertTask(db, o.task);
-  insertTiming(db, o.task.id, o.timing);
+  Statement(db, sqlTable<TaskRow>().insert()).run(o.task);
+  Statement(db, sqlTable<TimingRow>().insert()).run(o.task.id, o.timing);
   db.execute("COMMIT");
   return db.bytes();
 }
@@ -93,31 +60,15 @@ std::string taskFileBytes(TaskOutcome o) {
 TaskFile::TaskFile(const std::filesystem::path& file)
     : store_([&] {
         Database db = Database::inMemory(file, readFile(file, maxTaskBytes));
-        requireCurrentSchema(db);
+        requireTables(db);
         return Store(std::move(db));
       }()),
       task_(taskOf(store_.db_)),
       run_(store_.find(task_.runId)) {}
 
 TimingRow TaskFile::timing() {
-  Statement s(
-      db(),
-      "SELECT started, ended, cpu_seconds, max_memory, host, cpu, kernel, cpu_features, fp_environment, "
-      "isa, threads, command, binary_hash FROM timing WHERE task_id = ?");
-  if (!s.start(task_.id).next()) return {};
-  return {s.line(0),
-          s.line(1),
-          s.real(2),
-          s.natural(3),
-          s.line(4),
-          s.line(5),
-          s.line(6),
-          s.line(7),
-          s.line(8),
-          s.line(9),
-          static_cast<int>(s.natural(10)),
-          s.text(11),
-          s.line(12)};
+  auto rows = rowsOf<TimingRow>(db(), "", task_.id);
+  return rows.empty() ? TimingRow() : std::move(rows.front());
 }
 
 std::string TaskFile::buildId() { return morula::buildId(run_.record.build); }

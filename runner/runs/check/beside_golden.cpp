@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "check/check_run.h"
 #include "check/golden_scenario.h"
+#include "document/words.h"
 #include "files/folders.h"
 #include "golden/number_text.h"
 #include "loop/simulate.h"
@@ -63,7 +64,7 @@ OrganismPicture spheresOf(const Golden& golden, const Scenario& scenario) {
       shape.vertices.push_back(Point{of.at("x"), of.at("y"), of.at("z")} + radius * p);
     picture.cells.push_back(std::move(shape));
   }
-  picture.caption = fmt::format("{} cell{}", picture.cells.size(), picture.cells.size() == 1 ? "" : "s");
+  picture.caption = counted(picture.cells.size(), "cell");
   return picture;
 }
 

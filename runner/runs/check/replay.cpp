@@ -8,6 +8,7 @@
 #include "check/check_run.h"
 #include "check/sanity.h"
 #include "loop/simulate.h"
+#include "store/run_tables.h"
 
 namespace morula {
 
@@ -63,7 +64,7 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   for (const std::string& table : later) leaveOut(c, table, "another program stored none");
   // `keep: {samples: end}`
   bool ofStudy = false;
-  for (const TableContents& t : stored.contents()) ofStudy |= t.table == "task";
+  for (const TableContents& t : stored.contents(runTables())) ofStudy |= t.table == "task";
   std::vector<std::string> endAlone;
   for (const TableDifference& t : c.tables)
     for (const char* table : {"sample", "cell_sample", "contact", "measure", "connection"})
@@ -75,7 +76,7 @@ void compareTables(Store& stored, const StoredRun& before, Store& again, const R
   if (elsewhere > 0)
     c.notCompared.push_back(fmt::format(
         "check_result: {} of kind golden or bullet, which hang on what is not stored", elsewhere));
-  for (const TableContents& t : stored.contents(before.id))
+  for (const TableContents& t : stored.contents(runTables(), before.id))
     if (t.table == "bullet_sample" && t.rows > 0)
       c.notCompared.push_back("bullet_sample: Bullet is not run again");
 }
@@ -167,9 +168,9 @@ std::string describe(const Replay& c, const StoredRun& run) {
     return text + "NOT the same record\n";
   }
   std::size_t same = 0;
-  for (const auto& [item, before, now] : c.conditions) {
+  for (const auto& [name, label, before, now] : c.conditions) {
     if (before == now) ++same;
-    else text += fmt::format("  {:<15} differs\n    then  {}\n    now   {}\n", item, before, now);
+    else text += fmt::format("  {:<15} differs\n    then  {}\n    now   {}\n", label, before, now);
   }
   text += same == c.conditions.size() ? fmt::format("  conditions      all {} the same\n", same)
                                       : fmt::format("  conditions      {} others the same\n", same);
@@ -186,8 +187,8 @@ std::string describe(const Replay& c, const StoredRun& run) {
 
 Json toJson(const Replay& c, const StoredRun& run) {
   Json conditions = Json::array(), tables = Json::array(), record = Json::array();
-  for (const auto& [item, before, now] : c.conditions)
-    conditions.push_back({{"item", item}, {"then", before}, {"now", now}, {"same", before == now}});
+  for (const auto& [name, label, before, now] : c.conditions)
+    conditions.push_back({{"item", name}, {"then", before}, {"now", now}, {"same", before == now}});
   for (const TableDifference& t : c.tables)
     tables.push_back({{"table", t.table},
                       {"stored", t.rows},

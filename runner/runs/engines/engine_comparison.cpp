@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "base/error.h"
+#include "document/table.h"
 #include "engines/bullet_scene.h"
 #include "engines/engine_worker.h"
-#include "files/text.h"
 #include "golden/accept.h"
 #include "scenario/bullet_fit.h"
 #include "system/child_process.h"
@@ -112,16 +112,14 @@ std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios
   return rows;
 }
 
-std::string tableOf(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines) {
-  std::string text = "| case | ours |", line = "|---|---|";
-  for (const Engine engine : engines) text += std::string(" ") + title(engine) + " |", line += "---|";
-  text += '\n' + line + '\n';
+std::string comparisonTable(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines) {
+  Table table{"Engines side by side", {"case", "ours"}};
+  for (const Engine engine : engines) table.columns.push_back(title(engine));
   for (const ComparisonRow& row : rows) {
-    text += "| `" + shortName(row.scenario) + "` |";
-    for (const Verdict& verdict : row.verdicts) text += ' ' + markdownCell(verdict.text) + " |";
-    text += '\n';
+    table.rows.push_back({"`" + shortName(row.scenario) + "`"});
+    for (const Verdict& verdict : row.verdicts) table.rows.back().push_back(verdict.text);
   }
-  return text;
+  return markdownOf(table);
 }
 
 Json toJson(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines) {

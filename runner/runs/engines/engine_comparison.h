@@ -52,7 +52,7 @@ std::vector<ComparisonRow> compareEngines(const std::vector<Scenario>& scenarios
                                           const std::vector<Verdict>& own, const ComparisonOptions& options);
 
 /// A Markdown table, a row for each scenario.
-std::string tableOf(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines);
+std::string comparisonTable(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines);
 /// A list with a row for each scenario and engine.
 Json toJson(const std::vector<ComparisonRow>& rows, const std::vector<Engine>& engines);
 

@@ -40,7 +40,7 @@ Json lastMessage(const std::string& said) {
   for (auto end = said.rfind('\n'); end != said.npos && end > 0;) {
     const auto before = said.rfind('\n', end - 1);
     const auto begin = before == said.npos ? 0 : before + 1;
-    Json message = Json::tryParse(std::string_view(said).substr(begin, end - begin));
+    Json message = tryParseJson(std::string_view(said).substr(begin, end - begin));
     if (message.is_object()) return message;
     end = before;
   }
@@ -51,7 +51,7 @@ Json lastMessage(const std::string& said) {
 
 void serveEngine(std::istream& in, std::ostream& out) {
   try {
-    out << jsonText({{"answer", answerTo(Json::parse(std::string(std::istreambuf_iterator<char>(in), {})), out)}})
+    out << jsonText({{"answer", answerTo(parseJson(std::string(std::istreambuf_iterator<char>(in), {})), out)}})
         << std::endl;
   } catch (const Json::exception& error) {
     throw InputError(std::string("the question to another engine cannot be read: ") + error.what());

@@ -1,219 +1,143 @@
 #include "engines/messages.h"
 
-#include <cmath>
-
-#include "golden/check_json.h"
-#include "values/measure_list.h"
+#include "system/json_record.h"
 
 namespace morula {
 
-namespace {
+// What is told of each, in the order in which it is told. Members that are named and not told are not needed by the other side.
 
-double realFrom(const Json& j) { return j.is_null() ? NAN : j.get<double>(); }
-
-std::vector<double> realsFrom(const Json& j) {
-  std::vector<double> list;
-  for (const Json& a : j) list.push_back(realFrom(a));
-  return list;
+template <IsA<Body> T>
+void listFields(T& body, auto&& field) {
+  auto& [position, velocity, mass, restScale, pressureConstant, meshLevel] = body;
+  field({"mass"}, mass);
+  field({"rest_scale"}, restScale);
+  field({"pressure_constant"}, pressureConstant);
+  field({"position"}, position);
+  field({"velocity"}, velocity);
 }
 
-Json flat(const std::vector<Vector>& vectors) {
-  Json list = Json::array();
-  for (const Vector& v : vectors)
-    for (const double a : {v.x, v.y, v.z}) list.push_back(a);
-  return list;
+template <IsA<ShellParameters> T>
+void listFields(T& shell, auto&& field) {
+  auto& [semiAxes, mesh, holds] = shell;
+  field({"x"}, semiAxes[0]);
+  field({"y"}, semiAxes[1]);
+  field({"z"}, semiAxes[2]);
+  field({"holds"}, holds);
 }
 
-std::vector<Vector> vectorsFrom(const Json& j) {
-  std::vector<Vector> vectors;
-  for (std::size_t i = 0; i < j.size(); i += 3)
-    vectors.push_back({realFrom(j.at(i)), realFrom(j.at(i + 1)), realFrom(j.at(i + 2))});
-  return vectors;
+template <IsA<BulletRequest> T>
+void listFields(T& request, auto&& field) {
+  auto& [scene, steps, reports] = request;
+  auto& [baseline, mesh, physics, cells, timeStep, contact, margin, iterations] = scene;
+  field({"baseline"}, baseline);
+  field({"steps"}, steps);
+  field({"reports"}, reports);
+  field({"time_step"}, timeStep);
+  field({"contact"}, contact);
+  field({"margin"}, margin);
+  field({"iterations"}, iterations);
+  field({"integrator"}, physics.integrator);
+  field({"stiffness"}, physics.membrane.stiffness);
+  field({"damping"}, physics.membrane.damping);
+  field({"springs"}, physics.membrane.springs);
+  field({"outside"}, physics.pressure.outside);
+  field({"drag"}, physics.drag);
+  field({"shell"}, physics.shell);
+  field({"vertices"}, mesh.vertices);
+  field({"faces"}, mesh.faces);
+  field({"bodies"}, cells);
 }
 
-template <class Value, class Read>
-std::vector<Value> listFrom(const Json& j, const Read& read) {
-  std::vector<Value> list;
-  for (const Json& a : j) list.push_back(read(a));
-  return list;
+template <IsA<BulletResult> T>
+void listFields(T& result, auto&& field) {
+  auto& [cells, stepSeconds, reports] = result;
+  field({"bodies"}, cells);
+  field({"step_seconds"}, stepSeconds);
+  field({"reports"}, reports);
 }
 
-Json toJson(const Body& body) {
-  return {{"mass", body.mass},
-          {"rest_scale", body.restScale},
-          {"pressure_constant", body.pressureConstant},
-          {"position", flat(body.position)},
-          {"velocity", flat(body.velocity)}};
+template <IsA<NamedFile> T>
+void listFields(T& file, auto&& field) {
+  auto& [role, path, content] = file;
+  field({"role"}, role);
+  field({"path"}, path);
+  field({"content"}, content);
 }
 
-Body bodyFrom(const Json& j) {
-  Body body;
-  body.mass = realFrom(j.at("mass")), body.restScale = realFrom(j.at("rest_scale"));
-  body.pressureConstant = realFrom(j.at("pressure_constant"));
-  body.position = vectorsFrom(j.at("position")), body.velocity = vectorsFrom(j.at("velocity"));
-  return body;
+/// `cpuSeconds` is of the process that asks.
+template <IsA<ExternalQuestion> T>
+void listFields(T& question, auto&& field) {
+  auto& [engine, margin, integrator, cpuSeconds, frameTimes] = question;
+  field({"engine"}, engine);
+  field({"margin"}, margin);
+  field({"integrator"}, integrator);
+  field({"frame_times"}, frameTimes);
 }
 
-std::vector<Body> bodiesFrom(const Json& j) { return listFrom<Body>(j, bodyFrom); }
-
-Json toJson(const CellMeasures& c) {
-  Json json{{"path", c.path.text()}};
-  addMeasures(json, c);
-  return json;
+template <IsA<ExternalFrame> T>
+void listFields(T& frame, auto&& field) {
+  auto& [time, step, shapes] = frame;
+  field({"time"}, time);
+  field({"step"}, step);
+  field({"shapes"}, shapes);
 }
 
-CellMeasures cellFrom(const Json& j) {
-  CellMeasures c;
-  c.path = CellPath::parse(j.at("path").get<std::string>());
-  for (const CellMeasure& m : sampledMeasures<CellContext>())
-    if (!j.at(m.name).is_null()) c[m.name] = j.at(m.name).get<double>();
-  return c;
+template <IsA<CellMeasures> T>
+void listFields(T& cell, auto&& field) {
+  field({"path"}, cell.path);
+  field({"measures"}, measuresIn(cell, [](const CellMeasure&) { return true; }));
 }
 
-template <class Value>
-Json listOf(const std::vector<Value>& values) {
-  Json list = Json::array();
-  for (const Value& v : values) list.push_back(toJson(v));
-  return list;
+template <IsA<Sample> T>
+void listFields(T& sample, auto&& field) {
+  auto& [world, cells, contacts, more, surfaces] = sample;
+  field({"time"}, world.time);
+  field({"cells"}, cells);
 }
 
-}  // namespace
-
-Json toJson(const BulletRequest& request) {
-  const BulletScene& s = request.scene;
-  Json json{{"baseline", static_cast<int>(s.baseline)},
-            {"steps", request.steps},
-            {"reports", request.reports},
-            {"time_step", s.timeStep},
-            {"contact", s.contact},
-            {"margin", s.margin},
-            {"iterations", s.iterations},
-            {"integrator", static_cast<int>(s.physics.integrator)},
-            {"stiffness", s.physics.membrane.stiffness},
-            {"damping", s.physics.membrane.damping},
-            {"springs", static_cast<int>(s.physics.membrane.springs)},
-            {"outside", s.physics.pressure.outside},
-            {"drag", s.physics.drag},
-            {"vertices", flat(s.mesh.vertices)},
-            {"faces", s.mesh.faces},
-            {"bodies", listOf(s.cells)}};
-  if (const auto& shell = s.physics.shell) {
-    const auto& axes = shell->semiAxes;
-    json["shell"] = {axes[0], axes[1], axes[2]};
-    json["holds"] = static_cast<int>(shell->holds);
-  }
-  return json;
+template <IsA<Bounds> T>
+void listFields(T& bounds, auto&& field) {
+  auto& [least, most] = bounds;
+  field({"least"}, least);
+  field({"most"}, most);
 }
 
-BulletRequest bulletRequestFrom(const Json& j) {
-  BulletRequest request;
-  BulletScene& s = request.scene;
-  s.baseline = static_cast<Baseline>(j.at("baseline").get<int>());
-  j.at("steps").get_to(request.steps), j.at("reports").get_to(request.reports);
-  j.at("time_step").get_to(s.timeStep), j.at("contact").get_to(s.contact);
-  j.at("margin").get_to(s.margin), j.at("iterations").get_to(s.iterations);
-  s.physics.integrator = static_cast<Integrator>(j.at("integrator").get<int>());
-  j.at("stiffness").get_to(s.physics.membrane.stiffness);
-  j.at("damping").get_to(s.physics.membrane.damping);
-  s.physics.membrane.springs = static_cast<Springs>(j.at("springs").get<int>());
-  j.at("outside").get_to(s.physics.pressure.outside);
-  j.at("drag").get_to(s.physics.drag);
-  if (j.contains("shell")) {
-    ShellParameters& shell = s.physics.shell.emplace();
-    for (std::size_t i = 0; i < 3; ++i) j["shell"].at(i).get_to(shell.semiAxes[i]);
-    shell.holds = static_cast<Held>(j.at("holds").get<int>());
-  }
-  s.mesh.vertices = vectorsFrom(j.at("vertices"));
-  j.at("faces").get_to(s.mesh.faces);
-  s.cells = bodiesFrom(j.at("bodies"));
-  return request;
+template <IsA<ExternalRun> T>
+void listFields(T& run, auto&& field) {
+  auto& [end, why, step, results, volumes, shapes, samples, frames] = run;
+  field({"end"}, end);
+  field({"why"}, why);
+  field({"step"}, step);
+  field({"volumes"}, volumes);
+  field({"results"}, results);
+  field({"shapes"}, shapes);
+  field({"samples"}, samples);
+  field({"frames"}, frames);
 }
 
-Json toJson(const BulletResult& result) {
-  Json reports = Json::array();
-  for (const auto& report : result.reports) reports.push_back(listOf(report));
-  return {{"step_seconds", result.stepSeconds}, {"bodies", listOf(result.cells)}, {"reports", reports}};
-}
+Json toJson(const BulletRequest& request) { return toJson<BulletRequest>(request); }
+BulletRequest bulletRequestFrom(const Json& json) { return fromJson<BulletRequest>(json); }
 
-BulletResult bulletResultFrom(const Json& j) {
-  return {bodiesFrom(j.at("bodies")), realsFrom(j.at("step_seconds")),
-          listFrom<std::vector<Body>>(j.at("reports"), bodiesFrom)};
-}
+Json toJson(const BulletResult& result) { return toJson<BulletResult>(result); }
+BulletResult bulletResultFrom(const Json& json) { return fromJson<BulletResult>(json); }
 
 Json toJson(const Scenario& scenario, const ExternalQuestion& question) {
-  Json files = Json::array();
-  for (const NamedFile& f : scenario.files)
-    files.push_back({{"role", f.role}, {"path", f.path}, {"content", f.content}});
-  return {{"scenario", scenario.resolved},
-          {"file", scenario.file},
-          {"files", files},
-          {"engine", static_cast<int>(question.engine)},
-          {"margin", question.margin},
-          {"integrator", static_cast<int>(question.integrator)},
-          {"frame_times", question.frameTimes}};
+  Json json = toJson(question);
+  json["scenario"] = scenario.resolved, json["file"] = scenario.file,
+  json["files"] = memberJson(scenario.files);
+  return json;
 }
 
-Scenario scenarioFrom(const Json& j) {
+Scenario scenarioFrom(const Json& json) {
   std::vector<NamedFile> files;
-  for (const Json& f : j.at("files"))
-    files.push_back({f.at("role").text(), f.at("path").text(), f.at("content").text()});
-  return readScenario(j.at("scenario").text(), j.at("file").text(), "", {}, files);
+  readMember(json.at("files"), files);
+  return readScenario(json.at("scenario").get<std::string>(), json.at("file").get<std::string>(), "", {},
+                      files);
 }
 
-ExternalQuestion externalQuestionFrom(const Json& j) {
-  return {.engine = static_cast<Engine>(j.at("engine").get<int>()),
-          .margin = j.at("margin").get<double>(),
-          .integrator = static_cast<Integrator>(j.at("integrator").get<int>()),
-          .frameTimes = j.contains("frame_times") ? j["frame_times"].get<std::vector<double>>()
-                                                  : std::vector<double>()};
-}
+ExternalQuestion externalQuestionFrom(const Json& json) { return fromJson<ExternalQuestion>(json); }
 
-namespace {
-
-using Shapes = std::vector<std::vector<Point>>;
-
-Json flatEach(const Shapes& shapes) {
-  Json list = Json::array();
-  for (const auto& shape : shapes) list.push_back(flat(shape));
-  return list;
-}
-
-Shapes shapesFrom(const Json& j) { return listFrom<std::vector<Point>>(j, vectorsFrom); }
-
-}  // namespace
-
-Json toJson(const ExternalRun& run) {
-  Json samples = Json::array(), frames = Json::array();
-  for (const ExternalFrame& f : run.frames)
-    frames.push_back({{"time", f.time}, {"step", f.step}, {"shapes", flatEach(f.shapes)}});
-  for (const Sample& s : run.samples) samples.push_back({{"time", s.world.time}, {"cells", listOf(s.cells)}});
-  return {{"end", static_cast<int>(run.end)},
-          {"why", run.why},
-          {"step", run.step},
-          {"volumes", {run.volumes.least, run.volumes.most}},
-          {"results", listOf(run.results)},
-          {"shapes", flatEach(run.shapes)},
-          {"samples", samples},
-          {"frames", frames}};
-}
-
-ExternalRun externalRunFrom(const Json& j) {
-  ExternalRun run;
-  run.end = static_cast<ExternalRun::End>(j.at("end").get<int>());
-  j.at("why").get_to(run.why), j.at("step").get_to(run.step);
-  run.volumes = {realFrom(j.at("volumes").at(0)), realFrom(j.at("volumes").at(1))};
-  run.results = listFrom<CheckResult>(j.at("results"), checkResultFrom);
-  run.shapes = shapesFrom(j.at("shapes"));
-  if (j.contains("frames"))
-    run.frames = listFrom<ExternalFrame>(j["frames"], [](const Json& f) {
-      return ExternalFrame{f.at("time").get<double>(), f.at("step").get<std::uint64_t>(),
-                           shapesFrom(f.at("shapes"))};
-    });
-  for (const Json& s : j.at("samples")) {
-    s.at("time").get_to(run.samples.emplace_back().world.time);
-    run.samples.back().cells = listFrom<CellMeasures>(s.at("cells"), cellFrom);
-  }
-  return run;
-}
+Json toJson(const ExternalRun& run) { return toJson<ExternalRun>(run); }
+ExternalRun externalRunFrom(const Json& json) { return fromJson<ExternalRun>(json); }
 
 }  // namespace morula

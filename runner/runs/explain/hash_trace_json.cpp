@@ -1,6 +1,7 @@
 #include "explain/hash_trace_json.h"
 
 #include "base/error.h"
+#include "base/read_hash.h"
 #include "golden/number_text.h"
 #include "system/json.h"
 
@@ -48,7 +49,7 @@ std::string writeHashTrace(const HashTrace& trace) {
 
 HashTrace readHashTrace(const std::string& text) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = parseJson(text);
     HashTrace trace;
     for (const Json& j : json.at("links"))
       trace.links.push_back(

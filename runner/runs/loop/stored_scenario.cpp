@@ -8,8 +8,9 @@ namespace morula {
 
 bool isDatabase(const std::string& file) { return contentOfFile(file) == Content::database; }
 
-void requireWholeRecord(Store& store, const StoredRun& run) {
-  const auto changed = store.changedRecord(run.id);
+namespace {
+
+void refuseIf(const std::vector<ValueDifference>& changed, Store& store, const StoredRun& run) {
   if (changed.empty()) return;
   const ValueDifference& first = changed.front();
   throw FileError("'" + store.file().string() + "': the record of run " + run.id +
@@ -19,10 +20,18 @@ void requireWholeRecord(Store& store, const StoredRun& run) {
                   " follows from what is stored; restore the file from a copy, or run the scenario again");
 }
 
+}  // namespace
+
+void requireWholeRecord(Store& store, const StoredRun& run) {
+  store.requireIntact();
+  refuseIf(store.changedRecord(run.id), store, run);
+  refuseIf(store.lostCells(run), store, run);
+}
+
 Scenario storedScenario(const std::string& database, const std::string& run) {
   auto store = Store::openForReading(database);
   const auto stored = store.find(run);
-  requireWholeRecord(store, stored);
+  refuseIf(store.changedRecord(stored.id), store, stored);
   std::string resolved;
   std::vector<NamedFile> files;
   for (const auto& document : store.documents(stored.id)) {

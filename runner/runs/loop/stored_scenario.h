@@ -14,7 +14,7 @@ bool isDatabase(const std::string& file);
 /// one.
 Scenario storedScenario(const std::string& database, const std::string& run);
 
-/// Throws FileError if the record of the run was changed since it was stored (Store::changedRecord): whatever
+/// Throws FileError if the file is damaged, or the record of the run was changed since it was stored (Store::changedRecord, lostCells): whatever
 /// is made of it would be of another run.
 void requireWholeRecord(Store& store, const StoredRun& run);
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/multiples.h"
+#include "document/words.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
@@ -95,8 +96,8 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
         {"shell", std::move(flat.vertices), neutralGrey, shellOpacity, std::move(flat.faces)});
   }
   picture.legend = palette.legend();
-  picture.caption = fmt::format("time {:.4g}, {} cell{}", world.clock.time, world.cells.path.size(),
-                                world.cells.path.size() == 1 ? "" : "s");
+  picture.caption =
+      fmt::format("time {:.4g}, {}", world.clock.time, counted(world.cells.path.size(), "cell"));
   return picture;
 }
 

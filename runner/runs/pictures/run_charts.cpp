@@ -8,6 +8,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
+#include "document/words.h"
 #include "drawing/palette.h"
 #include "pictures/cell_colours.h"
 
@@ -124,8 +125,8 @@ Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scen
   for (auto& [founder, colour] : clones) colour = seriesColour(number++);
   Chart chart;
   chart.title = scenario.scene.name;
-  chart.caption = fmt::format("{} {} over time, {} sample{}", name(measure.scope), measure.title,
-                              results.samples.size(), results.samples.size() == 1 ? "" : "s");
+  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), measure.title,
+                              counted(results.samples.size(), "sample"));
   chart.xLabel = "time", chart.yLabel = measure.title;
   chart.xScale = chart.yScale = Axis::Scale::linear;
   chart.dots = few && results.samples.size() <= 40;

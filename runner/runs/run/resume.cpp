@@ -15,7 +15,7 @@ namespace {
 /// What makes one run_id another one.
 std::string differences(const RunRecord& there, const RunRecord& here) {
   std::string text;
-  for (const auto& [item, before, now] : compareIdentity(there, here))
+  for (const auto& [name, item, before, now] : compareIdentity(there, here))
     if (before != now)
       text += (text.empty() ? "" : "; ") + fmt::format("{} ({} then, {} now)", item, before, now);
   return text;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "check/check_run.h"
+#include "document/words.h"
 #include "engines/bullet_check.h"
 #include "files/folders.h"
 #include "run/run_scenario.h"
@@ -21,12 +22,12 @@ std::string describeAmbiguous(const std::vector<DivisionRecord>& divisions) {
   if (divisions.empty()) return "";
   const DivisionRecord& first = divisions.front();
   return fmt::format(
-      "  warning  division.plane: longest: {} division{} of cells whose two largest extents differ by less "
+      "  warning  division.plane: longest: {} of cells whose two largest extents differ by less "
       "than {:.2g} %: "
       "the first is of {} at time {:.4g} (ratio {:.6g}); another mesh, time step or precision may cut "
       "elsewhere; "
       "division.plane: {{axis: [x, y, z]}} does not\n",
-      divisions.size(), divisions.size() == 1 ? "" : "s", 100 * (ambiguousExtentRatio - 1),
+      counted(divisions.size(), "division"), 100 * (ambiguousExtentRatio - 1),
       first.path.isEgg() ? "the egg" : "cell " + first.path.text(), first.time, *first.extentRatio);
 }
 
@@ -79,9 +80,9 @@ Json sampleJson(const Sample& sample) {
 
 std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
   const auto& end = outcome.end;
-  auto text = fmt::format("{}  seed {}: {}, {} cell{} at time {:.6g} after {} steps\n", scenario.scene.name,
-                          scenario.scene.seed, name(end.status), end.cells, end.cells == 1 ? "" : "s",
-                          end.time, end.steps);
+  auto text =
+      fmt::format("{}  seed {}: {}, {} at time {:.6g} after {} steps\n", scenario.scene.name,
+                  scenario.scene.seed, name(end.status), counted(end.cells, "cell"), end.time, end.steps);
   if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
   if (outcome.canBeResumed) text += "  go on    with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";

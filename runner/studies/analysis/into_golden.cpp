@@ -26,7 +26,7 @@ std::vector<std::string> plannedScenarios(const std::filesystem::path& study) {
   std::vector<std::string> texts;
   if (!rows.start().next()) return texts;
   try {
-    const Json plan = Json::parse(rows.text(0));
+    const Json plan = parseJson(rows.text(0));
     for (const Json& condition : plan.at("conditions")) {
       const auto number = condition.at("scenario").get<std::size_t>();
       texts.push_back(plan.at("files").at(number).at("text").get<std::string>());

@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "comparison/organism_grid.h"
 #include "database/store_error.h"
+#include "document/words.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "pictures/pictures.h"
@@ -55,9 +56,9 @@ class MomentTaker {
   }
   void add(const World& world) {
     const std::size_t cells = world.cells.path.size();
-    tiles.push_back({pictureOf(world, scenario_), false,
-                     fmt::format("{} cell{}", cells, cells == 1 ? "" : "s") +
-                         (cells_.empty() ? "" : ", time " + numberText(world.clock.time))});
+    tiles.push_back(
+        {pictureOf(world, scenario_), false,
+         counted(cells, "cell") + (cells_.empty() ? "" : ", time " + numberText(world.clock.time))});
   }
 
   std::vector<OrganismTile> tiles;
@@ -95,8 +96,7 @@ std::vector<OrganismTile> tilesOf(const ResultTask& task, const std::filesystem:
   const std::string time = numberText(run.end.time);
   if (taker.tiles.size() < wanted) {
     taker.add(run.world);
-    taker.tiles.back().words =
-        fmt::format("{} cell{} at the end, time {}", run.end.cells, run.end.cells == 1 ? "" : "s", time);
+    taker.tiles.back().words = counted(run.end.cells, "cell") + " at the end, time " + time;
   }
   while (taker.tiles.size() < wanted) taker.tiles.push_back({{}, true, "ended at time " + time});
   for (const OrganismTile& tile : taker.tiles)
@@ -169,8 +169,7 @@ Drawing drawOrganisms(const StudyResults& results, const std::filesystem::path& 
   }
   if (spread) grid.columns = results.axes.back().labels;
   else if (ends) grid.columns = {"the end"};
-  for (const std::size_t n : moments.cells)
-    grid.columns.push_back(fmt::format("{} cell{}", n, n == 1 ? "" : "s"));
+  for (const std::size_t n : moments.cells) grid.columns.push_back(counted(n, "cell"));
   for (const double t : times) grid.columns.push_back("time " + numberText(t));
   std::map<std::size_t, std::vector<OrganismTile>> known;  // by task: conditions may share runs
   for (const ResultCondition& condition : results.conditions) {

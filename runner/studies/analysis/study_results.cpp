@@ -5,9 +5,9 @@
 
 #include "analysis/measure_words.h"
 #include "database/database.h"
-#include "database/schema.h"
 #include "database/store_error.h"
 #include "files/text.h"
+#include "store/schema.h"
 #include "system/json.h"
 
 namespace morula {
@@ -100,7 +100,7 @@ void readReplicates(Database& db, const std::map<std::int64_t, std::size_t>& con
 
 /// Those that the plan asks for, in its order, whether there was something to measure or not.
 void readMeasures(Database& db, const std::string& plan, StudyResults& results) {
-  const Json json = Json::tryParse(plan);
+  const Json json = tryParseJson(plan);
   if (json.is_object() && json.contains("study") && json["study"].contains("measures"))
     for (const Json& name : json["study"]["measures"])
       if (name.is_string()) results.measures.push_back(name.get<std::string>());
@@ -140,9 +140,32 @@ std::string StudyResults::nameOf(const ResultCondition& condition) const {
   return labels.empty() ? "the scenario as it is" : join(labels);
 }
 
+std::vector<TroubledRun> troubledRuns(const StudyResults& results) {
+  std::vector<TroubledRun> runs;
+  std::vector<bool> told(results.tasks.size());
+  for (const ResultCondition& condition : results.conditions)
+    for (std::size_t s = 0; s < results.seeds.size(); ++s) {
+      const std::size_t t = condition.tasks[s];
+      if (t == noTask || told[t] || (results.tasks[t].status == "done" && results.tasks[t].isSane)) continue;
+      told[t] = true;
+      runs.push_back({results.nameOf(condition), results.seeds[s], results.tasks[t]});
+    }
+  return runs;
+}
+
+std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& results) {
+  std::map<std::vector<std::size_t>, std::vector<std::string>> byTasks;
+  for (const ResultCondition& condition : results.conditions)
+    byTasks[condition.tasks].push_back(results.nameOf(condition));
+  std::vector<std::vector<std::string>> same;
+  for (auto& [tasks, names] : byTasks)
+    if (names.size() > 1) same.push_back(std::move(names));
+  return same;
+}
+
 StudyResults readStudyResults(const std::filesystem::path& file) {
   Database db(file, Database::Mode::existing, std::chrono::seconds(5));
-  requireCurrentSchema(db);
+  requireTables(db);
   if (db.integer(
           "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('study', 'replicate')") < 2)
     throw StoreError(

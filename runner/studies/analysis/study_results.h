@@ -49,6 +49,16 @@ struct StudyResults {
   std::string nameOf(const ResultCondition& condition) const;
 };
 
+/// A run that failed, is missing or is not sane, and the first condition and seed that it is of.
+struct TroubledRun {
+  std::string condition;
+  std::uint64_t seed;
+  const ResultTask& task;
+};
+std::vector<TroubledRun> troubledRuns(const StudyResults& results);
+/// The names of conditions that have the same runs.
+std::vector<std::vector<std::string>> namesOfSameRuns(const StudyResults& results);
+
 /// Throws StoreError (exit 6) if the file is none that `morula study merge` has made.
 StudyResults readStudyResults(const std::filesystem::path& file);
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "analysis/comparison.h"
 #include "analysis/measure_words.h"
@@ -186,25 +185,14 @@ std::vector<std::string> verdictsOf(const StudyComparison& c) {
 
 std::vector<std::string> troublesOf(const StudyResults& r) {
   std::vector<std::string> lines;
-  std::vector<bool> told(r.tasks.size());
-  for (const ResultCondition& condition : r.conditions)
-    for (std::size_t s = 0; s < r.seeds.size(); ++s) {
-      const std::size_t t = condition.tasks[s];
-      if (t == noTask || told[t] || (r.tasks[t].status == "done" && r.tasks[t].isSane)) continue;
-      told[t] = true;
-      const std::string which = fmt::format("{}, seed {}", r.nameOf(condition), r.seeds[s]);
-      if (r.tasks[t].status == "done")
-        lines.push_back("not sane  " + which +
-                        ": its bodies ended in a state that cannot be; its values count");
-      else
-        lines.push_back(r.tasks[t].status + "  " + which +
-                        (r.tasks[t].reason.empty() ? "" : ": " + r.tasks[t].reason));
-    }
-  std::map<std::vector<std::size_t>, std::vector<std::string>> byTasks;
-  for (const ResultCondition& condition : r.conditions)
-    byTasks[condition.tasks].push_back(r.nameOf(condition));
-  for (const auto& [tasks, names] : byTasks)
-    if (names.size() > 1) lines.push_back("the same runs  " + join(names, " = "));
+  for (const auto& [condition, seed, task] : troubledRuns(r)) {
+    const std::string which = fmt::format("{}, seed {}", condition, seed);
+    if (task.status == "done")
+      lines.push_back("not sane  " + which +
+                      ": its bodies ended in a state that cannot be; its values count");
+    else lines.push_back(task.status + "  " + which + (task.reason.empty() ? "" : ": " + task.reason));
+  }
+  for (const auto& names : namesOfSameRuns(r)) lines.push_back("the same runs  " + join(names, " = "));
   return lines;
 }
 

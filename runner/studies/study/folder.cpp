@@ -21,7 +21,7 @@ void rename(std::string& place, const std::string& file, const std::string& name
 std::string asStored(const std::string& text) {
   for (std::string_view rest = text; !rest.empty();) {
     const int length = utf8Length(rest);
-    if (length == 0) return Json::parse(jsonText(Json(text))).get<std::string>();
+    if (length == 0) return parseJson(jsonText(Json(text))).get<std::string>();
     rest.remove_prefix(std::size_t(length));
   }
   return text;

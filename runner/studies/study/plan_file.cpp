@@ -7,47 +7,97 @@
 #include "study/conditions.h"
 #include "study/plan_parts.h"
 #include "study/study_measures.h"
+#include "system/json_record.h"
 
 namespace morula {
+
+// What a plan's file says of each, in its order.
+
+template <IsA<Override> T>
+void listFields(T& change, auto&& field) {
+  auto& [path, value, place, removes] = change;
+  field({"key"}, path);
+  field({"value"}, value);
+  field({"removes"}, removes);
+  field({"place"}, place);
+}
+
+template <IsA<Level> T>
+void listFields(T& level, auto&& field) {
+  auto& [label, overrides] = level;
+  field({"label"}, label);
+  field({"changes"}, overrides);
+}
+
+template <IsA<StudyAxis> T>
+void listFields(T& axis, auto&& field) {
+  auto& [name, levels] = axis;
+  field({"name"}, name);
+  field({"levels"}, levels);
+}
+
+/// `place` is of a study file that is read.
+template <IsA<Base> T>
+void listFields(T& base, auto&& field) {
+  auto& [label, file, place] = base;
+  field({"label"}, label);
+  field({"file"}, file);
+}
+
+template <IsA<Kept> T>
+void listFields(T& keep, auto&& field) {
+  auto& [hashes, samples, pictures] = keep;
+  field({"hashes"}, hashes);
+  field({"samples"}, samples);
+  field({"pictures"}, pictures);
+}
+
+template <IsA<RunLimits> T>
+void listFields(T& limits, auto&& field) {
+  auto& [cpu, memory] = limits;
+  field({"cpu_per_run"}, cpu);
+  field({"memory_per_run"}, memory);
+}
+
+/// `measurePlaces` and `allowOutside` are of a study file that is read.
+template <IsA<Study> T>
+void listFields(T& study, auto&& field) {
+  auto& [file, bytes, name, summary, bases, axes, seeds, measures, when, keep, limits, measurePlaces,
+         allowOutside] = study;
+  field({"file"}, file);
+  field({"name"}, name);
+  field({"summary"}, summary);
+  field({"bases"}, bases);
+  field({"axes"}, axes);
+  field({"seeds"}, seeds);
+  field({"measures"}, measures);
+  field({"when"}, when.moments);
+  field({"every"}, when.every);
+  field({"keep"}, keep);
+  field({"limits"}, limits);
+  field({"text"}, bytes);
+}
+
+template <IsA<Task> T>
+void listFields(T& task, auto&& field) {
+  auto& [id, condition, seed] = task;
+  field({"id"}, id);
+  field({"condition"}, condition);
+  field({"seed"}, seed);
+}
+
+template <IsA<RunCost> T>
+void listFields(T& cost, auto&& field) {
+  auto& [seconds, memory, disk, tried] = cost;
+  field({"cpu_seconds"}, seconds);
+  field({"memory"}, memory);
+  field({"disk"}, disk);
+  field({"tried"}, tried);
+}
 
 namespace {
 
 constexpr int formatVersion = 1;
-
-Json toJson(const StudyAxis& axis) {
-  Json levels = Json::array();
-  for (const Level& level : axis.levels) {
-    Json changes = Json::array();
-    for (const Override& change : level.overrides)
-      changes.push_back({{"key", change.path},
-                         {"value", change.value},
-                         {"removes", change.removes},
-                         {"place", change.place}});
-    levels.push_back({{"label", level.label}, {"changes", std::move(changes)}});
-  }
-  return {{"name", axis.name}, {"levels", std::move(levels)}};
-}
-
-Json toJson(const Study& s) {
-  Json bases = Json::array(), axes = Json::array();
-  for (const Base& base : s.bases) bases.push_back({{"label", base.label}, {"file", base.file}});
-  for (const StudyAxis& axis : s.axes) axes.push_back(toJson(axis));
-  return {{"file", s.file},
-          {"name", s.name},
-          {"summary", s.summary},
-          {"bases", std::move(bases)},
-          {"axes", std::move(axes)},
-          {"seeds", s.seeds},
-          {"measures", s.measures},
-          {"when", nameOf(s.when.moments)},
-          {"every", s.when.every},
-          {"keep",
-           {{"hashes", nameOf(s.keep.hashes)},
-            {"samples", nameOf(s.keep.samples)},
-            {"pictures", nameOf(s.keep.pictures)}}},
-          {"limits", {{"cpu_per_run", orNull(s.limits.cpu)}, {"memory_per_run", orNull(s.limits.memory)}}},
-          {"text", s.bytes}};
-}
 
 /// Equal files once.
 class FileList {
@@ -71,7 +121,7 @@ std::string hashOf(const std::string& text) {
 
 Json membersOf(const Plan& plan) {
   FileList files;
-  Json conditions = Json::array(), tasks = Json::array(), replicates = Json::array(), costs = Json::array();
+  Json conditions = Json::array(), replicates = Json::array();
   for (const Condition& c : plan.conditions) {
     Json named = Json::array();
     for (const NamedFile& file : c.scenario.files)
@@ -82,15 +132,11 @@ Json membersOf(const Plan& plan) {
                           {"uses_seed", c.usesSeed},
                           {"meaning", c.meaning.text()}});
   }
-  for (const Task& t : plan.tasks)
-    tasks.push_back({{"id", t.id}, {"condition", t.condition}, {"seed", t.seed}});
   for (const Replicate& r : plan.replicates) replicates.push_back(Json::array({r.condition, r.seed, r.task}));
-  for (const RunCost& c : plan.costs)
-    costs.push_back({{"cpu_seconds", c.seconds}, {"memory", c.memory}, {"disk", c.disk}, {"tried", c.tried}});
-  return {{"morula-plan", formatVersion}, {"id", plan.id},
-          {"study", toJson(plan.study)},  {"conditions", std::move(conditions)},
-          {"tasks", std::move(tasks)},    {"replicates", std::move(replicates)},
-          {"costs", std::move(costs)},    {"files", files.take()}};
+  return {{"morula-plan", formatVersion},    {"id", plan.id},
+          {"study", toJson(plan.study)},     {"conditions", std::move(conditions)},
+          {"tasks", memberJson(plan.tasks)}, {"replicates", std::move(replicates)},
+          {"costs", memberJson(plan.costs)}, {"files", files.take()}};
 }
 
 /// One line for each entry of a list, so that people can read the file, and its differences.
@@ -109,50 +155,20 @@ std::string textOf(const Json& members) {
   return text;
 }
 
-template <class E>
-E choiceOf(const Json& json) {
-  const auto name = json.get<std::string>();
-  for (const auto& row : choices<E>)
-    if (row.name == name) return row.value;
-  throw FileError("'" + name + "' is not one of " + namesOf<E>());
-}
-
 Study studyOf(const Json& json) {
-  Study s;
-  s.file = json.at("file").text();
-  s.bytes = json.at("text").text();
-  s.name = json.at("name").text();
-  s.summary = json.at("summary").text();
-  for (const Json& base : json.at("bases"))
-    s.bases.push_back({base.at("label").text(), base.at("file").text(), {}});
-  for (const Json& axis : json.at("axes")) {
-    s.axes.push_back({axis.at("name").text(), {}});
-    for (const Json& level : axis.at("levels")) {
-      Level& made = s.axes.back().levels.emplace_back(Level{level.at("label").text(), {}});
-      for (const Json& change : level.at("changes"))
-        made.overrides.push_back({change.at("key").text(), change.at("value").text(),
-                                  change.at("place").text(), change.at("removes").get<bool>()});
-    }
-    if (s.axes.back().levels.empty()) throw FileError("an axis has no levels");
-  }
-  s.seeds = json.at("seeds").get<std::vector<std::uint64_t>>();
-  s.measures = json.at("measures").get<std::vector<std::string>>();
+  auto s = fromJson<Study>(json);
+  for (const StudyAxis& axis : s.axes)
+    if (axis.levels.empty()) throw FileError("an axis has no levels");
   for (const std::string& name : s.measures)
     if (!findStudyMeasure(name)) throw FileError("this build knows no measure '" + name + "'");
-  s.when = {choiceOf<Moments>(json.at("when")), json.at("every").get<double>()};
-  const Json &keep = json.at("keep"), &limits = json.at("limits");
-  s.keep = {choiceOf<HashesKept>(keep.at("hashes")), choiceOf<SamplesKept>(keep.at("samples")),
-            choiceOf<PicturesKept>(keep.at("pictures"))};
-  if (!limits.at("cpu_per_run").is_null()) s.limits.cpu = limits.at("cpu_per_run").get<double>();
-  if (!limits.at("memory_per_run").is_null())
-    s.limits.memory = limits.at("memory_per_run").get<std::uint64_t>();
   if (s.seeds.empty() || s.bases.empty()) throw FileError("there are no seeds or no scenarios");
   return s;
 }
 
 NamedFile fileOf(const Json& files, const Json& number) {
-  const Json& file = files.at(number.get<std::size_t>());
-  return {file.at("role").text(), file.at("path").text(), file.at("text").text()};
+  const Json& file = files.at(wholeFrom<std::size_t>(number));
+  return {file.at("role").get<std::string>(), file.at("path").get<std::string>(),
+          file.at("text").get<std::string>()};
 }
 
 Plan planOf(const Json& json) {
@@ -175,9 +191,7 @@ Plan planOf(const Json& json) {
                       " means something else to this build of Morula than to the one that made the plan");
   }
   study::addTasks(plan);
-  for (const Json& c : json.at("costs"))
-    plan.costs.push_back({c.at("cpu_seconds").get<double>(), c.at("memory").get<double>(),
-                          c.at("disk").get<double>(), c.at("tried").get<bool>()});
+  readMember(json.at("costs"), plan.costs);
   if (!plan.costs.empty() && plan.costs.size() != plan.conditions.size()) throw FileError("it lacks costs");
   plan.id = study::planId(plan);
   if (plan.id != json.at("id").get<std::string>() || membersOf(plan) != json)
@@ -196,7 +210,7 @@ Plan readPlan(const std::string& text, const std::string& file) {
   const auto fail = [&](const std::string& what, const std::string& remedy) {
     return FileError("'" + file + "' " + what + "; " + remedy);
   };
-  Json json = Json::tryParse(text);
+  Json json = tryParseJson(text);
   if (!json.is_object() || !json.contains("morula-plan"))
     throw fail("is no plan of a study", "morula study plan makes one");
   if (json["morula-plan"] != formatVersion)

@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::size_t mostNamed = 10;  // conditions, in a list for people
 
-std::string plural(std::size_t count, const std::string& word) {
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
-
 std::string seedsText(const std::vector<std::uint64_t>& seeds) {
   const bool inARow = seeds.back() - seeds.front() + 1 == seeds.size() && std::ranges::is_sorted(seeds);
   if (inARow && seeds.size() > 2) return fmt::format("{}..{}", seeds.front(), seeds.back());
@@ -56,7 +52,7 @@ std::string costText(const Plan& plan) {
       bytesText(total->memory), bytesText(total->disk));
   if (tried < plan.conditions.size())
     text += fmt::format("    by the beginnings of {}, the others by how they differ from these\n",
-                        plural(tried, "condition"));
+                        counted(tried, "condition"));
   const auto& limit = plan.study.limits.cpu;
   if (limit && most.seconds > *limit)
     text += fmt::format("    some may not end within limits.cpu-per-run, {}\n", timeText(*limit));
@@ -95,17 +91,17 @@ std::string describe(const Plan& plan) {
   }
   text += fmt::format("  seeds: {}\n  measures: {}, {}\n\n", seedsText(s.seeds), join(s.measures),
                       whenText(s.when));
-  text += fmt::format("  {} × {} = {}: {}, each run once\n", plural(plan.conditions.size(), "condition"),
-                      plural(s.seeds.size(), "seed"), plural(plan.replicates.size(), "replicate"),
-                      plural(plan.tasks.size(), "distinct scene"));
+  text += fmt::format("  {} × {} = {}: {}, each run once\n", counted(plan.conditions.size(), "condition"),
+                      counted(s.seeds.size(), "seed"), counted(plan.replicates.size(), "replicate"),
+                      counted(plan.tasks.size(), "distinct scene"));
   if (const auto without = conditionsWithoutSeeds(plan); !without.empty())
     text += fmt::format(
         "  {} without anything that a seed changes: run once, and compared without an interval "
         "(`variation` would make seeds count)\n{}",
-        plural(without.size(), "condition"), listOf(plan, without));
+        counted(without.size(), "condition"), listOf(plan, without));
   for (const auto& group : conditionsThatShare(plan))
     text += fmt::format("  {} that mean the same and share their runs:\n{}",
-                        plural(group.size(), "condition"), listOf(plan, group));
+                        counted(group.size(), "condition"), listOf(plan, group));
   return text + costText(plan) + "  plan " + plan.id + "\n";
 }
 

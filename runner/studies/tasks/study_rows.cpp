@@ -57,7 +57,7 @@ StudyTables::ConditionRow rowOf(const Plan& plan, const Condition& condition,
                                 const std::vector<std::string>& keys) {
   StudyTables::ConditionRow row{
       .labels = condition.labels, .usesSeed = condition.usesSeed, .distinctRuns = 0, .keyValues = {}};
-  const Json resolved = Json::parse(condition.scenario.resolved);
+  const Json resolved = parseJson(condition.scenario.resolved);
   for (const std::string& key : keys) row.keyValues.push_back(valueAt(resolved, key));
   std::set<std::size_t> runs;
   for (const Replicate& r : plan.replicates)
@@ -72,11 +72,9 @@ StudyTables tablesOf(const Plan& plan) {
   const Study& study = plan.study;
   Plan withoutCosts = plan;
   withoutCosts.costs.clear();  // they are of the machine that made the plan
-  StudyTables tables{.name = study.name,
-                     .summary = study.summary,
-                     .planId = plan.id,
-                     .plan = writePlan(withoutCosts),
+  StudyTables tables{.study = {study.name, study.summary, plan.id, writePlan(withoutCosts), {}},
                      .axes = {},
+                     .levels = {},
                      .keys = {},
                      .conditions = {},
                      .replicates = {}};
@@ -84,9 +82,9 @@ StudyTables tablesOf(const Plan& plan) {
   for (const StudyAxis& axis : study.axes) names.push_back(axis.name);
   names = asColumns(std::move(names), {"condition_id", "uses_seed", "distinct_runs"});
   for (std::size_t a = 0; a < study.axes.size(); ++a) {
-    tables.axes.push_back({names[a], {}});
-    for (const Level& level : study.axes[a].levels)
-      tables.axes.back().levels.push_back({level.label, keysOf(level)});
+    tables.axes.push_back({a, names[a]});
+    std::uint64_t number = 0;
+    for (const Level& level : study.axes[a].levels) tables.levels.push_back({a, number++, level.label, keysOf(level)});
   }
   const std::vector<std::string> keys = changedKeys(study);
   tables.keys = asColumns(keys, {"condition_id"});

@@ -6,7 +6,7 @@
 #include "base/random.h"
 #include "catch.h"
 #include "database/database.h"
-#include "database/schema.h"
+#include "store/schema.h"
 #include "database/store_error.h"
 #include "statistics/holm.h"
 #include "study_db.h"
@@ -270,7 +270,7 @@ TEST_CASE("A database that is no study's is refused") {
   const TemporaryFolder folder;
   {
     Database db(folder / "run.db", Database::Mode::create, std::chrono::seconds(1));
-    migrate(db);
+    makeTables(db);
   }
   CHECK_THROWS_WITH(readStudyResults(folder / "run.db"), ContainsSubstring("but of no study"));
   CHECK_THROWS_AS(readStudyResults(folder / "none.db"), StoreError);

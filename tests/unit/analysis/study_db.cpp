@@ -3,7 +3,7 @@
 #include <set>
 
 #include "database/database.h"
-#include "database/schema.h"
+#include "store/schema.h"
 
 namespace morula {
 
@@ -72,7 +72,7 @@ void insertTask(Database& db, const MadeStudy& study, const std::string& task, c
 
 void writeStudy(const MadeStudy& study, const std::filesystem::path& file) {
   Database db(file, Database::Mode::create, std::chrono::seconds(1));
-  migrate(db);
+  makeTables(db);
   db.execute("PRAGMA synchronous = OFF");
   Transaction transaction(db);
   makeTables(db, study);

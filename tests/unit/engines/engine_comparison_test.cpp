@@ -80,7 +80,7 @@ TEST_CASE("Engines are named, and a name that is none is refused") {
 TEST_CASE("A table has a row for each scenario and a column for each engine; bars do not break it") {
   const std::vector<ComparisonRow> rows{
       {"hard/one", {{Verdict::Kind::holds, "holds", {}}, {Verdict::Kind::notAsked, "a|b", {}}}}};
-  CHECK(tableOf(rows, {Engine::b1}) ==
+  CHECK(comparisonTable(rows, {Engine::b1}) ==
         "| case | ours | Bullet, B1 |\n|---|---|---|\n| `one` | holds | a\\|b |\n");
   const Json json = toJson(rows, {Engine::b1});
   REQUIRE(json.size() == 2);

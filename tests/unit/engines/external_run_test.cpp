@@ -32,7 +32,7 @@ ExternalRun serve(const Scenario& scenario, Engine engine, const std::vector<dou
   std::ostringstream out;
   serveEngine(in, out);
   const std::string said = out.str();
-  return externalRunFrom(Json::parse(said.substr(said.rfind("{\"answer\""))).at("answer"));
+  return externalRunFrom(parseJson(said.substr(said.rfind("{\"answer\""))).at("answer"));
 }
 
 /// A program that does not do what it should: a shell script.
@@ -120,8 +120,8 @@ TEST_CASE("A worker that is killed, cut, confused or stuck is an answer of its o
   CHECK(why(askScript("echo '{\"answer\": {\"end\": 0}}'")) == "its answer is cut");
   CHECK(why(askScript("cat > /dev/null; echo answer; echo '{\"answer\": 3}'")) == "its answer is cut");
   const std::string whole =
-      "echo '{\"answer\": {\"end\": 0, \"why\": \"\", \"step\": 1, \"volumes\": [1, 1], \"results\": [], "
-      "\"shapes\": [], \"samples\": []}}'; ";
+      "echo '{\"answer\": {\"end\": 0, \"why\": \"\", \"step\": 1, \"volumes\": {\"least\": 1, \"most\": 1}, "
+      "\"results\": [], \"shapes\": [], \"samples\": [], \"frames\": []}}'; ";
   CHECK(askScript(whole).end == ExternalRun::End::done);
   CHECK(why(askScript(whole + "exit 3")) == "its process ended with code 3");
   const ExternalRun stuck = askScript("echo '{\"step\": 4}'; while :; do :; done", 1);

@@ -39,7 +39,7 @@ bool same(const Body& a, const Body& b) {
 
 TEST_CASE("A request arrives as it was sent") {
   const BulletRequest sent = everything();
-  const BulletRequest got = bulletRequestFrom(Json::parse(jsonText(toJson(sent))));
+  const BulletRequest got = bulletRequestFrom(parseJson(jsonText(toJson(sent))));
   const BulletScene &a = sent.scene, &b = got.scene;
   CHECK(got.steps == sent.steps);
   CHECK(got.reports == sent.reports);
@@ -67,7 +67,7 @@ TEST_CASE("A result arrives as it was sent") {
   BulletResult sent{cells, {1e-6, 0.25}, {{cells[1]}, cells}};
   sent.cells[0].position[0].x = std::numeric_limits<double>::quiet_NaN();
   sent.cells[0].velocity[0].z = std::numeric_limits<double>::infinity();
-  const BulletResult got = bulletResultFrom(Json::parse(jsonText(toJson(sent))));
+  const BulletResult got = bulletResultFrom(parseJson(jsonText(toJson(sent))));
   CHECK(got.stepSeconds == sent.stepSeconds);
   REQUIRE(got.cells.size() == 2);
   CHECK(same(got.cells[1], sent.cells[1]));
@@ -106,7 +106,7 @@ TEST_CASE("The worker answers a request, the same each time") {
     std::istringstream in(jsonText(toJson(request)));
     std::ostringstream out;
     serveEngine(in, out);
-    const BulletResult result = bulletResultFrom(Json::parse(out.str()).at("answer"));
+    const BulletResult result = bulletResultFrom(parseJson(out.str()).at("answer"));
     CHECK(result.stepSeconds.size() == 5);
     REQUIRE(result.cells.size() == 1);
     REQUIRE(result.reports.size() == 2);  // on the way, and the end once more

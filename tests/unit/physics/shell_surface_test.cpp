@@ -230,44 +230,6 @@ TEST_CASE("A vertex shot along the shell follows it and keeps its speed") {
         Approx(std::cos(0.25 / norm(x))).margin(2e-3));
 }
 
-TEST_CASE("Nothing happens to surfaces inside: the same bits with and without a shell") {
-  const Mesh mesh = zoo::crumpled(makeIcosphere(2), 0.1, 2);
-  for (const ShellParameters& shell : {ShellParameters{{1.5, 1.5, 1.5}, {}, Held::surface},
-                                       ShellParameters{{1.5, 1.6, 1.7}, {}, Held::surface}}) {
-    PhysicsParameters p = softCell();
-    Lab free(p, mesh, {shakenBody(mesh, 0, 0.2)});
-    p.shell = shell;
-    Lab held(p, mesh, {shakenBody(mesh, 0, 0.2)});
-    free.start();
-    held.start();
-    for (int i = 0; i < 200; ++i) {
-      free.step(0x1p-9);
-      held.step(0x1p-9);
-    }
-    CHECK(free.bodies.position == held.bodies.position);
-    CHECK(free.bodies.velocity == held.bodies.velocity);
-    CHECK(free.bodies.acceleration == held.bodies.acceleration);
-  }
-}
-
-TEST_CASE("A cell blown up in a shell comes to rest with its surface on it") {
-  PhysicsParameters p = inSurfaceShell(1, 1, 1);
-  p.pressure.constant = 400;
-  p.drag = 4;
-  p.membrane.damping = 0.5;
-  Lab lab(p, zoo::scaled(makeIcosphere(2), {0.9, 0.9, 0.9}));
-  lab.start();
-  for (int i = 0; i < 8192; ++i) lab.step(0x1p-9);
-  Worst fastest;
-  int onShell = 0;
-  for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
-    fastest.see(norm(lab.velocity(0, v)));
-    onShell += norm(lab.bodies.read(lab.bodies.held, 0, v)) > 1 - 1e-12;
-  }
-  CHECK(fastest < 1e-6);
-  CHECK(onShell == lab.bodies.vertexCount());
-}
-
 TEST_CASE("A cell pressed together by a sphere has the sphere's volume, to third order in the mesh's edges") {
   // k_p/V − P_0 = 8.779 of the ball of radius 1.03; held vertices would give 34.1, 14.9 and 10.3.
   double before = 0;

@@ -158,10 +158,12 @@ TEST_CASE("A vertex shot along the shell goes round it and keeps its speed") {
   CHECK(dot(lab.bodies.vertex(0, 5), start) == Approx(std::cos(4.0)).margin(0.02));
 }
 
-TEST_CASE("Nothing happens to vertices inside: the same bits with and without a shell") {
+TEST_CASE("Nothing happens to cells inside: the same bits with and without a shell, whatever it holds") {
   const Mesh mesh = zoo::crumpled(makeIcosphere(2), 0.1, 2);
   for (const ShellParameters& shell : {ShellParameters{{1.5, 1.5, 1.5}, {}, Held::vertices},
-                                      ShellParameters{{1.5, 1.6, 1.7}, {}, Held::vertices}}) {
+                                       ShellParameters{{1.5, 1.6, 1.7}, {}, Held::vertices},
+                                       ShellParameters{{1.5, 1.5, 1.5}, {}, Held::surface},
+                                       ShellParameters{{1.5, 1.6, 1.7}, {}, Held::surface}}) {
     PhysicsParameters p = softCell();
     Lab free(p, mesh, {shakenBody(mesh, 0, 0.2)});
     p.shell = shell;
@@ -178,20 +180,26 @@ TEST_CASE("Nothing happens to vertices inside: the same bits with and without a 
   }
 }
 
-TEST_CASE("A cell blown up in a shell comes to rest on it") {
-  PhysicsParameters p = inShell(1, 1, 1);
-  p.pressure.constant = 400;
-  p.drag = 4;
-  p.membrane.damping = 0.5;
-  Lab lab(p, zoo::scaled(makeIcosphere(2), {0.9, 0.9, 0.9}));
-  lab.start();
-  for (int i = 0; i < 8192; ++i) lab.step(0x1p-9);
-  Worst fastest;
-  int onShell = 0;
-  for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
-    fastest.see(norm(lab.velocity(0, v)));
-    onShell += norm(lab.bodies.vertex(0, v)) > 1 - 1e-12;
+TEST_CASE("A cell blown up in a shell comes to rest on it, with its vertices or its surface") {
+  for (const Held holds : {Held::vertices, Held::surface}) {
+    PhysicsParameters p = inShell(1, 1, 1);
+    p.shell->holds = holds;
+    p.pressure.constant = 400;
+    p.drag = 4;
+    p.membrane.damping = 0.5;
+    Lab lab(p, zoo::scaled(makeIcosphere(2), {0.9, 0.9, 0.9}));
+    lab.start();
+    for (int i = 0; i < 8192; ++i) lab.step(0x1p-9);
+    Worst fastest;
+    int onShell = 0;
+    for (int v = 0; v < lab.bodies.vertexCount(); ++v) {
+      fastest.see(norm(lab.velocity(0, v)));
+      const Point point =
+          holds == Held::surface ? lab.bodies.read(lab.bodies.held, 0, v) : lab.bodies.vertex(0, v);
+      onShell += norm(point) > 1 - 1e-12;
+    }
+    CAPTURE(nameOf(holds));
+    CHECK(fastest < 1e-6);
+    CHECK(onShell == lab.bodies.vertexCount());
   }
-  CHECK(fastest < 1e-6);
-  CHECK(onShell == lab.bodies.vertexCount());
 }

@@ -38,11 +38,9 @@ Json row(const std::string& engine, const std::string& series, double timeStep, 
 
 /// What accuracy --json would say of four runs.
 Json output() {
-  Json level{
-      {"icosphere", 2},
-      {"error", 0.01},
-      {"largest",
-       {{"position", 0.0}, {"volume", 0.01}, {"surface", 0.0}, {"pressure", 0.0}, {"contact_area", 0.0}}}};
+  const Json most{
+      {"position", 0.0}, {"volume", 0.01}, {"surface", 0.0}, {"pressure", 0.0}, {"contact_area", 0.0}};
+  const Json level{{"icosphere", 2}, {"error", 0.01}, {"largest", most}, {"at_end", most}};
   Json rows = Json::array();
   rows.push_back(row("morula", "velocity-verlet", 0.25, 0.05, 1));
   rows.push_back(row("morula", "rk4", 0.25, 0.0005, 2));
@@ -68,7 +66,12 @@ Json output() {
             {"levels", Json::array({level})},
             {"order", 2.0},
             {"order_is_observed", true},
-            {"lineages_part_at", nullptr}}},
+            {"surface_at_start", 0.0},
+            {"until", 1.0},
+            {"lineages_part_at", nullptr},
+            {"divided_elsewhere", nullptr},
+            {"time_error", 0.0},
+            {"cpu_seconds", 1.0}}},
           {"as_it_is", row("morula", "as it is", 0.25, 0.05, 1)},
           {"rival", nullptr},
           {"rows", rows},

@@ -22,7 +22,7 @@ void collect(const Json& schema, const std::string& at, std::set<std::string>& p
 }  // namespace
 
 TEST_CASE("the schema is JSON and covers exactly the keys of the table") {
-  const auto schema = Json::parse(scenarioSchema());
+  const auto schema = parseJson(scenarioSchema());
   CHECK(schema["$schema"] == "https://json-schema.org/draft/2020-12/schema");
   std::set<std::string> described, known;
   collect(schema, "", described);
@@ -43,7 +43,7 @@ TEST_CASE("every map in the schema is closed and every entry explained") {
       look(value);
     }
   };
-  look(Json::parse(scenarioSchema()));
+  look(parseJson(scenarioSchema()));
 }
 
 TEST_CASE("every choice in the schema is a schema") {
@@ -58,12 +58,12 @@ TEST_CASE("every choice in the schema is a schema") {
       look(value);
     }
   };
-  look(Json::parse(scenarioSchema()));
+  look(parseJson(scenarioSchema()));
   CHECK(choices > 20);
 }
 
 TEST_CASE("ranges, names and defaults stand in the schema") {
-  const auto properties = Json::parse(scenarioSchema())["properties"];
+  const auto properties = parseJson(scenarioSchema())["properties"];
   const auto& physics = properties["physics"]["properties"];
   CHECK(physics["drag"]["minimum"] == 0);
   CHECK(physics["drag"]["default"] == 0);
@@ -72,8 +72,8 @@ TEST_CASE("ranges, names and defaults stand in the schema") {
         Json{"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler", "rk4", "xpbd"});
   CHECK(physics["integrator"]["default"] == "velocity-verlet");
   CHECK(physics["mesh"]["properties"]["icosphere"]["maximum"] == 4);
-  CHECK(physics["mesh"]["oneOf"] == Json::parse(R"([{"required": ["icosphere"]}, {"required": ["file"]}])"));
-  CHECK(physics["mesh"]["dependentRequired"] == Json::parse(R"({"coarsen": ["icosphere"]})"));
+  CHECK(physics["mesh"]["oneOf"] == parseJson(R"([{"required": ["icosphere"]}, {"required": ["file"]}])"));
+  CHECK(physics["mesh"]["dependentRequired"] == parseJson(R"({"coarsen": ["icosphere"]})"));
   CHECK(properties["stop"]["minProperties"] == 1);
   CHECK(!properties["morula"].contains("default"));
   CHECK(physics["membrane"]["properties"]["stiffness"]["default"] == MembraneParameters{}.stiffness);

@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "catch.h"
-#include "database/schema.h"
+#include "store/schema.h"
 #include "database/store_error.h"
 #include "example_run.h"
 #include "store/store.h"
@@ -48,12 +48,14 @@ TEST_CASE("a database of another program") {
   refuses(file, "not one of Morula's");
 }
 
-TEST_CASE("a file from a newer Morula") {
+TEST_CASE("a file of another version") {
   TemporaryFolder folder;
-  const auto file = folder / "newer.db";
-  Store::openForWriting(file);
-  emptyDatabase(file).execute("PRAGMA user_version = " + std::to_string(schemaVersion() + 1));
-  refuses(file, "newer Morula (database version " + std::to_string(schemaVersion() + 1));
+  for (const int version : {-1, 0, 1, schemaVersion - 1, schemaVersion + 1}) {
+    const auto file = folder / (std::to_string(version) + ".db");
+    Store::openForWriting(file);
+    emptyDatabase(file).execute("PRAGMA user_version = " + std::to_string(version));
+    refuses(file, "another version of Morula (database version " + std::to_string(version));
+  }
 }
 
 TEST_CASE("a damaged file") {

@@ -1,6 +1,6 @@
 // The tables as other programs meet them: names, types, keys and numbers, asked for in plain SQL.
 #include "catch.h"
-#include "database/schema.h"
+#include "store/schema.h"
 #include "database/store_error.h"
 #include "example_run.h"
 #include "store/store.h"
@@ -58,7 +58,7 @@ TEST_CASE("the tables have the columns that others rely on") {
 TEST_CASE("the file says whose it is, and is written safely") {
   Filled f;
   REQUIRE(f.db.integer("PRAGMA application_id") == 0x4d726c61);
-  REQUIRE(f.db.integer("PRAGMA user_version") == schemaVersion());
+  REQUIRE(f.db.integer("PRAGMA user_version") == schemaVersion);
   REQUIRE(first(f.db, "PRAGMA journal_mode") == "delete");
   REQUIRE(first(f.db, "PRAGMA integrity_check") == "ok");
   REQUIRE(first(f.db, "PRAGMA foreign_key_check") == "(no row)");

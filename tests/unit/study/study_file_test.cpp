@@ -178,7 +178,7 @@ TEST_CASE("The study to begin with loads, and the table for people is up to date
 }
 
 TEST_CASE("The schema knows the keys that the reader knows, and requires the same") {
-  const auto schema = Json::parse(studySchema());
+  const auto schema = parseJson(studySchema());
   for (const char* key : {"morula-study", "name", "base", "seeds", "measures"}) {
     CAPTURE(key);
     CHECK(schema["properties"].contains(key));

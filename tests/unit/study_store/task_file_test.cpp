@@ -35,8 +35,9 @@ std::filesystem::path write(const TemporaryFolder& folder, const TaskOutcome& ou
 
 StudyTables exampleStudy() {
   StudyTables study;
-  study.name = "two", study.planId = "p", study.plan = "{}";
-  study.axes = {{"division", {{"longest", "{}"}}}};
+  study.study = {.name = "two", .summary = "", .planId = "p", .plan = "{}", .buildId = ""};
+  study.axes = {{0, "division"}};
+  study.levels = {{0, 0, "longest", "{}"}};
   study.keys = {"division.plane"};
   study.conditions = {{{"longest"}, true, 2, {"longest"}}};
   study.replicates = {{0, 7, "0000000000000007"}, {0, 8, "0000000000000008"}};

@@ -1,0 +1,111 @@
+#pragma once
+// Records: structs with one list of their fields. Columns of the database and their comments, JSON out and in, tables for people
+// come from that list; a field that is added to the struct and not to its list does not compile.
+//
+//   template <IsA<TimeStepRecord> T>
+//   void listFields(T& change, auto&& field) {
+//     auto& [time, step, timeStep] = change;  // all members, in the order of the struct
+//     field({"step"}, step);
+//     field({"time_step", "in force from here on", "time"}, timeStep);
+//   }
+#include <concepts>
+#include <optional>
+#include <type_traits>
+
+#include "base/choice.h"
+
+namespace morula {
+
+template <class A, class T>
+concept IsA = std::same_as<std::remove_const_t<A>, T>;
+
+/// What is known of a field beside its type.
+struct FieldInfo {
+  const char* name;            // of the column, and of the member in JSON
+  const char* meaning = "";    // for people, on one line; "": the name says it
+  const char* unit = "";       // "time"; "": a pure number, or none
+  const char* oneOf = "";      // of a text: all that it may be, separated by blanks; "": anything
+  const char* refersTo = "";   // of a key: the table that it is the key of
+  bool anyCharacters = false;  // of a text: may have line breaks and control characters
+};
+
+struct IgnoreFields {
+  void operator()(const FieldInfo&, const auto&) const {}
+};
+template <class T>
+concept Record = requires(T& record) {
+  listFields(record, IgnoreFields{});
+};
+
+// What a list may say of a member, in place of the member itself.
+
+/// Null where `isAbsent`, which may depend on fields before it and after it; null leaves the member as it is.
+template <class Member>
+struct NullIf {
+  bool isAbsent;
+  Member& of;
+};
+template <class Member>
+NullIf(bool, Member&) -> NullIf<Member>;
+
+/// May be infinite, or NaN, which is null.
+template <class Real>
+struct AnyReal {
+  Real& of;
+};
+template <class Real>
+AnyReal(Real&) -> AnyReal<Real>;
+
+/// Of all 64 bits, which a signed column holds as two's complement.
+template <class Number>
+struct AllBits {
+  Number& of;
+};
+template <class Number>
+AllBits(Number&) -> AllBits<Number>;
+
+/// A text that is made of members when it is written; `read` takes it back, or does nothing.
+template <class Write, class Read>
+struct TextOf {
+  Write write;  // std::string()
+  Read read;    // void(std::string)
+};
+template <class Write, class Read>
+TextOf(Write, Read) -> TextOf<Write, Read>;
+
+/// The same of bytes.
+template <class Write, class Read>
+struct BytesOf {
+  Write write;
+  Read read;
+};
+template <class Write, class Read>
+BytesOf(Write, Read) -> BytesOf<Write, Read>;
+
+/// Any value that is made of members, for JSON.
+template <class Write, class Read>
+struct ValueOf {
+  Write write;
+  Read read;  // void(the same type)
+};
+template <class Write, class Read>
+ValueOf(Write, Read) -> ValueOf<Write, Read>;
+
+inline constexpr auto notRead = [](const auto&) {};
+
+// Kinds of members, for what stores and sends them.
+
+template <class T, template <class...> class Kind>
+inline constexpr bool isTemplate = false;
+template <template <class...> class Kind, class... Of>
+inline constexpr bool isTemplate<Kind<Of...>, Kind> = true;
+template <class T, template <class...> class Kind>
+concept IsTemplate = isTemplate<T, Kind>;
+template <class T>
+concept IsOptional = IsTemplate<T, std::optional>;
+template <class T>
+concept HasChoices = std::is_enum_v<T> && requires {
+  choices<T>.size();
+};
+
+}  // namespace morula

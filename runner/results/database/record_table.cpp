@@ -1,0 +1,98 @@
+#include "database/record_table.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace morula {
+
+namespace {
+
+std::vector<std::string> words(const char* text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+}  // namespace
+
+std::vector<std::string> columnNames(Database& db, const std::string& table) {
+  std::vector<std::string> names;
+  Statement s(db, "SELECT name FROM pragma_table_info(?)");
+  for (s.start(table); s.next();) names.push_back(s.text(0));
+  return names;
+}
+
+SqlColumn columnFor(const FieldInfo& field, const std::string& type, bool mayBeNull) {
+  const std::string name = sqlName(field.name);
+  SqlColumn column{field.name, type + (mayBeNull ? "" : " NOT NULL"), field.meaning};
+  // Value by value: to look into an IN of several SQLite makes a table anew for each row, which takes as long as storing the row.
+  std::string checks;
+  for (const std::string& word : words(field.oneOf))
+    checks += (checks.empty() ? "" : " OR ") + name + " = '" + word + "'";
+  if (!checks.empty()) column.type += " CHECK (" + checks + ")";
+  if (*field.refersTo) column.type += std::string(" REFERENCES ") + field.refersTo + " ON DELETE CASCADE";
+  if (*field.unit) column.meaning += std::string(column.meaning.empty() ? "" : " ") + "[" + field.unit + "]";
+  return column;
+}
+
+std::vector<SqlColumn> contextColumns(const TableInfo& info) {
+  static const FieldInfo known[] = {{.name = "run_id", .refersTo = "run"},
+                                    {.name = "time", .meaning = "as in sample"},
+                                    {.name = "step"},
+                                    {.name = "number", .meaning = "in their order"},
+                                    {.name = "task_id"}};
+  std::vector<SqlColumn> columns;
+  for (const std::string& name : words(info.context)) {
+    const auto* field =
+        std::find_if(std::begin(known), std::end(known), [&](auto& f) { return f.name == name; });
+    MORULA_CHECK(field != std::end(known), name);
+    const bool isText = name.ends_with("_id");
+    columns.push_back(columnFor(*field, isText ? "TEXT" : name == "time" ? "REAL" : "INTEGER", false));
+  }
+  return columns;
+}
+
+// Keys stand first: SQLite 3.40's integrity check misreads tables WITHOUT ROWID in which they do not.
+std::string SqlTable::create(bool withComments) const {
+  std::string sql = "CREATE TABLE " + sqlName(info.name) + " (";
+  for (const auto* columns : {&context, &own})
+    for (const SqlColumn& c : *columns) {
+      sql += "\n  " + sqlName(c.name) + " " + c.type + ",";
+      if (withComments && !c.meaning.empty()) sql += "  -- " + c.meaning;
+    }
+  return sql + "\n  PRIMARY KEY (" + info.key + ")\n) STRICT" + (info.hasRowNumbers ? "" : ", WITHOUT ROWID");
+}
+
+std::string SqlTable::names() const {
+  std::string names;
+  for (const auto* columns : {&context, &own})
+    for (const SqlColumn& c : *columns) names += (names.empty() ? "" : ", ") + sqlName(c.name);
+  return names;
+}
+
+std::string SqlTable::insert() const {
+  std::string places;
+  for (std::size_t i = 0; i < context.size() + own.size(); ++i) places += i ? ", ?" : "?";
+  return "INSERT INTO " + sqlName(info.name) + " (" + names() + ") VALUES (" + places + ")";
+}
+
+std::string SqlTable::select(Database& db, const std::string& where, const std::string& order) const {
+  const auto there = columnNames(db, info.name);
+  const std::set<std::string> known(there.begin(), there.end());
+  std::string names, conditions = where;
+  for (const SqlColumn& c : own)
+    names += (names.empty() ? "" : ", ") +
+             std::string(c.isMeasure && !known.contains(c.name) ? "NULL AS " : "") + sqlName(c.name);
+  for (const std::string& key : words(info.context))
+    if (key != "number") conditions += (conditions.empty() ? "" : " AND ") + key + " = ?";
+  return "SELECT " + names + " FROM " + sqlName(info.name) +
+         (conditions.empty() ? "" : " WHERE " + conditions) + " ORDER BY " +
+         (!order.empty() ? order
+          : *info.order  ? info.order
+                         : info.key);
+}
+
+}  // namespace morula

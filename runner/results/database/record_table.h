@@ -1,0 +1,134 @@
+#pragma once
+// Tables of records: columns, statements and rows from a record's one list of fields [base/record.h].
+#include <string>
+#include <vector>
+
+#include "database/database.h"
+#include "files/quote.h"
+
+namespace morula {
+
+/// What a table's rows mean to a run.
+enum class TablePart {
+  record,      // the run itself, and the documents that decided it
+  samples,     // recorded while it goes on
+  end,         // known when it has ended
+  checks,      // what was found in it
+  bullet,      // what Bullet made of its scene
+  checkpoint,  // what it goes on from; gone when it has finished
+  study,       // of the study that it belongs to
+};
+
+inline bool isResult(TablePart part) {
+  return part == TablePart::samples || part == TablePart::end || part == TablePart::checks;
+}
+
+/// Said once beside the list of fields of a table's rows, as tableInfo<Row>.
+struct TableInfo {
+  const char* name;
+  TablePart part;
+  const char* context =
+      "";                  // columns before the row's own, whose values a statement is given: "run_id number"
+  const char* key = "";    // "run_id, number"
+  const char* order = "";  // in which rows are read; "": by the key
+  bool hasRowNumbers = false;  // where rows are long: in tables without them SQLite fits few to a page
+  const char* csv = "";        // what exports call it: the name of its file; "": not exported as it stands
+  const char* why = "";        // who reads it, and when it is stored
+};
+template <class Row>
+inline constexpr TableInfo tableInfo = {};
+
+struct SqlColumn {
+  std::string name, type, meaning;
+  bool isMeasure = false;  // a measure that joined later: an older file may lack it
+};
+
+struct SqlTable {
+  TableInfo info;
+  std::vector<SqlColumn> context, own;
+
+  /// With a comment on each column, for `.schema`.
+  std::string create(bool withComments = true) const;
+  /// Of all columns, as `insert` fills them.
+  std::string names() const;
+  std::string insert() const;
+  /// The row's own columns, of the context that the statement is started with; NULL for measures that an older file lacks.
+  /// `where`: a further condition. `order`: other than TableInfo's.
+  std::string select(Database& db, const std::string& where = "", const std::string& order = "") const;
+};
+
+std::vector<std::string> columnNames(Database& db, const std::string& table);
+
+/// Columns of the context; a BugError for one that is not known.
+std::vector<SqlColumn> contextColumns(const TableInfo& info);
+
+/// A column as SQL declares it.
+SqlColumn columnFor(const FieldInfo& field, const std::string& type, bool mayBeNull);
+
+template <class E>
+std::string namesToChoose() {
+  std::string names;
+  for (const auto& row : choices<E>) names += (names.empty() ? "" : " ") + std::string(row.name);
+  return names;
+}
+
+/// Adds the columns that hold a member: one for most.
+template <class Member>
+void addColumns(std::vector<SqlColumn>& list, FieldInfo field, const Member& member, bool mayBeNull = false) {
+  const auto add = [&](const char* type) { list.push_back(columnFor(field, type, mayBeNull)); };
+  if constexpr (IsMeasures<Member>) {
+    member.each([&](const auto& measure, std::size_t) {
+      list.push_back({measure.name, measure.isWhole ? "INTEGER" : "REAL", "", true});
+    });
+  } else if constexpr (requires { member.isAbsent; }) {
+    addColumns(list, field, member.of, true);
+  } else if constexpr (IsOptional<Member>) {
+    addColumns(list, field, typename Member::value_type{}, true);
+  } else if constexpr (std::same_as<Member, Vector>) {
+    for (const char* axis : {"_x", "_y", "_z"}) {
+      const std::string name = std::string(field.name) + axis;
+      list.push_back(columnFor({name.c_str(), field.meaning, field.unit}, "REAL", mayBeNull));
+    }
+  } else if constexpr (HasChoices<Member>) {
+    const std::string names = namesToChoose<Member>();
+    field.oneOf = names.c_str();
+    add("TEXT");
+  } else if constexpr (IsTemplate<Member, AnyReal>) {
+    mayBeNull = true;
+    add("REAL");
+  } else if constexpr (std::same_as<Member, bool>) {
+    list.push_back(columnFor(field, "INTEGER", mayBeNull));
+    list.back().type += " CHECK (" + sqlName(field.name) + " IN (0, 1))";
+  } else if constexpr (std::floating_point<Member>) {
+    add("REAL");
+  } else if constexpr (std::integral<Member> || IsTemplate<Member, AllBits>) {
+    add("INTEGER");
+  } else if constexpr (IsTemplate<Member, BytesOf>) {
+    add("BLOB");
+  } else {
+    add("TEXT");
+  }
+}
+
+/// The table of these rows.
+template <Record Row>
+const SqlTable& sqlTable() {
+  static const SqlTable made = [] {
+    SqlTable t{tableInfo<Row>, contextColumns(tableInfo<Row>), {}};
+    const Row row{};
+    listFields(row, [&](const FieldInfo& field, const auto& member) { addColumns(t.own, field, member); });
+    return t;
+  }();
+  return made;
+}
+
+/// The rows of this context: of a run's id, for most.
+template <Record Row, class... Context>
+std::vector<Row> rowsOf(Database& db, const std::string& where, const Context&... context) {
+  std::vector<Row> rows;
+  Statement s(db, sqlTable<Row>().select(db, where));
+  for (s.start(context...); s.next();) rows.push_back(s.row<Row>());
+  return rows;
+}
+
+}  // namespace morula

@@ -1,0 +1,118 @@
+// A database with a page of another table, or a lineage from which a cell was deleted, was exported and shown with rows missing and
+// exit 0; after check results were deleted, replay said "the same bits".
+#include <filesystem>
+#include <fstream>
+
+#include "catch.h"
+#include "database/database.h"
+#include "launch.h"
+
+using namespace morula::test;
+using morula::Database;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string scene = R"(morula: 1
+name: small
+dna: |
+  START: a0
+  g1(divide|a0)
+stop: {time: 1.5}
+physics: {mesh: {icosphere: 1}, cell: {radius: 0.95}, contact: {}, shell: {sphere: 1}}
+record: {every: 0.015625, measures: [sister_contact, energy]}
+)";
+
+struct Stored {
+  Stored() {
+    writeWhole(folder / "small.yaml", scene);
+    const auto run = launch(
+        {"run", folder / "small.yaml", "--db", whole, "--no-pictures", "--quiet", "--out", folder / "out"});
+    INFO(run.out << run.err);
+    REQUIRE(run.code == 0);
+  }
+  void copy() { fs::copy_file(whole, damaged, fs::copy_options::overwrite_existing); }
+  void expectRefused(const std::string& because) {
+    fs::remove_all(folder / "new");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"export", damaged, "--format", "csv", "-o", folder / "new"},
+          {"export", damaged, "--format", "newick", "-o", folder / "new"},
+          {"export", damaged, "--ro-crate", folder / "new"},
+          {"lineage", damaged},
+          {"report", damaged, "-o", folder / "new.html"}}) {
+      const auto run = launch(words);
+      CAPTURE(words[0], run.out, run.err);
+      CHECK(run.code == 6);
+      CHECK_THAT(run.err, ContainsSubstring(because));
+      CHECK_FALSE(fs::exists(folder / "new"));
+    }
+  }
+  TemporaryFolder folder;
+  std::string whole = folder / "run.db", damaged = folder / "damaged.db";
+};
+
+}  // namespace
+
+TEST_CASE("a file with a page of another table is not exported") {
+  Stored stored;
+  stored.copy();
+  std::uintmax_t from = 0, to = 0, size = 0;
+  {
+    Database db(stored.damaged, Database::Mode::existing, std::chrono::seconds(1));
+    size = static_cast<std::uintmax_t>(db.integer("PRAGMA page_size"));
+    from =
+        static_cast<std::uintmax_t>(db.integer("SELECT rootpage FROM sqlite_schema WHERE name = 'contact'"));
+    to = static_cast<std::uintmax_t>(db.integer("SELECT rootpage FROM sqlite_schema WHERE name = 'measure'"));
+  }
+  std::string bytes = readWhole(stored.damaged);
+  bytes.replace((to - 1) * size, size, bytes.substr((from - 1) * size, size));
+  writeWhole(stored.damaged, bytes);
+  stored.expectRefused("damaged");
+}
+
+TEST_CASE("a lineage from which a cell is gone is neither exported nor shown") {
+  Stored stored;
+  for (const char* sql :
+       {"DELETE FROM cell WHERE path = 'A'", "DELETE FROM cell WHERE path = ''", "DELETE FROM cell"}) {
+    CAPTURE(sql);
+    stored.copy();
+    Database(stored.damaged, Database::Mode::existing, std::chrono::seconds(1)).execute(sql);
+    stored.expectRefused("was changed since it was stored");
+  }
+}
+
+TEST_CASE("replay misses check results that are gone") {
+  Stored stored;
+  CHECK(launch({"replay", stored.whole}).code == 0);
+  stored.copy();
+  Database(stored.damaged, Database::Mode::existing, std::chrono::seconds(1))
+      .execute("DELETE FROM check_result");
+  const auto run = launch({"replay", stored.damaged});
+  CHECK(run.code == 1);
+  CHECK_THAT(run.out, ContainsSubstring("check_result") && ContainsSubstring("(0 are stored"));
+}
+
+TEST_CASE("replay does not write over the run that it verifies") {
+  Stored stored;
+  const std::string before = readWhole(stored.whole);
+  fs::create_symlink(stored.whole, stored.folder / "link.db");
+  for (const std::string& to : {stored.whole, stored.folder / "link.db"}) {
+    const auto run = launch({"replay", stored.whole, "--db-out", to});
+    CHECK(run.code == 2);
+    CHECK_THAT(run.err, ContainsSubstring("holds the run that is replayed"));
+  }
+  CHECK(readWhole(stored.whole) == before);
+}
+
+TEST_CASE("JSON that is nested without end is refused") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "deep.json", std::string(200'000, '[') + std::string(200'000, ']'));
+  writeWhole(folder / "rows.json",
+             R"({"rows": )" + std::string(200'000, '[') + std::string(200'000, ']') + "}");
+  for (const char* name : {"deep.json", "rows.json"}) {
+    const auto run = launch({"report", folder / name, "-o", folder / "page.html"});
+    CAPTURE(name, run.err);
+    CHECK((run.code > 0 && run.code < 70));
+    CHECK_FALSE(run.err.empty());
+  }
+}
