@@ -57,6 +57,12 @@ double measureKineticEnergy(const Bodies& b, int slot) {
   return 0.5 * b.vertexMass[slot] * sum;
 }
 
+Vector measureMeanVelocity(const Bodies& b, int slot) {
+  Vector sum;
+  for (int v = 0; v < b.vertexCount(slot); ++v) sum += b.read(b.velocity, slot, v);
+  return sum / b.vertexCount(slot);
+}
+
 Vector measureMomentum(const Bodies& b) {
   Vector sum;
   for (int slot : b.slots)

@@ -15,6 +15,8 @@ double measureRestVolume(const Bodies& bodies, int slot);
 
 /// [force·length] ½ Σ m v² over a cell's vertices.
 double measureKineticEnergy(const Bodies& bodies, int slot);
+/// [length/time] Of a cell's vertices.
+Vector measureMeanVelocity(const Bodies& bodies, int slot);
 /// [mass·length/time] Of all cells.
 Vector measureMomentum(const Bodies& bodies);
 

@@ -11,6 +11,7 @@
 #include "contacts/contacts.h"
 #include "physics/integrator.h"
 #include "physics/stability.h"
+#include "simulation/body_measures.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -177,9 +178,51 @@ void refuseAboveRun(const World& world, double timeStep) {
 
 constexpr double mostCycles = 1e12;  // one after the other; more than a week of a cell without a body
 
+// [1] Of a reach, how far a cell's centre may move in a step. Two that meet then come nearer by 0.38 of it, so that no pair of
+// vertices passes the depths between 0.61, from where a run ends (deepestHeld), and 1 unseen.
+constexpr double mostFlight = 0.19;
+
+struct Flight {
+  double limit = INFINITY;  // [time] in which it moves by mostFlight
+  int cell = 0;
+};
+
+/// Of the cell that moves fastest beside its reach, where there is another that it may meet.
+Flight shortestFlight(const World& world) {
+  Flight shortest;
+  const Bodies& b = *world.bodies;
+  if (!world.contacts || b.count < 2 || world.contacts->parameters.law == ContactLaw::thesis) return shortest;
+  for (int cell = 0; cell < b.count; ++cell) {
+    const int slot = b.slots[cell];
+    const double limit = mostFlight * world.contacts->radius[slot] / norm(measureMeanVelocity(b, slot));
+    if (limit < shortest.limit) shortest = {limit, cell};
+  }
+  return shortest;
+}
+
+void refuseFlight(const World& world, double timeStep) {
+  const Flight flight = shortestFlight(world);
+  if (timeStep <= flight.limit) return;
+  throw NumericalError(world.cells.path[flight.cell].text(), world.clock.step,
+                       "a cell moves by " + numberText(mostFlight * timeStep / flight.limit) +
+                           " of its contacts' reach in a time step of " + exactText(timeStep) +
+                           ": cells could pass through each other unseen",
+                       "use physics.time_step: auto, or at most " + exactText(powerOfTwoBelow(flight.limit)) +
+                           ", or lower what drives it: speeds (cells: velocity)");
+}
+
 /// What an automatic step may be: drag is a mode of its own, that adds to none of the others' stiffness.
 double longest(double combined, const PhysicsParameters& p) {
   return margin * std::min(combined, dragLimit(p.integrator, p.drag));
+}
+
+/// [time] Cells that are too fast for this to be a run of sensible length move farther than contacts reach, and the run
+/// ends (checkReach).
+double automaticLimit(const World& world, double combined) {
+  constexpr double shortened = 1.0 / 64;  // at most
+  const PhysicsParameters& p = world.bodies->parameters;
+  const double stable = p.autoShare * longest(combined, p), flight = shortestFlight(world).limit;
+  return flight < stable && flight > shortened * stable ? flight : stable;
 }
 
 }  // namespace
@@ -217,7 +260,7 @@ void followContacts(World& world) {
   if (!mayGrow && measureHardening(*world.contacts) <= heldByLimit) return;
   double combined;
   tightestLimit(world, combined);
-  const double timeStep = automaticTimeStep(world.model, p.autoShare * longest(combined, p));
+  const double timeStep = automaticTimeStep(world.model, automaticLimit(world, combined));
   if (timeStep < clock.timeStep || (mayGrow && timeStep > clock.timeStep)) chooseTimeStep(world);
 }
 
@@ -237,10 +280,11 @@ void chooseTimeStep(World& world) {
     refuseAbove(limit.contact, "contacts", world, limit.cell, timeStep);
     refuseAbove(limit.connection, "connections' springs", world, limit.cell, timeStep);
     refuseAbove(dragLimit(p.integrator, p.drag), "drag", world, limit.cell, timeStep);
+    refuseFlight(world, timeStep);
   } else {
     if (kindOf(p.integrator).solvesForces ? std::isinf(limit.contact) : std::isinf(longest(combined, p)))
       refuseUnbounded(world);
-    timeStep = automaticTimeStep(world.model, p.autoShare * longest(combined, p));
+    timeStep = automaticTimeStep(world.model, automaticLimit(world, combined));
   }
   refuseEndless(world, limit.cell, timeStep);
   Clock& clock = world.clock;

@@ -14,7 +14,7 @@ TEST_CASE("B1 as the thesis' Verlet is symplectic Euler with our forces") {
   scene.physics.pressure.outside = 1;
   scene.timeStep = 0x1p-7;
   scene.physics.integrator = Integrator::thesisVerlet;
-  const MeshTemplate mesh = makeTemplate(scene.mesh);
+  const MeshTemplate mesh = makeTemplate(scene.mesh, scene.physics.membrane.springs);
   Body byHand = scene.cells[0];
   BulletWorld world(scene);
   for (int i = 0; i < 256; ++i) {

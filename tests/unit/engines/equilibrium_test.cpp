@@ -16,7 +16,7 @@ Body settle(const BulletScene& scene, int steps) {
 /// The radius at which a cell of the law rests, by steps written out here.
 template <class Law>
 double restRadius(BulletScene scene, const Law& law) {
-  const MeshTemplate mesh = makeTemplate(scene.mesh);
+  const MeshTemplate mesh = makeTemplate(scene.mesh, scene.physics.membrane.springs);
   Body cell = scene.cells[0];
   for (int i = 0; i < 3000; ++i) stepByHand(scene, mesh, cell, law);
   return meanRadius(cell);

@@ -56,7 +56,9 @@ void stepByHand(const BulletScene& scene, const MeshTemplate& mesh, Body& cell, 
     const Vector d = cell.position[j] - cell.position[i];
     const double length = norm(d);
     const double opening = dot(cell.velocity[j] - cell.velocity[i], d) / length;
-    const Vector f = ((ks * law(length, mesh.restLengths[e] * cell.restScale) + kd * opening) / length) * d;
+    const double weight = mesh.springWeights.empty() ? 1 : mesh.springWeights[e];
+    const double tension = ks * law(length, mesh.restLengths[e] * cell.restScale) + kd * opening;
+    const Vector f = (weight * tension / length) * d;
     force[i] += f;
     force[j] -= f;
   }
