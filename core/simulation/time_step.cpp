@@ -178,10 +178,6 @@ void refuseAboveRun(const World& world, double timeStep) {
 
 constexpr double mostCycles = 1e12;  // one after the other; more than a week of a cell without a body
 
-// [1] Of a reach, how far a cell's centre may move in a step. Two that meet then come nearer by 0.38 of it, so that no pair of
-// vertices passes the depths between 0.61, from where a run ends (deepestHeld), and 1 unseen.
-constexpr double mostFlight = 0.19;
-
 struct Flight {
   double limit = INFINITY;  // [time] in which it moves by mostFlight
   int cell = 0;

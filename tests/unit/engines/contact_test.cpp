@@ -3,6 +3,7 @@
 #include "engines/bullet_world.h"
 #include "lab.h"
 #include "mesh_oracles.h"
+#include "physics/shell_surface.h"
 #include "worst.h"
 
 using namespace morula;
@@ -39,17 +40,23 @@ std::vector<Body> run(const BulletScene& scene, int steps) {
 
 TEST_CASE("Cells stop each other, and the shell stops both") {
   NEEDS_BULLET
-  const BulletScene scene = pressedPair(true);
+  BulletScene scene = pressedPair(true);
+  const Held holds = GENERATE(Held::vertices, Held::surface);
+  scene.physics.shell->holds = holds;
   const auto cells = run(scene, 800);
   CHECK(countInside(scene, cells[0], cells[1]) == 0);
   CHECK(countInside(scene, cells[1], cells[0]) == 0);
   // They do touch: together they would be longer than the shell.
   CHECK(measureBox(cells[0].position).high.x > measureBox(cells[1].position).low.x - 3 * scene.margin);
-  Worst outermost;
-  for (const Body& cell : cells)
-    for (const Point& p : cell.position) outermost.see(std::abs(p.x) / 1.9);
-  CHECK(outermost <= 1 + 1e-12);
-  CHECK(outermost > 0.999);
+  Worst vertex, held;
+  for (const Body& cell : cells) {
+    for (const Point& p : cell.position) vertex.see(std::abs(p.x) / 1.9);
+    for (const Point& p : measureHeldPoints({cell.position, scene.mesh.faces}, *scene.physics.shell))
+      held.see(std::abs(p.x) / 1.9);
+  }
+  CHECK(held <= 1 + 1e-12);
+  CHECK(held > 0.999);
+  CHECK((vertex > 1.001) == (holds == Held::surface));  // vertices stand above the surface that holds the volume
 }
 
 TEST_CASE("Without contact they run through each other") {

@@ -91,7 +91,7 @@ TEST_CASE("A vertex that outruns its contacts ends the run, and the step that it
   Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
   scene.mechanics->contact = scenes::pairContact;
   scene.mechanics->contact->stiffness = 3;
-  scene.cells = {{.at = {-1.5, 0, 0}, .velocity = {300, 0, 0}}, {.at = {1.5, 0, 0}}};
+  scene.cells = {{.at = {-1.5, 0, 0}, .velocity = {3000, 0, 0}}, {.at = {1.5, 0, 0}}};
   World world = makeWorld(scene);
   double told = 0;
   try {
@@ -112,6 +112,24 @@ TEST_CASE("A vertex that outruns its contacts ends the run, and the step that it
   scene.mechanics->physics.timeStep.reset();
   World alone = makeWorld(scene);
   for (int i = 0; i < 5; ++i) CHECK_NOTHROW(step(alone));
+}
+
+TEST_CASE("Fast cells meet in shorter steps, and bounce; a fixed step that is too long for them is refused") {
+  Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
+  scene.mechanics->contact = scenes::pairContact;
+  const double usual = makeWorld(scene).clock.timeStep;
+  scene.cells = {{.at = {-3, 0, 0}, .velocity = {20, 0, 0}}, {.at = {3, 0.2, 0}, .velocity = {-20, 0, 0}}};
+  World world = makeWorld(scene);
+  CHECK(world.clock.timeStep < usual);
+  CHECK(world.clock.timeStep * 20 <= 0.19 * world.contacts->radius[0]);
+  CHECK(2 * world.clock.timeStep * 20 > 0.19 * world.contacts->radius[0]);
+  while (world.clock.time < 1) step(world);
+  CHECK(centreOf(world, "A").x < 0);
+  CHECK(centreOf(world, "B").x > 0);
+  scene.mechanics->physics.timeStep = usual;
+  CHECK_THROWS_WITH(makeWorld(scene), ContainsSubstring("of its contacts' reach in a time step of"));
+  scene.cells = {scene.cells[0]};  // there is none that it could meet
+  CHECK_NOTHROW(makeWorld(scene));
 }
 
 TEST_CASE("When the small cells die the step may grow again") {
