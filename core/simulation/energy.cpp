@@ -3,35 +3,17 @@
 #include "base/maths.h"
 #include "contacts/pair_energy.h"
 #include "simulation/body_measures.h"
+#include "simulation/membrane_edges.h"
 
 namespace morula {
 
 namespace {
 
-/// Calls visit(d, rate, rest, weight) for every edge of a cell once: its vector, how that changes, its length at rest,
-/// and the weight of its spring (MembraneParameters::springs).
-template <class Visit>
-void forEachEdge(const Bodies& b, int slot, Visit&& visit) {
-  const MeshTemplate& mesh = b.meshOf(slot);
-  const auto visitEdge = [&](int i, int j, double weight) {
-    visit(b.vertex(slot, j) - b.vertex(slot, i), b.read(b.velocity, slot, j) - b.read(b.velocity, slot, i),
-          b.restScale[slot] * norm(mesh.mesh.vertices[i] - mesh.mesh.vertices[j]), weight);
-  };
-  for (std::size_t e = 0; e < mesh.springWeights.size(); ++e)
-    visitEdge(mesh.edges[2 * e], mesh.edges[2 * e + 1], mesh.springWeights[e]);
-  if (!mesh.springWeights.empty()) return;
-  for (const Face& face : mesh.mesh.faces)
-    for (int k = 0; k < 3; ++k) {
-      const int i = face[k], j = face[(k + 1) % 3];
-      if (i < j) visitEdge(i, j, 1);  // in one of its two faces an edge runs upwards
-    }
-}
-
 double membraneEnergy(const Bodies& b, int slot) {
   double sum = 0;
-  forEachEdge(b, slot, [&](const Vector& d, const Vector&, double rest, double weight) {
-    const double off = norm(d) - rest;
-    sum += weight * (off * off);
+  forEachEdge(b, slot, [&](const MembraneEdge& e) {
+    const double off = norm(e.d) - e.rest;
+    sum += e.weight * (off * off);
   });
   return 0.5 * b.parameters.membrane.stiffness * sum;
 }
@@ -45,9 +27,9 @@ double contentsEnergy(const Bodies& b, int slot) {
 
 double membranePower(const Bodies& b, int slot) {
   double sum = 0;
-  forEachEdge(b, slot, [&](const Vector& d, const Vector& rate, double, double weight) {
-    const double square = dot(d, d), along = dot(rate, d);
-    if (square > 0) sum += weight * (along * along / square);
+  forEachEdge(b, slot, [&](const MembraneEdge& e) {
+    const double square = dot(e.d, e.d), along = dot(e.rate, e.d);
+    if (square > 0) sum += e.weight * (along * along / square);
   });
   return b.parameters.membrane.damping * sum;
 }

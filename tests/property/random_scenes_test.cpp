@@ -146,15 +146,25 @@ std::string ownVerdict(const World& world) {
     const double scale = b.restScale[slot], rest = egg * scale * scale * scale, volume = ownVolume(m);
     if (!(volume > 0)) return name + " is inside out";
     if (volume < 0.1 * rest) return fmt::format("{} is crushed to {:.3f}", name, volume / rest);
-    if (b.parameters.shell)
-      for (Point p : m.vertices) {
-        // A ball is drawn with a mesh of its volume, whose vertices stand out of it.
-        if (const Vector way = p - b.vertex(slot, 0); sphere)
-          p = b.vertex(slot, 0) + (b.parameters.cell.radius * scale / norm(way)) * way;
+    if (b.parameters.shell) {
+      std::vector<Point> inside;
+      // A ball is drawn with a mesh of its volume, and a shell holds the surface that holds a mesh's: vertices stand out of
+      // both, faces lie in the latter, but for what single ones of uneven meshes stand out of the mean around a vertex.
+      const double uneven = sphere ? 0 : 0.005;
+      if (sphere) {
+        const Point centre = b.vertex(slot, 0);
+        for (const Point& p : m.vertices)
+          inside.push_back(centre + (b.parameters.cell.radius * scale / norm(p - centre)) * (p - centre));
+      } else {
+        for (const Face& f : m.faces)
+          inside.push_back((m.vertices[f[0]] + m.vertices[f[1]] + m.vertices[f[2]]) / 3);
+      }
+      for (const Point& p : inside) {
         const double* a = b.parameters.shell->semiAxes;
         const double q = p.x * p.x / (a[0] * a[0]) + p.y * p.y / (a[1] * a[1]) + p.z * p.z / (a[2] * a[2]);
-        if (!(q <= 1 + 1e-5)) return fmt::format("{} stands out of its shell: {:.6f}", name, std::sqrt(q));
+        if (!(std::sqrt(q) <= 1 + 5e-6 + uneven)) return fmt::format("{} stands out of its shell: {:.6f}", name, std::sqrt(q));
       }
+    }
   }
   for (std::size_t i = 0; i < meshes.size(); ++i)
     for (std::size_t j = 0; j < meshes.size(); ++j)

@@ -15,7 +15,7 @@ TEST_CASE("accuracy: where an ambiguous axis parts two runs, a remark says so") 
   // extent is still x, and with 162, which swing a little faster, it is z already.
   writeWhole(folder / "round.yaml",
              "morula: 1\nname: round\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\ncycle: {length: "
-             "0.1259765625}\n"
+             "0.1267089844}\n"
              "stop: {time: 0.2}\nphysics:\n  time_step: 0.00048828125\n  mesh: {icosphere: 1}\n  drag: 1\n"
              "  cell: {radius: 0.95}\n  contact: {}\n"
              "cells:\n  - {at: [0, 0, 0], stretch: [1, 1, 0.8]}\n");

@@ -62,8 +62,8 @@ TEST_CASE("replay: a changed, lost or added row of any table is found and named"
       {"step_hash", "UPDATE step_hash SET lineage = state WHERE step = 64",
        "first step 64: lineage: stored '"},
       {"cell_hash", "DELETE FROM cell_hash WHERE step = 64", "no such row; recomputed: a row"},
-      {"check_result", "UPDATE check_result SET actual = '1' WHERE \"check\" = 'shell'",
-       "actual: stored '1'"},
+      {"check_result", "UPDATE check_result SET actual = '2' WHERE \"check\" = 'shell'",
+       "actual: stored '2'"},
       {"division", "UPDATE division SET share = 0.25", "share: stored 0.25, recomputed "},
       {"run", "UPDATE run SET cells = 7", "cells: stored 7, recomputed 2"},
   };

@@ -235,8 +235,8 @@ std::vector<Parameter> parameters() {
       presentation(optionalReal("check.extent", "length", positive, "", "not checked",
                                 "Always: the most that a vertex is away from the origin", AT(check.extent))),
       presentation(optionalReal("check.energy", "force·length", positive, "", "not checked",
-                                "Always: the most that motion, membranes and contents hold over rest; needs "
-                                "pressure.outside > 0",
+                                "Always: the most that motion, membranes, contents, connections, contacts and "
+                                "adhesion (which lowers it) hold together; needs pressure.outside > 0",
                                 AT(check.energy))),
       presentation(optionalReal("check.momentum", "mass·length/time", notNegative, "", "not checked",
                                 "Always: the most that the momentum of all is off from that at the start",

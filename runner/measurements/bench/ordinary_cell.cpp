@@ -7,7 +7,8 @@ OrdinaryCell makeOrdinaryCell(const MeshTemplate& mesh, const Body& body) {
   for (std::size_t v = 0; v < body.position.size(); ++v)
     cell.vertices.push_back({body.position[v], body.velocity[v], {}, body.mass / mesh.vertexCount()});
   for (int e = 0; e < mesh.edgeCount(); ++e)
-    cell.springs.push_back({mesh.edges[2 * e], mesh.edges[2 * e + 1], mesh.restLengths[e] * body.restScale});
+    cell.springs.push_back({mesh.edges[2 * e], mesh.edges[2 * e + 1], mesh.restLengths[e] * body.restScale,
+                            mesh.springWeights.empty() ? 1 : mesh.springWeights[e]});
   cell.faces = mesh.mesh.faces;
   cell.pressureConstant = body.pressureConstant;
   return cell;
@@ -23,8 +24,9 @@ void findForces(OrdinaryCell& cell, const PhysicsParameters& p) {
     const double length = norm(d);
     const Vector direction = d / length;
     const double opening = dot(b.velocity - a.velocity, direction);
-    const Vector force =
-        (p.membrane.stiffness * (length - spring.restLength) + p.membrane.damping * opening) * direction;
+    const double tension =
+        p.membrane.stiffness * (length - spring.restLength) + p.membrane.damping * opening;
+    const Vector force = (spring.weight * tension) * direction;
     a.force += force;
     b.force -= force;
   }

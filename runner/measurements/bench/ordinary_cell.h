@@ -16,7 +16,7 @@ struct OrdinaryCell {
   };
   struct Spring {
     std::int32_t first, second;
-    double restLength;
+    double restLength, weight;
   };
   std::vector<Vertex> vertices;
   std::vector<Spring> springs;

@@ -23,7 +23,7 @@ class SanityCheck {
  private:
   // [force·length] at the start, where nothing that is not in it can add to it
   std::optional<double> energy_;
-  double energyScale_ = 0;  // [force·length] what the cells' contents hold at rest
+  double energyScale_ = 0;  // [force·length] what its parts sum up to without their signs
   std::vector<CellPath> cells_;
 };
 

@@ -9,6 +9,7 @@
 #include "contacts/contacts.h"
 #include "physics/integrator.h"
 #include "physics/stages.h"
+#include "simulation/membrane_edges.h"
 #include "simulation/motility.h"
 #include "simulation/stages.h"
 #include "simulation/swirls.h"
@@ -20,23 +21,15 @@ namespace {
 /// [force] Of the membrane's springs [Nilsson 2008, eq. 4.2].
 std::vector<Vector> springForces(const Bodies& b, int slot) {
   std::vector<Vector> force(b.vertexCount(slot));
-  const Mesh& rest = b.meshOf(slot).mesh;
   const MembraneParameters& m = b.parameters.membrane;
-  for (const Face& face : rest.faces)
-    for (int k = 0; k < 3; ++k) {
-      const int i = face[k], j = face[(k + 1) % 3];
-      if (i > j) continue;  // every edge once: in one of its two faces it runs upwards
-      const Vector d = b.vertex(slot, j) - b.vertex(slot, i);
-      const double length = norm(d);
-      if (!(length > 0)) continue;
-      const Vector rate = b.read(b.velocity, slot, j) - b.read(b.velocity, slot, i);
-      const double tension =
-          m.stiffness * (length - b.restScale[slot] * norm(rest.vertices[i] - rest.vertices[j])) +
-          m.damping * (dot(rate, d) / length);
-      const Vector f = (tension / length) * d;
-      force[i] = force[i] + f;
-      force[j] = force[j] - f;
-    }
+  forEachEdge(b, slot, [&](const MembraneEdge& edge) {
+    const double length = norm(edge.d);
+    if (!(length > 0)) return;
+    const double tension = m.stiffness * (length - edge.rest) + m.damping * (dot(edge.rate, edge.d) / length);
+    const Vector f = (edge.weight * tension / length) * edge.d;
+    force[edge.i] += f;
+    force[edge.j] -= f;
+  });
   return force;
 }
 
@@ -167,8 +160,15 @@ ForcesByKind forcesOf(const World& world, int slot, const OuterForces& outer) {
     at(ForceKind::shell) = shellForces(b, slot, sum);
     for (int v = 0; v < vertices; ++v) left[v] -= at(ForceKind::shell)[v];
   }
-  // Where several planes may bear at once, the shell's part is what is left; elsewhere that is what has no name.
-  addTo(at(b.model().hasMembrane && shape == ShellShape::planes ? ForceKind::shell : ForceKind::other), left);
+  // Where several planes may bear at once, and where what is held is not the vertices, the shell's part is what is left;
+  // elsewhere that is what has no name.
+  const bool leftIsShell = shape == ShellShape::planes || shape == ShellShape::surface;
+  double most = 0;
+  for (const Vector& f : sum) most = std::max(most, norm(f));
+  for (int v = 0; v < vertices; ++v) {
+    const bool isRounding = norm(left[v]) <= 1e-12 * most;
+    at(b.model().hasMembrane && leftIsShell && !isRounding ? ForceKind::shell : ForceKind::other)[v] += left[v];
+  }
   return of;
 }
 
