@@ -288,6 +288,8 @@ void chooseTimeStep(World& world) {
   clock.timeStep = timeStep;
   clock.epochTime = clock.time;
   clock.epochStep = clock.step;
+  const bool again = !world.timeSteps.empty() && world.timeSteps.back().step == clock.step;  // births, then contacts
+  if (again) world.timeSteps.pop_back();
   world.timeSteps.push_back({clock.time, clock.step, timeStep});
   evaluateForces(world);  // the thesis' contact law and the grip of friction depend on the time step
 }

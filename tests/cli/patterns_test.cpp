@@ -61,10 +61,16 @@ TEST_CASE(
   for (const auto& [bridges, cells] : {std::pair{1, 8}, {2, 4}, {3, 2}, {4, 2}})
     CHECK(numberIn(file, "SELECT count(*) FROM (SELECT count(*) AS n FROM " + ends +
                              " GROUP BY path) WHERE n = " + std::to_string(bridges)) == cells);
-  // Cells with a bridge between them lie side by side.
+  // Cells with a bridge between them lie side by side: a cell at rest is 0.80 wide. Of the first and the ninth, which hold
+  // four bridges each, the one between them is drawn out a little, and they do not touch.
   CHECK(numberIn(file,
                  "SELECT count(*) FROM connection c JOIN contact k ON k.a = c.a AND k.b = c.b "
-                 "WHERE c.released IS NULL AND k.time = (SELECT max(time) FROM contact)") == 15);
+                 "WHERE c.released IS NULL AND k.time = (SELECT max(time) FROM contact)") == 14);
+  CHECK(numberIn(file,
+                 "WITH l AS (SELECT * FROM cell_sample WHERE time = (SELECT max(time) FROM cell_sample)) "
+                 "SELECT max((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) + (p.z - q.z) * (p.z - q.z)) "
+                 "FROM connection c JOIN l p ON p.path = c.a JOIN l q ON q.path = c.b WHERE released IS NULL") <
+        0.9 * 0.9);
 }
 
 TEST_CASE("pairs of cells touch over areas in the order of their adhesion") {
@@ -73,8 +79,10 @@ TEST_CASE("pairs of cells touch over areas in the order of their adhesion") {
   const auto area = [&](const std::string& a, const std::string& b) {
     return numberIn(file, "SELECT area FROM contact WHERE time = 5 AND a = '" + a + "' AND b = '" + b + "'");
   };
-  CHECK(area("AAA", "AAB") > 2 * area("AB", "BAA"));
-  CHECK(area("AB", "BAA") > 2 * area("BAB", "BB"));
+  CHECK(area("AAA", "AAB") > 1.5 * area("AB", "BAA"));
+  CHECK(area("AB", "BAA") > 1);
+  // What does not stick lies side by side, and presses on nothing.
+  CHECK(numberIn(file, "SELECT count(*) FROM contact WHERE time = 5") == 2);
 }
 
 TEST_CASE("tissues that differ in adhesion sort, the one that sticks more inside; equal ones do not") {
