@@ -73,7 +73,7 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   const std::size_t vertices = std::size_t(bodies.lineCount()) * blockLanes;
   c.rows.assign(vertices + 1, {});
   const Precision precision = bodies.parameters.precision;
-  const double far = precision == Precision::binary64 ? 1e100 : 1e18;  // its square is finite
+  const double far = precision == Precision::binary64 ? 1e100 : 1e18;  // its square is finite, κ times it need not be
   c.rows[vertices] = asMemory({far, far, far, 1, 0, 0, 0, 0, 0, 1}, precision);
   c.farthest.assign(bodies.blockCount(), 0);
   c.deepest.assign(bodies.blockCount(), 0);

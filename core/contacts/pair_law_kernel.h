@@ -67,11 +67,13 @@ struct PairLaw {
     const Vec a = i.x - j.x, relative = i.v - j.v, apartNormals = j.n - i.n;  // 2h
     const Lanes square = dot(a, a);
     const Lanes curvature = 0.5 * (i.inverseRadiusSquared + j.inverseRadiusSquared);  // κ
-    const Lanes nearness = curvature * square;
+    const Lanes nearness = min(curvature * square, 1.0);  // in single precision the far row's is infinite
     const Mask near = nearness < Lanes(1.0);
-    const Lanes v = select(near, 1.0 - nearness, 0.0), u = v * (1.0 + nearness);
     const Lanes overlap = select(near, -0.5 * dot(a, apartNormals), 0.0);  // D, or how far apart
     const Lanes opening = 0.5 * dot(relative, apartNormals);
+    if constexpr (!withAdhesion)  // most pairs of a list neither overlap nor come nearer fast
+      if (!any(max(overlap, stiffness * overlap - damping * opening) > Lanes(0.0) & near)) return;
+    const Lanes v = 1.0 - nearness, u = v * (1.0 + nearness);
     const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / leastFacing) * m, 1.0), s = (t * t) * (3.0 - 2.0 * t);
     const Lanes depth = max(overlap, Lanes(0.0));
     const Lanes b = curvature * (depth * depth) * u, su = s * u;
@@ -81,8 +83,10 @@ struct PairLaw {
     const Lanes half = 0.5 * ((su * u) * max(push, Lanes(0.0)));  // E_D/2
     const Lanes barrier = stiffness * (depth * depth);
     Lanes byFade = (nearness * (su * barrier)) * (2.0 + b * (3 * hardening1 + (4 * hardening2) * b));  // −E_q
-    Lanes byTurn = ((3 / leastFacing) * (t * (1.0 - t))) *
-                   ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
+    Lanes byTurn = 0.0;
+    if (any(t < Lanes(1.0)))  // few normals are nearly parallel
+      byTurn = ((3 / leastFacing) * (t * (1.0 - t))) *
+               ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
     if constexpr (withAdhesion) {
       const Lanes held = adhesion * (v * v);
       byFade -= ((0.125 * m) * (m * (3.0 - m))) * held;
