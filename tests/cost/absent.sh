@@ -8,7 +8,7 @@
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 program=$1
-functions='takeSnapshot addPairForces buildNeighbourList refreshList addConnectionForces driftVelocityVerlet<(morula::ShellShape)1>
+functions='takeSnapshot addPairForces buildNeighbourList refreshList addConnectionForces driftAroundSurfaces
   findTensions<true addPressureForces<true> measureContactAreas morula::grow(
   findPairStrengths addMotility'
 
