@@ -137,9 +137,15 @@ double Subject::timeContact(Isa isa) {
          timeBlocks(isa, [&](int i) { addContactForces(c, b, i, world_.clock.timeStep); });
 }
 
+Contacts Subject::contactsToSearch(Isa isa, ContactSearch method) const {
+  Contacts contacts = contactsWith(isa, {.method = method});
+  resetContacts(contacts, *world_.bodies);
+  contacts.rows = world_.contacts->rows;  // where surfaces stand
+  return contacts;
+}
+
 double Subject::timeRebuild(Isa isa, ContactSearch method, ClockKind clock, int threads) {
-  Contacts other = contactsWith(isa, {.method = method});
-  resetContacts(other, *world_.bodies);
+  Contacts other = contactsToSearch(isa, method);
   return secondsPerCall(clock,
                         [&] {
                           other.listIsValid = false;

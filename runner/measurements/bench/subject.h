@@ -44,6 +44,8 @@ class Subject {
   double timeInternal(Isa isa);
   double timeIntegration(Isa isa);
   double timeContact(Isa isa);
+  /// The world's contacts before their first search.
+  Contacts contactsToSearch(Isa isa, ContactSearch method) const;
   /// One search for neighbours, whether due or not.
   double timeRebuild(Isa isa, ContactSearch method, ClockKind clock = ClockKind::cpu, int threads = 1);
   /// The inner forces as ordinary code computes them.

@@ -32,8 +32,13 @@ TEST_CASE("Timing a stage leaves the state as it was") {
     }
     CHECK(subject.trySteps(bestIsa(), 2, ClockKind::wall, 10).size() >= 1);
     if (contact)
-      for (const ContactSearch method : valuesOf<ContactSearch>())
+      for (const ContactSearch method : valuesOf<ContactSearch>()) {
         CHECK(subject.timeRebuild(bestIsa(), method) > 0);
+        Contacts contacts = subject.contactsToSearch(bestIsa(), method);
+        refreshList(contacts, *subject.world().bodies, 1);
+        CHECK(contacts.list.pairs > 0);
+        CHECK(contacts.list.pairs < 20 * subject.vertices());  // what is near, where surfaces stand
+      }
     CHECK(stateHash(subject.world()) == before);
     CHECK(subject.world().bodies->acceleration == accelerations);
     CHECK(subject.counters().steps == 0);
