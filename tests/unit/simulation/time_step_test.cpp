@@ -132,6 +132,21 @@ TEST_CASE("Fast cells meet in shorter steps, and bounce; a fixed step that is to
   CHECK_NOTHROW(makeWorld(scene));
 }
 
+TEST_CASE("A time step that is chosen twice in one step, for births and for contacts, is told once") {
+  Scene scene = scenes::withBodies("START: a0\ng1(a0|a0)\n", 1);
+  World world = makeWorld(scene);
+  takeSteps(world, 3);
+  for (const double share : {0.5, 0.25}) {
+    world.bodies->parameters.autoShare = share;
+    chooseTimeStep(world);
+  }
+  REQUIRE(world.timeSteps.size() == 2);
+  CHECK(world.timeSteps[0].step == 0);
+  CHECK(world.timeSteps[1].step == 3);
+  CHECK(world.timeSteps[1].timeStep == world.clock.timeStep);
+  CHECK(world.clock.timeStep == world.timeSteps[0].timeStep / 4);
+}
+
 TEST_CASE("When the small cells die the step may grow again") {
   World world =
       makeWorld(scenes::withBodies("START: "
