@@ -15,8 +15,8 @@ namespace {
 
 const std::string pairOfBalls =
     "morula: 1\nname: pair\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 0.125}\n"
-    "cells: [{at: [-0.88, 0, 0]}, {at: [0.88, 0, 0]}]\n"
-    "physics: {mesh: {icosphere: 1}, drag: 5, shell: {sphere: 1.9}, contact: {}}\n";
+    "cells: [{at: [-0.9, 0, 0]}, {at: [0.9, 0, 0]}]\n"
+    "physics: {mesh: {icosphere: 1}, drag: 50, shell: {sphere: 3}, contact: {}}\n";
 
 template <class Of>
 std::vector<std::string> names() {
