@@ -17,9 +17,8 @@
 // The first part repels: K [force/length]. Pressed together face to face its energy rises until B = 0.38, 0.74 R deep,
 // where it is 4.5 K R²; whatever is pressed farther falls into the other cell, and the run ends (deepestHeld). β₁ and β₂
 // harden B, not κ D²: otherwise vertices whose planes overlap far beside each other, where u ends, are so stiff that
-// crowds never come to rest. The second part holds: over flat surfaces that touch it sums up to the work of separation W
-// per area, whatever the mesh; T [energy] follows from W
-// (adhesion.h).
+// crowds never come to rest. The second part attracts: over flat surfaces that touch it sums up to the work of separation
+// W per area, whatever the mesh; T [energy] follows from W (adhesion.h).
 //
 // y and n depend on the vertices' one-rings, and so do forces: that is what makes them the gradient of an energy. With
 //
@@ -40,11 +39,11 @@
 // sum over a surface cancels: damping takes energy from surfaces, though a single pair may give some. It may push a
 // little before surfaces overlap, so that no force jumps.
 //
-// Friction acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face, and v_t the
-// speed along the surface. A central force of the pair keeps both momenta and only takes energy; over a surface, where neighbours stand
-// around a vertex on all sides, half of it acts along the slip: hence the 2.
-// Where vertices stand face to face it has no lever: the cone is kept in the mean over how meshes lie. c_max keeps it from reversing the slip
-// within a step (contacts.cpp).
+// Friction acts along a: −min(2μ N/max(v_t, v_slip), c_max) (v·â) â, with N = E_D, the normal force face to face, and v_t
+// the speed along the surface. A central force of the pair keeps both momenta and only takes energy; over a surface, where
+// neighbours stand around a vertex on all sides, half of it acts along the slip: hence the 2. Two vertices face to face
+// have a along the normal and feel none, so Coulomb's limit holds in the mean over how meshes lie. c_max keeps friction
+// from reversing the slip within a step (contacts.cpp).
 //
 // The gap by mean normals and forces that follow from a potential through the normals are those of convergent contact
 // potentials [Li et al. 2020; Li et al. 2023]; here vertices see vertices, so that forces are only gathered.
@@ -71,7 +70,7 @@ struct PairLaw {
     const Mask near = nearness < Lanes(1.0);
     const Lanes overlap = select(near, -0.5 * dot(a, apartNormals), 0.0);  // D, or how far apart
     const Lanes opening = 0.5 * dot(relative, apartNormals);
-    if constexpr (!withAdhesion)  // most pairs of a list neither overlap nor come nearer fast
+    if constexpr (!withAdhesion)  // without overlap or a push against approach a pair adds exactly nothing
       if (!any(max(overlap, stiffness * overlap - damping * opening) > Lanes(0.0) & near)) return;
     const Lanes v = 1.0 - nearness, u = v * (1.0 + nearness);
     const Lanes m = 1.0 - dot(i.n, j.n), t = min((1 / leastFacing) * m, 1.0), s = (t * t) * (3.0 - 2.0 * t);
@@ -84,7 +83,7 @@ struct PairLaw {
     const Lanes barrier = stiffness * (depth * depth);
     Lanes byFade = (nearness * (su * barrier)) * (2.0 + b * (3 * hardening1 + (4 * hardening2) * b));  // −E_q
     Lanes byTurn = 0.0;
-    if (any(t < Lanes(1.0)))  // few normals are nearly parallel
+    if (any(t < Lanes(1.0)))  // from normals 60° apart on ds/dm is 0
       byTurn = ((3 / leastFacing) * (t * (1.0 - t))) *
                ((barrier * (u * u)) * (1.0 + b * (hardening1 + hardening2 * b)));
     if constexpr (withAdhesion) {

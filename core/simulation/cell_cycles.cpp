@@ -101,7 +101,8 @@ double longestCycle(const CycleParameters& cycle) {
   return longest;
 }
 
-/// Where stop.cells alone ends a run, cells that no longer divide would let it go on for ever.
+/// Throws NumericalError if a run that only stop.cells can end has taken mostCyclesForCells of its longest cycles without
+/// reaching that number: its cells may have stopped dividing, and then it would never end.
 void requireCellsInTime(const World& world) {
   const Scene& scene = world.model;
   if (!scene.stop.cells || plannedEnd(scene) || hasEnoughCells(world)) return;
