@@ -5,8 +5,7 @@ import sys
 import warnings
 
 import numpy as np
-from scipy import special, stats
-from scipy.stats import _resampling
+from scipy import linalg, special, stats
 
 ours = json.load(sys.stdin)
 compared = 0
@@ -25,23 +24,6 @@ def same(what, mine, theirs):
         print(f"{what}: {mine!r}, by SciPy {theirs!r}")
 
 
-def mean(sample, axis=-1):
-    """Correctly rounded, so that resamples of equal sums are equal."""
-    sample = np.moveaxis(np.asarray(sample), axis, -1)
-    rows = sample.reshape(-1, sample.shape[-1])
-    return np.array([math.fsum(row) / len(row) for row in rows]).reshape(sample.shape[:-1])
-
-
-def bootstrap(values, level):
-    """SciPy's own BCa, with our resamples in place of its own."""
-    n = len(values)
-    chosen = np.array(ours["choices"][str(n)]).reshape(-1, n)
-    _resampling._bootstrap_resample = lambda sample, n_resamples=None, random_state=None: sample[..., chosen]
-    result = stats.bootstrap((values,), mean, n_resamples=len(chosen), vectorized=True, confidence_level=level,
-                             method="BCa")
-    return result.confidence_interval
-
-
 def student_interval(level, df, centre, error):
     """scipy.stats.t.interval is good to 1e-9 only; the inverse of the incomplete beta function to 1e-15."""
     x = special.betaincinv(df / 2, 0.5, 1 - level)
@@ -51,6 +33,16 @@ def student_interval(level, df, centre, error):
 
 def tost(difference, error, df, margin):
     return stats.t.sf((difference + margin) / error, df), stats.t.cdf((difference - margin) / error, df)
+
+
+def exact(d):
+    """Of differences that repeat: over all choices of signs. 0 where none repeats."""
+    if len(np.unique(np.abs(d).round(12))) == len(d):
+        return 0, 0
+    zero = np.zeros(len(d))
+    test = stats.permutation_test((d, zero), lambda a, b, axis: (a - b).mean(axis), permutation_type="samples",
+                                  vectorized=True, n_resamples=np.inf)
+    return test.pvalue, 2.0 ** (1 - len(d))
 
 
 def check_samples(number, case):
@@ -64,12 +56,13 @@ def check_samples(number, case):
     errors = {"paired": d.std(ddof=1) / math.sqrt(n), "unpaired": math.sqrt(ea + eb)}
     for kind, test in (("paired", paired), ("unpaired", welch)):
         same(f"{at}: {kind} t", case[kind]["t"], test.statistic)
-        same(f"{at}: {kind} p", case[kind]["p"], test.pvalue)
+        p, smallest = exact(d) if kind == "paired" else (0, 0)
+        same(f"{at}: {kind} p", case[kind]["p"], max(test.pvalue, p))
         same(f"{at}: {kind} df", case[kind]["df"], dfs[kind])
         for mine, theirs in zip(case[kind]["interval"], student_interval(0.95, dfs[kind], d.mean(), errors[kind])):
             same(f"{at}: {kind} interval", mine, theirs)
         equivalent = case["tost_" + kind]
-        above, below = tost(d.mean(), errors[kind], dfs[kind], equivalent["margin"])
+        above, below = (max(p, smallest / 2) for p in tost(d.mean(), errors[kind], dfs[kind], equivalent["margin"]))
         same(f"{at}: {kind} TOST, above", equivalent["above"], above)
         same(f"{at}: {kind} TOST, below", equivalent["below"], below)
         for mine, theirs in zip(equivalent["interval"], student_interval(0.9, dfs[kind], d.mean(), errors[kind])):
@@ -84,10 +77,10 @@ def check_samples(number, case):
     same(f"{at}: d_z", case["dz"], d.mean() / d.std(ddof=1))
     same(f"{at}: d", case["d"], pooled)
     same(f"{at}: g", case["g"], pooled * math.exp(special.gammaln(df / 2) - special.gammaln((df - 1) / 2)) / math.sqrt(df / 2))
-    for mine, theirs in zip(case["bootstrap"], bootstrap(a, 0.95)):
-        same(f"{at}: bootstrap", mine, theirs)
-    for mine, theirs in zip(case["bootstrap90"], bootstrap(b, 0.9)):
-        same(f"{at}: bootstrap at 90 %", mine, theirs)
+    for mine, theirs in zip(case["mean"], student_interval(0.95, n - 1, a.mean(), stats.sem(a))):
+        same(f"{at}: interval of the mean", mine, theirs)
+    for mine, theirs in zip(case["mean90"], student_interval(0.9, n - 1, b.mean(), stats.sem(b))):
+        same(f"{at}: interval of the mean at 90 %", mine, theirs)
 
 
 def residual(y, columns):
@@ -102,36 +95,44 @@ def indicator(codes):
 
 
 def check_factorial(number, case):
-    """By fits with and without an effect, which in a balanced design is its sum of squares."""
+    """Sums of squares by fits with and without an effect; errors by orthonormal contrasts of each seed's values."""
     levels, y = case["levels"], np.array(case["values"])
     cells = int(np.prod(levels))
     n = len(y) // cells
     cell = np.repeat(np.arange(cells), n)
     factor = [np.unravel_index(cell, levels)[f] for f in range(len(levels))]
-    seed = np.tile(np.arange(n), cells)
     one = [np.ones(len(y))]
-    block = indicator(seed) if case["blocks"] else []
-    error = residual(y, one + indicator(cell) + block)
-    error_df = (cells - 1) * (n - 1) if case["blocks"] else cells * (n - 1)
     total = residual(y, one)
+    by_seed = np.moveaxis(y.reshape(*levels, n), -1, 0)
     for effect in case["effects"]:
         f = effect["factors"]
         lower = sum((indicator(factor[i]) for i in f), []) if len(f) > 1 else []
         joint = np.ravel_multi_index([factor[i] for i in f], [levels[i] for i in f])
         squares = residual(y, one + lower) - residual(y, one + lower + indicator(joint))
-        df = np.prod([levels[i] - 1 for i in f])
-        ratio = squares / df / (error / error_df)
+        df = int(np.prod([levels[i] - 1 for i in f]))
+        contrasts = by_seed.mean(axis=tuple(i + 1 for i in range(len(levels)) if i not in f))
+        for place, i in enumerate(f):
+            contrasts = np.moveaxis(np.tensordot(contrasts, linalg.helmert(levels[i]), ([place + 1], [1])), -1, place + 1)
+        contrasts = contrasts.reshape(n, df)
+        spread = np.atleast_2d(np.cov(contrasts.T))
+        variances = linalg.eigvalsh(spread)
+        ratio = n * (contrasts.mean(0) ** 2).sum() / variances.sum()
+        error = squares / ratio * (n - 1)
+        low = variances.sum() ** 2 / (df * (variances**2).sum())
+        high = min(1.0, (n * df * low - 2) / (df * (n - 1 - df * low))) if n - 1 > df * low else 1.0
+        epsilon = 0.25 * low + 0.75 * high
         at = f"factorial {number}, effect {f}"
         same(f"{at}: squares", effect["squares"], squares)
         same(f"{at}: df", effect["df"], df)
+        same(f"{at}: df of the error", effect["error_df"], df * (n - 1))
         same(f"{at}: eta squared", effect["share"], squares / total)
         same(f"{at}: partial eta squared", effect["partial"], squares / (squares + error))
         same(f"{at}: F", effect["f"], ratio)
-        same(f"{at}: p", effect["p"], stats.f.sf(ratio, df, error_df))
-    if len(levels) == 1 and not case["blocks"]:
-        test = stats.f_oneway(*y.reshape(levels[0], n))
-        same("one factor by f_oneway: F", case["effects"][0]["f"], test.statistic)
-        same("one factor by f_oneway: p", case["effects"][0]["p"], test.pvalue)
+        same(f"{at}: epsilon", effect["epsilon"], epsilon)
+        same(f"{at}: p", effect["p"], stats.f.sf(ratio, epsilon * df, epsilon * df * (n - 1)))
+        if df == 1 and len(f) == 1:
+            a, b = np.moveaxis(by_seed, f[0] + 1, 1).reshape(n, 2, -1).mean(-1).T
+            same(f"{at}: p by ttest_rel", effect["p"], stats.ttest_rel(a, b).pvalue)
 
 
 def check_holm(case):

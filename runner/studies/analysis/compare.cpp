@@ -7,8 +7,7 @@ namespace morula {
 
 namespace {
 
-ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std::size_t condition,
-                           Bootstrap& bootstrap) {
+ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std::size_t condition) {
   ConditionSummary summary{
       .measure = measure, .condition = condition, .seeds = {}, .values = {}, .interval = {}};
   const auto& tasks = results.conditions[condition].tasks;
@@ -27,7 +26,7 @@ ConditionSummary summaryOf(const StudyResults& results, std::size_t measure, std
   summary.distinct = states.size();
   if (distinct.empty()) return summary;
   summary.mean = mean(distinct);
-  if (summary.distinct > 1) summary.interval = bootstrap.ofMean(distinct);
+  if (summary.distinct > 1) summary.interval = intervalOfMean(distinct);
   return summary;
 }
 
@@ -77,15 +76,13 @@ StudyComparison compareStudy(StudyResults results, const CompareOptions& options
   c.measures = numbersOf("--measure", "measure", options.measures, r.measures.size(),
                          [&](std::size_t i) { return r.measures[i]; });
   c.margins = parseMargins(options.margins, r.measures);
-  Bootstrap bootstrap;
   for (std::size_t i = 0; i < r.conditions.size(); ++i)
     if (isSeedless(r, r.conditions[i])) c.seedless.push_back(i);
   for (const std::size_t m : c.measures)
-    for (std::size_t i = 0; i < r.conditions.size(); ++i)
-      c.conditions.push_back(summaryOf(r, m, i, bootstrap));
+    for (std::size_t i = 0; i < r.conditions.size(); ++i) c.conditions.push_back(summaryOf(r, m, i));
   comparePairs(c, options.within);
   compareFactors(c);
-  compareOverTime(c, bootstrap);
+  compareOverTime(c);
   return c;
 }
 

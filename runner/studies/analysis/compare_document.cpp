@@ -118,7 +118,6 @@ Json toJson(const StudyComparison& c) {
   for (const MeasureEffects& e : c.effects)
     effects.push_back({{"measure", c.measureName(e.measure)},
                        {"seeds", e.seeds},
-                       {"error_df", e.analysis.errorDegreesOfFreedom},
                        {"untested", e.untested.empty() ? Json() : Json(e.untested)},
                        {"effects", jsonOf(effectTable(c, e))}});
   for (const TimeCourse& course : c.courses)

@@ -1,6 +1,4 @@
 // Main effects and interactions.
-#include <set>
-
 #include "analysis/compare_parts.h"
 #include "statistics/holm.h"
 
@@ -39,16 +37,6 @@ std::optional<double> valueOf(const StudyResults& results, std::size_t measure, 
   return sum / static_cast<double>(cell.conditions.size());
 }
 
-bool varies(const StudyResults& results, const DesignCell& cell) {
-  std::set<std::size_t> tasks;
-  for (const std::size_t i : cell.conditions) {
-    tasks.clear();
-    tasks.insert(results.conditions[i].tasks.begin(), results.conditions[i].tasks.end());
-    if (tasks.size() > 1) return true;
-  }
-  return false;
-}
-
 std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t measure,
                                         const std::vector<std::size_t>& axes) {
   const StudyResults& r = c.results;
@@ -73,17 +61,9 @@ std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t me
                          .corrected = {},
                          .untested = {},
                          .seeds = bySeed.size()};
-  effects.analysis = analyseFactorial(levels, values, true);
+  effects.analysis = analyseFactorial(levels, values);
   for (std::size_t f = 0; f < axes.size(); ++f) effects.means.push_back(levelMeans(levels, values, f));
-  std::size_t still = 0;
-  for (const DesignCell& cell : cells) still += !varies(r, cell);
-  // An F test takes it that all cells vary alike.
-  if (still > 0)
-    effects.untested = "seeds change nothing in " + std::to_string(still) + " of " +
-                       std::to_string(cells.size()) + " cells of the design";
-  else if (bySeed.size() < 2) effects.untested = "one seed has values everywhere: nothing says how they vary";
-  if (!effects.untested.empty())
-    for (FactorEffect& e : effects.analysis.effects) e.f = e.p = e.partial = std::nullopt;
+  if (bySeed.size() < 2) effects.untested = "one seed has values everywhere: nothing says how they vary";
   return effects;
 }
 

@@ -47,7 +47,7 @@ std::vector<std::size_t> distinctTasks(const StudyResults& r, std::size_t measur
 
 }  // namespace
 
-void compareOverTime(StudyComparison& c, Bootstrap& bootstrap) {
+void compareOverTime(StudyComparison& c) {
   const StudyResults& r = c.results;
   for (const std::size_t m : c.measures) {
     std::vector<const std::vector<TimedValue>*> runs;
@@ -66,7 +66,7 @@ void compareOverTime(StudyComparison& c, Bootstrap& bootstrap) {
       for (const double time : times) {
         std::vector<double> values;
         for (const std::size_t t : tasks) values.push_back(valueAt(r.tasks[t].values[m], time));
-        course.points.push_back({time, values.size(), mean(values), bootstrap.ofMean(values)});
+        course.points.push_back({time, values.size(), mean(values), intervalOfMean(values)});
       }
     }
   }

@@ -66,7 +66,6 @@ PairComparison compare(const StudyResults& results, std::size_t measure, std::si
   }
   pair.known = varies && !pair.sameRuns ? Known::oneSeed : Known::exact;
   pair.paired.difference = pair.of.front() - pair.against.front();
-  pair.paired.interval = {pair.paired.difference, pair.paired.difference};
   return pair;
 }
 
@@ -85,6 +84,16 @@ std::vector<Fixed> fixedLevels(const StudyComparison& c, std::size_t axis, bool 
   }
   if (open.size() > 1) all.insert(all.end(), open.begin(), open.end());
   return all;
+}
+
+/// Those with one value in all runs: nothing could be found of them, and they would only make the family larger.
+std::set<std::size_t> constantMeasures(const StudyComparison& c) {
+  std::set<std::size_t> constant(c.measures.begin(), c.measures.end());
+  std::map<std::size_t, double> first;
+  for (const ConditionSummary& s : c.conditions)
+    for (const double v : s.values)
+      if (first.emplace(s.measure, v).first->second != v) constant.erase(s.measure);
+  return constant;
 }
 
 /// Holm over all pairs that have a p-value: they are what could be called a difference by chance.
@@ -123,8 +132,8 @@ void testEquivalences(StudyComparison& c) {
 
 std::optional<double> PairComparison::intervalRatio() const {
   // Differences that are all the same say nothing of what pairs save.
-  if (!unpaired || !(unpaired->interval.width() > 0) || !(paired.standardError > 0)) return std::nullopt;
-  return paired.interval.width() / unpaired->interval.width();
+  if (!unpaired || !unpaired->interval || !paired.interval) return std::nullopt;
+  return paired.interval->width() / unpaired->interval->width();
 }
 
 void comparePairs(StudyComparison& c, bool within) {
@@ -138,10 +147,12 @@ void comparePairs(StudyComparison& c, bool within) {
             if (pair.seeds > 0) c.pairs.push_back(std::move(pair));
           }
       }
+  const auto constant = constantMeasures(c);
   correct(
       c.pairs,
-      [](PairComparison& p) {
-        return p.known == Known::estimated && !p.sameRuns ? std::optional(p.paired.p) : std::nullopt;
+      [&](PairComparison& p) {
+        const bool tested = p.known == Known::estimated && !p.sameRuns && !constant.contains(p.measure);
+        return tested ? std::optional(p.paired.p) : std::nullopt;
       },
       [](PairComparison& p, double corrected) { p.corrected = corrected; });
   testEquivalences(c);

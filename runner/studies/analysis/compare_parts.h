@@ -9,7 +9,7 @@ void comparePairs(StudyComparison& comparison, bool within);
 /// Fills `effects`.
 void compareFactors(StudyComparison& comparison);
 /// Fills `courses`.
-void compareOverTime(StudyComparison& comparison, Bootstrap& bootstrap);
+void compareOverTime(StudyComparison& comparison);
 
 /// The numbers of the axes with two levels or more that are compared.
 std::vector<std::size_t> comparedAxes(const StudyComparison& comparison);

@@ -119,17 +119,12 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
       {{"mean_a", "", ""}, [](const Row& p) { return number(p.meanA); }},
       {{"mean_b", "", ""}, [](const Row& p) { return number(p.meanB); }},
       {{"difference", "value", "difference"}, [](const Row& p) { return number(p.paired.difference); }},
-      {{"low", "low", ""}, [=](const Row& p) { return ifEstimated(p, p.paired.interval.low); }},
-      {{"high", "high", ""}, [=](const Row& p) { return ifEstimated(p, p.paired.interval.high); }},
+      {{"low", "low", ""}, [](const Row& p) { return bound(p.paired.interval, &Interval::low); }},
+      {{"high", "high", ""}, [](const Row& p) { return bound(p.paired.interval, &Interval::high); }},
       {{"", "", "95 % interval"},
-       [](const Row& p) {
-         return Cell({}, p.known == Known::exact     ? "exact"
-                         : p.known == Known::oneSeed ? ""
-                                                     : rangeOf(p.paired.interval));
-       }},
+       [](const Row& p) { return Cell({}, p.known == Known::exact ? "exact" : rangeOf(p.paired.interval)); }},
       {{"p", "p", "p"}, [=](const Row& p) { return ifEstimated(p, p.paired.p, 2); }},
-      {{"p_holm", "p_holm", "Holm"},
-       [=](const Row& p) { return p.sameRuns ? exact({}) : ifEstimated(p, p.corrected, 2); }},
+      {{"p_holm", "p_holm", "Holm"}, [](const Row& p) { return number(p.corrected, 2); }},
       {{"effect", "effect", "d" + Words("z", Emphasis::subscript)},
        [](const Row& p) { return number(p.effect.dz, 3); }},
       {{"d", "", ""}, [](const Row& p) { return number(p.effect.d); }},
@@ -141,13 +136,15 @@ Table pairTable(const StudyComparison& c, const std::vector<PairComparison>& of)
        [](const Row& p) {
          if (!p.unpaired) return exact({});
          const MeanDifference& u = *p.unpaired;
-         return Cell(Json{{"low", u.interval.low}, {"high", u.interval.high}, {"p", u.p}},
+         return Cell(Json{{"low", bound(u.interval, &Interval::low).value},
+                          {"high", bound(u.interval, &Interval::high).value},
+                          {"p", u.p}},
                      rangeOf(u.interval));
        }},
       {{"", "unpaired_low", ""},
-       [](const Row& p) { return p.unpaired ? number(p.unpaired->interval.low) : exact({}); }},
+       [](const Row& p) { return bound(p.unpaired ? p.unpaired->interval : std::nullopt, &Interval::low); }},
       {{"", "unpaired_high", ""},
-       [](const Row& p) { return p.unpaired ? number(p.unpaired->interval.high) : exact({}); }},
+       [](const Row& p) { return bound(p.unpaired ? p.unpaired->interval : std::nullopt, &Interval::high); }},
       {{"interval_ratio", "interval_ratio", "paired/unpaired"},
        [](const Row& p) { return number(p.intervalRatio(), 2); }},
       {{"", "margin", ""},
@@ -176,8 +173,8 @@ Table equivalenceTable(const StudyComparison& c, const std::vector<PairCompariso
        }},
       {{"", "", "of the others"}, [&](const Row& p) { return fixedOf(c, p); }},
       {{"", "", "difference"}, [](const Row& p) { return number(p.paired.difference); }},
-      {{"low", "", ""}, [](const Row& p) { return number(p.equivalence->test.interval.low); }},
-      {{"high", "", ""}, [](const Row& p) { return number(p.equivalence->test.interval.high); }},
+      {{"low", "", ""}, [](const Row& p) { return bound(p.equivalence->test.interval, &Interval::low); }},
+      {{"high", "", ""}, [](const Row& p) { return bound(p.equivalence->test.interval, &Interval::high); }},
       {{"", "", "90 % interval"}, [](const Row& p) { return rangeOf(p.equivalence->test.interval); }},
       {{"margin", "", "margin"},
        [](const Row& p) {
@@ -211,10 +208,13 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
       {{"partial_eta_squared", "", ""}, [](const Row& e) { return number(e.partial); }},
       {{"f", "effect", "F"}, [](const Row& e) { return number(e.f, 3); }},
       {{"df", "", "df"},
-       [&](const Row& e) {
-         const double error = of.analysis.errorDegreesOfFreedom;
-         return Cell(e.degreesOfFreedom, e.f ? fmt::format("{}, {}", e.degreesOfFreedom, error) : "-");
+       [](const Row& e) {
+         const double d = e.degreesOfFreedom, error = e.errorDegreesOfFreedom;
+         return Cell(d, e.f ? fmt::format("{}, {}", d, error) : "-");
        }},
+      {{"error_df", "", ""}, [](const Row& e) { return number(e.errorDegreesOfFreedom); }},
+      {{"epsilon", "", "ε"},
+       [](const Row& e) { return number(e.f ? std::optional(e.epsilon) : std::nullopt, 3); }},
       {{"p", "p", "p"}, [](const Row& e) { return number(e.p, 2); }},
       {{"p_holm", "p_holm", "Holm"}, [=](const Row& e) { return number(corrected(e), 2); }},
       {{"means", "", "means"},

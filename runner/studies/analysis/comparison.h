@@ -7,10 +7,10 @@
 #include "analysis/margins.h"
 #include "analysis/study_results.h"
 #include "document/document.h"
-#include "statistics/bootstrap.h"
 #include "statistics/compare_means.h"
 #include "statistics/equivalence.h"
 #include "statistics/factorial.h"
+#include "statistics/mean.h"
 
 namespace morula {
 
@@ -30,7 +30,7 @@ struct ConditionSummary {
   std::size_t distinct = 0;          // final states that differ
   double mean = 0;  // of the distinct runs: what was computed once counts once. 0 without values
   std::optional<Interval>
-      interval;  // of the mean, 95 %, bootstrap; none where seeds change nothing, or of one value
+      interval;  // of the mean, 95 %, Student's; none where seeds change nothing, or of one value
 };
 
 /// What is known of a difference.
@@ -61,10 +61,11 @@ struct PairComparison {
   std::optional<MeanDifference> unpaired;  // the same values without their pairs
   EffectSizes effect{};
   Signs signs{};
-  double corrected = 1;  // p of `paired`, by Holm over all pairs that are compared
+  std::optional<double>
+      corrected;  // p of `paired`, by Holm over all pairs that are tested; absent where none is
   std::optional<PairEquivalence> equivalence;
 
-  bool isShown() const { return known == Known::estimated && corrected < 0.05; }
+  bool isShown() const { return known == Known::estimated && corrected.value_or(1) < 0.05; }
   /// Width of the paired interval over the unpaired one's: below 1 common random numbers pay. None where nothing varies.
   std::optional<double> intervalRatio() const;
 };
@@ -109,8 +110,8 @@ struct StudyComparison {
 /// Throws UsageError for axes, measures and margins that the study has not.
 StudyComparison compareStudy(StudyResults results, const CompareOptions& options);
 
-/// Sentences: first what differs, what is equivalent and what tells nothing, then where no difference is shown; each by
-/// measure and pair.
+/// Sentences: first what each axis decides on, then what differs, what is equivalent and what tells nothing, then where no
+/// difference is shown; these by measure and pair.
 std::vector<std::string> verdictsOf(const StudyComparison& comparison);
 /// Runs that failed, are missing or are not sane, a line each; and groups of conditions that are the same runs.
 std::vector<std::string> troublesOf(const StudyResults& results);

@@ -43,9 +43,10 @@ std::vector<GoldenStatistic> statisticsOf(const StudyComparison& c, std::size_t 
   for (const PairComparison& p : c.pairs) {
     const bool isFixed = std::ranges::any_of(p.at, [](const auto& level) { return level.has_value(); });
     if (p.axis != axis || p.a != 0 || isFixed || p.known != Known::estimated) continue;
-    statistics.push_back({c.measureName(p.measure), c.results.axes[axis].labels[p.b],
-                          threeDigits(p.paired.difference), threeDigits(p.paired.interval.low),
-                          threeDigits(p.paired.interval.high), p.of.size()});
+    const double same = p.paired.difference;  // under every seed, where there is no interval
+    const Interval range = p.paired.interval.value_or(Interval{same, same});
+    statistics.push_back({c.measureName(p.measure), c.results.axes[axis].labels[p.b], threeDigits(same),
+                          threeDigits(range.low), threeDigits(range.high), p.of.size()});
   }
   return statistics;
 }

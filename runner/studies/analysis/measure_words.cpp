@@ -11,27 +11,24 @@ namespace morula {
 namespace {
 
 struct KnownWords {
-  const char *measure, *subject, *more, *less;
+  const char *measure, *more, *less;
 };
 
 constexpr std::array known{
-    KnownWords{"sister_contact", "sister adjacency", "higher", "lower"},
-    KnownWords{"cousin_contact", "cousin adjacency", "higher", "lower"},
-    KnownWords{"clone_contact", "contact within clones", "more", "less"},
-    KnownWords{"homotypic_contact", "contact between cells of one kind", "more", "less"},
-    KnownWords{"clone_radius", "clones", "wider", "tighter"},
-    KnownWords{"clone_components", "pieces of a clone", "more", "fewer"},
-    KnownWords{"mixing_index", "clones", "more mixed", "less mixed"},
-    KnownWords{"lineage_space", "correlation of lineage and space", "higher", "lower"},
-    KnownWords{"sphericity", "cells", "rounder", "less round"},
-    KnownWords{"elongation", "cells", "longer", "shorter"},
-    KnownWords{"organism_elongation", "organism", "longer", "shorter"},
-    KnownWords{"extent", "organism", "wider", "narrower"},
-    KnownWords{"neighbours", "neighbours of a cell", "more", "fewer"},
-    KnownWords{"cells", "cells", "more", "fewer"},
-    KnownWords{"volume", "volume", "larger", "smaller"},
-    KnownWords{"cell.volume", "cells", "larger", "smaller"},
-    KnownWords{"area", "area of contacts", "larger", "smaller"},
+    KnownWords{"clone_contact", "more", "less"},
+    KnownWords{"homotypic_contact", "more", "less"},
+    KnownWords{"clone_radius", "wider", "tighter"},
+    KnownWords{"clone_components", "more", "fewer"},
+    KnownWords{"mixing_index", "more mixed", "less mixed"},
+    KnownWords{"sphericity", "rounder", "less round"},
+    KnownWords{"elongation", "longer", "shorter"},
+    KnownWords{"organism_elongation", "longer", "shorter"},
+    KnownWords{"extent", "wider", "narrower"},
+    KnownWords{"neighbours", "more", "fewer"},
+    KnownWords{"cells", "more", "fewer"},
+    KnownWords{"volume", "larger", "smaller"},
+    KnownWords{"cell.volume", "larger", "smaller"},
+    KnownWords{"area", "larger", "smaller"},
 };
 
 struct Row {
@@ -63,12 +60,9 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
   std::string plain = measure;
   std::ranges::replace(plain, '_', ' ');
   std::ranges::replace(plain, '.', ' ');
-  for (const KnownWords& w : known) {
-    if (measure != w.measure) continue;
-    const bool spokenOf = std::string(w.subject).ends_with("adjacency");
-    return {spokenOf ? w.subject : plain, w.subject, w.more, w.less};
-  }
-  return {plain, plain, "higher", "lower"};
+  for (const KnownWords& w : known)
+    if (measure == w.measure) return {plain, w.more, w.less};
+  return {plain, "higher", "lower"};
 }
 
 std::string unitOfMeasure(const std::string& measure) { return rowOf(measure).unit; }

@@ -6,8 +6,7 @@
 namespace morula {
 
 struct MeasureWords {
-  std::string noun;        // "clone radius": what has a value
-  std::string subject;     // "clones": what is compared
+  std::string noun;        // "clone radius"
   std::string more, less;  // "wider", "tighter": with larger and with smaller values
 };
 

@@ -72,7 +72,7 @@ Panel coursesOf(const StudyComparison& c, std::size_t measure) {
 Drawing drawComparedStudy(const StudyComparison& c) {
   SmallMultiples chart;
   chart.words.title = c.results.name;
-  chart.words.caption = "points: runs, one a seed; bars: mean and its 95 % interval (bootstrap)";
+  chart.words.caption = "points: runs, one a seed; bars: mean and its 95 % interval";
   if (const auto axis = colourAxis(c); axis && c.results.axes.size() > 1)
     for (std::size_t l = 0; l < c.results.axes[*axis].labels.size(); ++l)
       chart.words.legend.push_back(

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/comparison.h"
+#include "analysis/compare_parts.h"
 #include "analysis/measure_words.h"
 #include "base/number_text.h"
 #include "files/text.h"
@@ -35,7 +35,8 @@ Spread spreadOf(const StudyComparison& c, std::size_t measure) {
 /// "p = 0.012", "p < 1e-15" where digits would be rounding; "" if there is none.
 std::string pText(const std::optional<double>& p) {
   if (!p) return "";
-  return *p < 1e-15 ? "p < 1e-15" : "p = " + numberText(*p, 2);
+  const bool isClose = *p > 0.045 && *p < 0.055;  // to the level: two digits would not tell the side
+  return *p < 1e-15 ? "p < 1e-15" : "p = " + numberText(*p, isClose ? 3 : 2);
 }
 
 /// By statistics, or because both sides are known exactly.
@@ -65,16 +66,16 @@ const std::string& label(const StudyComparison& c, const PairComparison& pair, s
   return c.results.axes[pair.axis].labels[level];
 }
 
-/// "clones 4.5 % tighter under longest than under random".
+/// "clone_radius: 4.5 % tighter under longest (0.742) than under random (0.777)".
 std::string differs(const StudyComparison& c, const PairComparison& pair) {
   const MeasureWords words = wordsOfMeasure(c.measureName(pair.measure));
   const double d = pair.paired.difference;
-  const bool relative = pair.meanA > 0 && pair.meanB > 0;
+  const bool relative = pair.meanA > 0 && pair.meanB > 0 && std::abs(d) < pair.meanB;
   const std::string size =
       relative ? numberText(100 * std::abs(d) / pair.meanB, 2) + " %" : numberText(std::abs(d), 2);
-  return fmt::format("{} {} {} under {} than under {}{}", words.subject, size,
-                     d > 0 ? words.more : words.less, label(c, pair, pair.a), label(c, pair, pair.b),
-                     place(c, pair));
+  return fmt::format("{}: {} {} under {} ({}) than under {} ({}){}", c.measureName(pair.measure), size,
+                     d > 0 ? words.more : words.less, label(c, pair, pair.a), numberText(pair.meanA, 3),
+                     label(c, pair, pair.b), numberText(pair.meanB, 3), place(c, pair));
 }
 
 /// "every one of 10 pairs", "9 of 10 pairs".
@@ -84,38 +85,52 @@ std::string inHowMany(const PairComparison& pair) {
   return with == n ? fmt::format("every one of {} pairs", n) : fmt::format("{} of {} pairs", with, n);
 }
 
+/// ", 95 % interval −0.1 to 0.2", ", in every pair".
+std::string intervalText(const char* level, const std::optional<Interval>& interval) {
+  if (!interval) return ", in every pair";
+  return fmt::format(", {} interval {} to {}", level, numberText(interval->low, 2),
+                     numberText(interval->high, 2));
+}
+
+/// "difference 0.05, 95 % interval 0.04 to 0.06, p = 0.0012 after Holm".
+std::string estimate(const PairComparison& pair) {
+  return fmt::format("difference {}{}{}", numberText(pair.paired.difference, 2),
+                     intervalText("95 %", pair.paired.interval),
+                     pair.corrected ? ", " + pText(pair.corrected) + " after Holm" : "");
+}
+
 std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
-  const MeasureWords words = wordsOfMeasure(c.measureName(pair.measure));
+  const std::string& name = c.measureName(pair.measure);
   const std::string between =
       fmt::format("{} and {}{}", label(c, pair, pair.a), label(c, pair, pair.b), place(c, pair));
-  if (pair.sameRuns) return fmt::format("{}: {} are the same runs", words.noun, between);
+  if (pair.sameRuns) return fmt::format("{}: {} are the same runs", name, between);
   switch (pair.known) {
     case Known::exact:
       return pair.paired.difference == 0
-                 ? fmt::format("{}: the same under {}, and no seed changes it", words.noun, between)
+                 ? fmt::format("{}: the same under {}, and no seed changes it", name, between)
                  : differs(c, pair) + ", exactly: seeds change neither";
     case Known::oneSeed:
       return differs(c, pair) + ", in one pair of runs: nothing says how far that varies";
     case Known::estimated:
       break;
   }
-  if (pair.isShown()) return fmt::format("{}, {}", differs(c, pair), inHowMany(pair));
-  return fmt::format("{}: no difference is shown between {} ({}, 95 % interval {} to {}{})", words.noun,
-                     between, numberText(pair.paired.difference, 2), numberText(pair.paired.interval.low, 2),
-                     numberText(pair.paired.interval.high, 2),
-                     pair.paired.p < 0.05 ? "; one by chance is likely among so many comparisons" : "");
+  if (pair.isShown()) return fmt::format("{}, {}: {}", differs(c, pair), inHowMany(pair), estimate(pair));
+  return fmt::format("{}: no difference is shown between {} ({}) and {} ({}){}: {}, n = {}", name,
+                     label(c, pair, pair.a), numberText(pair.meanA, 3), label(c, pair, pair.b),
+                     numberText(pair.meanB, 3), place(c, pair), estimate(pair), pair.of.size());
 }
 
 std::string equivalenceVerdict(const StudyComparison& c, const PairComparison& pair) {
   const auto& same = *pair.equivalence;
-  return fmt::format("{} {} under {} and {}{}: they differ by {}, 90 % interval {} to {}, margin ±{}",
-                     c.measureName(pair.measure), name(same.verdict), label(c, pair, pair.a),
+  const double p = same.verdict == Equivalent::no ? same.correctedBeyond : same.corrected;
+  return fmt::format("{}: {} within ±{} under {} and {}{}: difference {}{}{}", c.measureName(pair.measure),
+                     name(same.verdict), numberText(same.test.margin, 3), label(c, pair, pair.a),
                      label(c, pair, pair.b), place(c, pair), numberText(pair.paired.difference, 2),
-                     numberText(same.test.interval.low, 2), numberText(same.test.interval.high, 2),
-                     numberText(same.test.margin, 3));
+                     intervalText("90 %", same.test.interval),
+                     pair.known == Known::estimated ? ", " + pText(p) + " after Holm" : "");
 }
 
-/// Interactions alone: main effects are what the pairs say.
+/// Interactions; main effects: axisVerdicts.
 void addInteractions(const StudyComparison& c, std::size_t measure, Verdicts& verdicts) {
   for (const MeasureEffects& effects : c.effects) {
     if (effects.measure != measure) continue;
@@ -123,10 +138,10 @@ void addInteractions(const StudyComparison& c, std::size_t measure, Verdicts& ve
       const FactorEffect& e = effects.analysis.effects[i];
       const auto& p = effects.corrected[i];
       if (e.factors.size() < 2 || !p || *p >= 0.05) continue;
-      verdicts.known.push_back(fmt::format(
-          "{}: what {} does depends on {} (interaction, η² {}, {})",
-          wordsOfMeasure(c.measureName(measure)).noun, c.results.axes[effects.axes[e.factors[0]]].name,
-          c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(p)));
+      verdicts.known.push_back(
+          fmt::format("{}: what {} does depends on {} (interaction, η² {}, {} after Holm)",
+                      c.measureName(measure), c.results.axes[effects.axes[e.factors[0]]].name,
+                      c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(p)));
     }
   }
 }
@@ -140,8 +155,7 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
   const bool tellsNothing = spread.share() <= littleRange && !anyShown(c, measure);
   if (tellsNothing) {
     const std::string low = numberText(spread.low, 3), high = numberText(spread.high, 3);
-    verdicts.known.push_back(fmt::format("{} is {} everywhere: it tells nothing",
-                                         wordsOfMeasure(c.measureName(measure)).noun,
+    verdicts.known.push_back(fmt::format("{} is {} everywhere: it tells nothing", c.measureName(measure),
                                          low == high ? low : low + " to " + high));
   }
   for (const PairComparison& pair : c.pairs) {
@@ -151,6 +165,44 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
     if (pair.equivalence) part.push_back(equivalenceVerdict(c, pair));
   }
   if (!tellsNothing) addInteractions(c, measure, verdicts);
+}
+
+/// "division: decides on clone_radius (η² 0.62, p = 0.001 after Holm): longest 0.742, random 0.794".
+std::string effectVerdict(const StudyComparison& c, const MeasureEffects& effects, std::size_t axis) {
+  const ResultAxis& of = c.results.axes[effects.axes[axis]];
+  std::vector<std::string> means;
+  for (std::size_t l = 0; l < of.labels.size(); ++l)
+    means.push_back(of.labels[l] + " " + numberText(effects.means[axis][l], 3));
+  return fmt::format("{}: decides on {} (η² {}, {} after Holm): {}", of.name, c.measureName(effects.measure),
+                     numberText(effects.analysis.effects[axis].share, 2), pText(effects.corrected[axis]),
+                     join(means));
+}
+
+/// A line for each axis and measure that it decides on, and one for all others; not where a pair of levels says it all.
+std::vector<std::string> axisVerdicts(const StudyComparison& c) {
+  std::vector<std::string> lines;
+  const auto axes = comparedAxes(c);
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const ResultAxis& axis = c.results.axes[axes[a]];
+    if (axes.size() == 1 && axis.labels.size() < 3) continue;
+    std::vector<std::string> others;
+    double most = 0, least = 1;
+    for (const MeasureEffects& effects : c.effects) {
+      const auto& p = effects.corrected[a];
+      if (!p) continue;
+      if (*p < 0.05) {
+        lines.push_back(effectVerdict(c, effects, a));
+        continue;
+      }
+      others.push_back(c.measureName(effects.measure));
+      most = std::max(most, effects.analysis.effects[a].share), least = std::min(least, *p);
+    }
+    if (others.empty()) continue;
+    lines.push_back(fmt::format("{}: no effect is shown on {} (η² {}{}, p {} {} after Holm)", axis.name,
+                                join(others), others.size() > 1 ? "at most " : "", numberText(most, 2),
+                                others.size() > 1 ? "at least" : "=", numberText(least, 2)));
+  }
+  return lines;
 }
 
 /// What pairs of one seed save.
@@ -177,7 +229,8 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
 std::vector<std::string> verdictsOf(const StudyComparison& c) {
   Verdicts verdicts;
   for (const std::size_t m : c.measures) addMeasure(c, m, verdicts);
-  std::vector<std::string> all = std::move(verdicts.known);
+  std::vector<std::string> all = axisVerdicts(c);
+  all.insert(all.end(), verdicts.known.begin(), verdicts.known.end());
   all.insert(all.end(), verdicts.open.begin(), verdicts.open.end());
   addCommonRandomNumbers(c, all);
   return all;

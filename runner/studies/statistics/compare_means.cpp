@@ -1,5 +1,6 @@
 #include "statistics/compare_means.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "base/error.h"
 #include "base/maths.h"
 #include "statistics/distributions.h"
+#include "statistics/sign_flip.h"
 
 namespace morula {
 
@@ -31,16 +33,20 @@ MeanDifference test(double difference, double standardError, double df) {
 
 }  // namespace
 
-Interval intervalOf(const MeanDifference& d, double level) {
-  if (d.standardError == 0) return {d.difference, d.difference};
+std::optional<Interval> intervalOf(const MeanDifference& d, double level) {
+  if (d.standardError == 0) return std::nullopt;
   const double half = studentQuantile(0.5 + 0.5 * level, d.degreesOfFreedom) * d.standardError;
-  return {d.difference - half, d.difference + half};
+  return Interval{d.difference - half, d.difference + half};
 }
 
 MeanDifference comparePaired(std::span<const double> a, std::span<const double> b) {
   const auto d = differences(a, b);
   const double n = static_cast<double>(d.size()), spread = variance(d);
-  return test(spread == 0 ? d.front() : mean(d), std::sqrt(spread / n), n - 1);
+  MeanDifference result = test(spread == 0 ? d.front() : mean(d), std::sqrt(spread / n), n - 1);
+  if (!repeats(d)) return result;
+  result.smallestP = smallestSignFlipP(d.size());
+  result.p = std::max(result.p, signFlipP(d));
+  return result;
 }
 
 MeanDifference compareUnpaired(std::span<const double> a, std::span<const double> b) {
@@ -48,7 +54,14 @@ MeanDifference compareUnpaired(std::span<const double> a, std::span<const double
   const double ea = variance(a) / na, eb = variance(b) / nb, e = ea + eb;
   // Welch & Satterthwaite; without any variance the number does not matter
   const double df = e > 0 ? e * e / (ea * ea / (na - 1) + eb * eb / (nb - 1)) : na + nb - 2;
-  return test(mean(a) - mean(b), std::sqrt(e), df);
+  MeanDifference result = test(mean(a) - mean(b), std::sqrt(e), df);
+  if (e > 0) return result;
+  double ways = 1;  // to choose a's values among all
+  for (std::size_t i = 1; i <= a.size(); ++i)
+    ways *= static_cast<double>(b.size() + i) / static_cast<double>(i);
+  result.smallestP = 2 / ways;
+  result.p = std::max(result.p, result.smallestP);
+  return result;
 }
 
 double hedgesFactor(double df) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "statistics/bootstrap.h"
+#include "statistics/mean.h"
 
 namespace morula {
 
@@ -13,18 +13,21 @@ namespace morula {
 struct MeanDifference {
   double difference = 0;  // mean of a − mean of b
   double standardError = 0, degreesOfFreedom = 0;
-  double t = 0;         // difference / standardError; ±∞ where nothing varies and the means differ
-  double p = 1;         // two-sided; 0 for t = ±∞, 1 where nothing varies and the means are the same
-  Interval interval{};  // at 95 %, Student's
+  double t = 0;          // difference / standardError; ±∞ where nothing varies and the means differ
+  double p = 1;          // two-sided; at least smallestP
+  double smallestP = 0;  // where values repeat: that of an exact test of as many (sign_flip.h)
+  std::optional<Interval> interval{};  // at 95 %, Student's; absent where nothing varies
 };
 
 /// The interval of the difference at another level.
-Interval intervalOf(const MeanDifference& d, double level);
+std::optional<Interval> intervalOf(const MeanDifference& d, double level);
 
-/// Of pairs (a[i], b[i]), two at least: Student's t of their differences.
+/// Of pairs (a[i], b[i]), two at least: Student's t of their differences. Where differences repeat, p is at least that of
+/// the exact test.
 MeanDifference comparePaired(std::span<const double> a, std::span<const double> b);
 
-/// Of two samples of two values at least, whose variances may differ [Welch 1947].
+/// Of two samples of two values at least, whose variances may differ [Welch 1947]. Where neither varies, p is that of the
+/// exact test: of all ways to deal out the values, how many part them as they are.
 MeanDifference compareUnpaired(std::span<const double> a, std::span<const double> b);
 
 /// Differences in standard deviations. Absent where nothing varies.

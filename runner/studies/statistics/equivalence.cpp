@@ -16,18 +16,21 @@ const char* name(Equivalent e) {
 Equivalence testEquivalence(const MeanDifference& d, double margin) {
   MORULA_CHECK(margin > 0, "a margin is above 0");
   Equivalence e{.margin = margin, .interval = intervalOf(d, 0.9)};
+  const double size = std::abs(d.difference);
   if (d.standardError == 0) {
-    e.pAbove = d.difference > -margin ? 0 : 1;
-    e.pBelow = d.difference < margin ? 0 : 1;
+    e.pAbove = d.difference > -margin ? 0.5 * d.smallestP : 1;
+    e.pBelow = d.difference < margin ? 0.5 * d.smallestP : 1;
+    e.pBeyond = size > margin ? d.smallestP : 1;
   } else {
-    e.pAbove = studentAbove((d.difference + margin) / d.standardError, d.degreesOfFreedom);
-    e.pBelow = studentAbove((margin - d.difference) / d.standardError, d.degreesOfFreedom);
+    const auto above = [&](double distance) {
+      return studentAbove(distance / d.standardError, d.degreesOfFreedom);
+    };
+    e.pAbove = std::max(above(d.difference + margin), 0.5 * d.smallestP);
+    e.pBelow = std::max(above(margin - d.difference), 0.5 * d.smallestP);
+    // Of a true difference of +margin or −margin: so far from 0 on its own side, or on the other.
+    e.pBeyond = std::max(std::min(1.0, above(size - margin) + above(size + margin)), d.smallestP);
   }
   e.p = std::max(e.pAbove, e.pBelow);
-  if (d.standardError == 0) e.pBeyond = 1 - e.p;
-  else
-    e.pBeyond = std::min(studentAbove((d.difference - margin) / d.standardError, d.degreesOfFreedom),
-                         studentAbove((-margin - d.difference) / d.standardError, d.degreesOfFreedom));
   return e;
 }
 

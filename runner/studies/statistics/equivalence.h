@@ -10,16 +10,18 @@ enum class Equivalent { yes, no, undecided };
 /// "equivalent", "different", "not decided".
 const char* name(Equivalent e);
 
-/// With a margin > 0. Both tests are at 5 %: the means are equivalent if the 90 % interval of their difference lies
-/// within ±margin, and different if it lies outside: then they differ by more than the margin, not only from
-/// each other. A difference that does not vary is no estimate, and is held against the margin itself.
+/// With a margin > 0. The means are equivalent if both one-sided tests at 5 % say so, which is if the 90 % interval of their
+/// difference lies within ±margin; and different if their difference is larger than the margin at 5 %: with a margin far
+/// below the error that is the two-sided test of a difference, with one far above it a one-sided test.
+/// A difference that does not vary has p-values of the exact test of its signs, or where it is of one run each and no seed
+/// changes it, is held against the margin itself.
 struct Equivalence {
   double margin = 0;
-  double pAbove = 1;    // that the difference is at −margin or below: small if it lies above
-  double pBelow = 1;    // that it is at +margin or above: small if it lies below
-  double p = 1;         // the larger: of equivalence
-  double pBeyond = 1;   // of the opposite, that the difference is larger than the margin, on either side
-  Interval interval{};  // of the difference, at 90 %
+  double pAbove = 1;                   // that the difference is at −margin or below: small if it lies above
+  double pBelow = 1;                   // that it is at +margin or above: small if it lies below
+  double p = 1;                        // the larger: of equivalence
+  double pBeyond = 1;                  // of a difference larger than the margin, on either side, being chance
+  std::optional<Interval> interval{};  // of the difference, at 90 %; absent where it does not vary
 };
 Equivalence testEquivalence(const MeanDifference& d, double margin);
 

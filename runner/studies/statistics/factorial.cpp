@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "statistics/bootstrap.h"
 #include "statistics/distributions.h"
+#include "statistics/mean.h"
+#include "statistics/sign_flip.h"
 
 namespace morula {
 
@@ -23,83 +24,105 @@ struct Design {
     MORULA_CHECK(values > 0 && replicates * cells == values, "as many values in each cell");
   }
 
-  std::size_t level(std::size_t value, std::size_t factor) const {
-    std::size_t cell = value / replicates;
+  std::size_t level(std::size_t cell, std::size_t factor) const {
     for (std::size_t f = levels.size() - 1; f > factor; --f) cell /= levels[f];
     return cell % levels[factor];
   }
 };
 
-/// Means over all values that have the same levels of these factors, the last one changing fastest.
-std::vector<double> meansBy(const Design& design, std::span<const double> values,
-                            std::span<const std::size_t> factors) {
-  std::size_t count = 1;
-  for (const std::size_t f : factors) count *= design.levels[f];
-  std::vector<double> means(count);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    std::size_t group = 0;
-    for (const std::size_t f : factors) group = group * design.levels[f] + design.level(i, f);
-    means[group] += values[i];
-  }
-  const double each = static_cast<double>(values.size() / count);
-  for (double& m : means) m /= each;
-  return means;
-}
+/// An effect as each replicate shows it: [replicate][group], a group for each combination of its factors' levels, the last
+/// one changing fastest. Over the levels of each factor they sum up to 0.
+struct Contrasts {
+  std::size_t groups = 1;
+  std::vector<double> values;
 
-/// Σ over all values of the square of the effect of their level.
-double squaresOf(const Design& design, std::span<const double> values, const FactorEffect& effect,
-                 double whole) {
-  const auto means = meansBy(design, values, effect.factors);
-  const double each = static_cast<double>(values.size()) / static_cast<double>(means.size());
-  double sum = 0;
-  if (effect.factors.size() == 1) {
-    for (const double m : means) sum += (m - whole) * (m - whole);
-    return each * sum;
-  }
-  const std::size_t a = effect.factors[0], b = effect.factors[1];
-  const auto byA = meansBy(design, values, std::span(&a, 1)), byB = meansBy(design, values, std::span(&b, 1));
-  for (std::size_t i = 0; i < byA.size(); ++i)
-    for (std::size_t j = 0; j < byB.size(); ++j) {
-      const double e = means[i * byB.size() + j] - byA[i] - byB[j] + whole;
-      sum += e * e;
+  Contrasts(const Design& design, std::span<const double> all, std::span<const std::size_t> factors) {
+    for (const std::size_t f : factors) groups *= design.levels[f];
+    values.assign(design.replicates * groups, 0.0);
+    for (std::size_t cell = 0; cell < design.cells; ++cell) {
+      std::size_t group = 0;
+      for (const std::size_t f : factors) group = group * design.levels[f] + design.level(cell, f);
+      for (std::size_t r = 0; r < design.replicates; ++r)
+        values[r * groups + group] += all[cell * design.replicates + r];
     }
-  return each * sum;
-}
-
-/// What is left of each value without the mean of its cell and, with blocks, what its replicate has in common.
-double errorSquares(const Design& design, std::span<const double> values, double whole, bool blocks) {
-  const std::size_t n = design.replicates;
-  std::vector<double> block(n, whole);
-  if (blocks) {
-    std::fill(block.begin(), block.end(), 0.0);
-    for (std::size_t i = 0; i < values.size(); ++i) block[i % n] += values[i];
-    for (double& b : block) b /= static_cast<double>(design.cells);
-  }
-  double sum = 0;
-  for (std::size_t c = 0; c < design.cells; ++c) {
-    const double cell = mean(values.subspan(c * n, n));
-    for (std::size_t r = 0; r < n; ++r) {
-      const double rest = values[c * n + r] - cell - (block[r] - whole);
-      sum += rest * rest;
+    for (double& v : values) v /= static_cast<double>(design.cells / groups);
+    const std::size_t rows = design.levels[factors[0]], columns = groups / rows;
+    for (std::size_t r = 0; r < design.replicates; ++r) {
+      centre(r * groups, columns, 1, rows, columns);
+      if (columns > 1) centre(r * groups, rows, columns, columns, 1);
     }
   }
-  return sum;
+
+  std::vector<double> means() const {
+    std::vector<double> sums(groups);
+    for (std::size_t i = 0; i < values.size(); ++i) sums[i % groups] += values[i];
+    for (double& s : sums) s /= static_cast<double>(values.size() / groups);
+    return sums;
+  }
+
+ private:
+  /// Takes their mean from each of `sets` sets of `count` numbers, `stride` apart; the sets begin `next` apart.
+  void centre(std::size_t first, std::size_t sets, std::size_t next, std::size_t count, std::size_t stride) {
+    for (std::size_t set = first; set < first + sets * next; set += next) {
+      double sum = 0;
+      for (std::size_t i = 0; i < count; ++i) sum += values[set + i * stride];
+      for (std::size_t i = 0; i < count; ++i) values[set + i * stride] -= sum / static_cast<double>(count);
+    }
+  }
+};
+
+/// ε of deviations [replicate][group] from the effect's means.
+double epsilonOf(std::span<const double> deviations, std::size_t groups, double d) {
+  const std::size_t n = deviations.size() / groups;
+  double trace = 0, squares = 0;  // of the covariance matrix, times n − 1
+  for (std::size_t g = 0; g < groups; ++g)
+    for (std::size_t h = 0; h < groups; ++h) {
+      double sum = 0;
+      for (std::size_t r = 0; r < n; ++r) sum += deviations[r * groups + g] * deviations[r * groups + h];
+      squares += sum * sum;
+      if (g == h) trace += sum;
+    }
+  const double nu = static_cast<double>(n - 1);
+  const double low = std::clamp(trace * trace / (d * squares), 1 / d, 1.0);
+  if (n == 2) return low;  // one deviation says nothing of the others
+  const double of = (nu + 1) * d * low - 2, over = d * (nu - d * low);
+  const double high = over > 0 ? std::clamp(of / over, 1 / d, 1.0) : 1.0;
+  return 0.25 * low + 0.75 * high;
+}
+
+void test(FactorEffect& e, const Design& design, const Contrasts& contrasts, double whole, double size) {
+  const double n = static_cast<double>(design.replicates);
+  const double each = static_cast<double>(design.cells / contrasts.groups);
+  const std::vector<double> means = contrasts.means();
+  double effect = 0, error = 0;
+  for (const double m : means) effect += m * m;
+  std::vector<double> deviations = contrasts.values;
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    deviations[i] -= means[i % contrasts.groups];
+    error += deviations[i] * deviations[i];
+  }
+  e.squares = each * n * effect;
+  e.errorSquares = each * error;
+  e.share = whole > 0 ? e.squares / whole : 0;
+  e.errorDegreesOfFreedom = e.degreesOfFreedom * (n - 1);
+  // What rounding leaves of values that do not vary is no error to test against.
+  if (!(n > 1) || !(e.errorSquares > 1e-24 * size)) return;
+  e.partial = e.squares / (e.squares + e.errorSquares);
+  e.f = e.squares / (e.errorSquares / (n - 1));
+  e.epsilon = epsilonOf(deviations, contrasts.groups, e.degreesOfFreedom);
+  e.p = fisherAbove(*e.f, e.epsilon * e.degreesOfFreedom, e.epsilon * e.errorDegreesOfFreedom);
+  if (repeats(contrasts.values, contrasts.groups))
+    e.p = std::max(*e.p, signFlipP(contrasts.values, contrasts.groups));
 }
 
 }  // namespace
 
-FactorialAnalysis analyseFactorial(std::span<const std::size_t> levels, std::span<const double> values,
-                                   bool blocks) {
+FactorialAnalysis analyseFactorial(std::span<const std::size_t> levels, std::span<const double> values) {
   const Design design(levels, values.size());
-  const double whole = mean(values), n = static_cast<double>(design.replicates);
-  const double cells = static_cast<double>(design.cells);
+  const double whole = mean(values);
   FactorialAnalysis analysis;
   double size = 0;
   for (const double x : values) analysis.squares += (x - whole) * (x - whole), size += x * x;
-  analysis.errorDegreesOfFreedom = blocks ? (cells - 1) * (n - 1) : cells * (n - 1);
-  analysis.errorSquares = errorSquares(design, values, whole, blocks);
-  // What rounding leaves of values that do not vary is no error to test against.
-  const bool varies = analysis.errorDegreesOfFreedom > 0 && analysis.errorSquares > 1e-24 * size;
   for (std::size_t a = 0; a < design.levels.size(); ++a) analysis.effects.push_back({.factors = {a}});
   for (std::size_t a = 0; a < design.levels.size(); ++a)
     for (std::size_t b = a + 1; b < design.levels.size(); ++b)
@@ -107,20 +130,19 @@ FactorialAnalysis analyseFactorial(std::span<const std::size_t> levels, std::spa
   for (FactorEffect& e : analysis.effects) {
     e.degreesOfFreedom = 1;
     for (const std::size_t f : e.factors) e.degreesOfFreedom *= static_cast<double>(design.levels[f] - 1);
-    e.squares = squaresOf(design, values, e, whole);
-    e.share = analysis.squares > 0 ? e.squares / analysis.squares : 0;
-    if (!varies) continue;
-    const double error = analysis.errorSquares / analysis.errorDegreesOfFreedom;
-    e.partial = e.squares / (e.squares + analysis.errorSquares);
-    e.f = e.squares / e.degreesOfFreedom / error;
-    e.p = fisherAbove(*e.f, e.degreesOfFreedom, analysis.errorDegreesOfFreedom);
+    test(e, design, Contrasts(design, values, e.factors), analysis.squares, size);
   }
   return analysis;
 }
 
 std::vector<double> levelMeans(std::span<const std::size_t> levels, std::span<const double> values,
                                std::size_t factor) {
-  return meansBy(Design(levels, values.size()), values, std::span(&factor, 1));
+  const Design design(levels, values.size());
+  std::vector<double> means(levels[factor]);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    means[design.level(i / design.replicates, factor)] += values[i];
+  for (double& m : means) m /= static_cast<double>(values.size() / means.size());
+  return means;
 }
 
 }  // namespace morula

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <set>
 
+#include "base/number_text.h"
 #include "files/text.h"
 #include "parts/prediction.h"
 #include "simulation/memory.h"
+#include "statistics/sign_flip.h"
 #include "study/plan.h"
 
 namespace morula {
@@ -67,6 +69,27 @@ std::size_t distinctConditions(const Plan& plan) {
 
 Json toJson(const RunCost& c) { return {{"cpu_seconds", c.seconds}, {"memory", c.memory}, {"disk", c.disk}}; }
 
+/// What so many seeds can show at best of counts and the like, whose differences repeat (statistics/sign_flip.h); "" if
+/// nothing is compared.
+std::string powerText(const Study& study) {
+  std::size_t comparisons = 0;
+  for (const StudyAxis& axis : study.axes) comparisons += axis.levels.size() * (axis.levels.size() - 1) / 2;
+  comparisons *= study.measures.size();
+  if (comparisons == 0 || study.seeds.size() < 2) return "";
+  const auto corrected = [&](std::size_t seeds) {
+    return std::min(1.0, smallestSignFlipP(seeds) * static_cast<double>(comparisons));
+  };
+  std::size_t enough = study.seeds.size();
+  while (corrected(enough) >= 0.05) ++enough;
+  std::string text =
+      fmt::format("  {}: where values repeat (counts), p is {} at least, {} after Holm over {} comparisons",
+                  counted(study.seeds.size(), "seed"), numberText(smallestSignFlipP(study.seeds.size()), 2),
+                  numberText(corrected(study.seeds.size()), 2), comparisons);
+  if (enough > study.seeds.size())
+    text += fmt::format("; alone they show no difference, with {} seeds they can", enough);
+  return text + "\n";
+}
+
 }  // namespace
 
 std::optional<RunCost> totalCost(const Plan& plan) {
@@ -102,7 +125,7 @@ std::string describe(const Plan& plan) {
   for (const auto& group : conditionsThatShare(plan))
     text += fmt::format("  {} that mean the same and share their runs:\n{}",
                         counted(group.size(), "condition"), listOf(plan, group));
-  return text + costText(plan) + "  plan " + plan.id + "\n";
+  return text + powerText(s) + costText(plan) + "  plan " + plan.id + "\n";
 }
 
 Json summaryOf(const Plan& plan) {

@@ -23,13 +23,15 @@ TEST_CASE("Student's own example: pairs show what two samples do not") {
   const auto paired = comparePaired(second, first);
   CHECK(paired.difference == Approx(1.58));
   CHECK(paired.t == Approx(4.0621).epsilon(1e-4));
-  CHECK(paired.p == Approx(0.002833).epsilon(1e-3));
-  CHECK(paired.interval.low == Approx(0.7001142).epsilon(1e-6));
+  CHECK(studentBeyond(paired.t, 9) == Approx(0.002833).epsilon(1e-3));
+  CHECK(paired.p ==
+        2. / 512);  // hours to one decimal repeat, so that the exact test counts: 2 of 512 choices of signs
+  CHECK(paired.interval->low == Approx(0.7001142).epsilon(1e-6));
   const auto unpaired = compareUnpaired(second, first);
   CHECK(unpaired.difference == Approx(1.58));
   CHECK(unpaired.degreesOfFreedom == Approx(17.776).epsilon(1e-4));
   CHECK(unpaired.p == Approx(0.07939).epsilon(1e-3));
-  CHECK(unpaired.interval.width() > 2 * paired.interval.width());
+  CHECK(unpaired.interval->width() > 2 * paired.interval->width());
   const auto signs = signsOf(second, first);
   CHECK(signs.higher == 9);
   CHECK(signs.same == 1);
@@ -37,18 +39,21 @@ TEST_CASE("Student's own example: pairs show what two samples do not") {
   CHECK(effectSizes(second, first).dz == Approx(4.0621 / std::sqrt(10)).epsilon(1e-4));
 }
 
-TEST_CASE("Where the difference does not vary it is certain, and without a difference nothing is shown") {
+TEST_CASE(
+    "Where the difference does not vary it is as sure as an exact test of its signs, and has no interval") {
   const std::vector<double> a{0.1, 0.2, 0.7}, b{1.1, 1.2, 1.7};
   const std::vector<double> one(3, 0.1), two(3, 0.2);
   const auto certain = comparePaired(one, two);
-  CHECK(certain.p == 0);
+  CHECK(certain.p == 0.25);  // 2^(1 − 3)
   CHECK(std::isinf(certain.t));
-  CHECK(certain.interval.low == certain.difference);
+  CHECK(!certain.interval);
+  CHECK(comparePaired(std::vector<double>(10, 4.), std::vector<double>(10, 5.)).p == std::ldexp(1, -9));
   const auto same = comparePaired(a, a);
   CHECK(same.p == 1);
   CHECK(same.t == 0);
   CHECK(!effectSizes(a, a).dz);
   CHECK(compareUnpaired(one, one).p == 1);
+  CHECK(compareUnpaired(one, two).p == Approx(0.1));  // two of the 20 ways to deal out six values
   CHECK(signsOf(a, b).agree());
 }
 
@@ -72,13 +77,18 @@ TEST_CASE("Equivalent is what the margin holds, different what lies beyond it, a
   CHECK(verdict(comparePaired(first, second), 0.5) == "different");
   for (const double margin : {0.3, 0.87, 1.3, 2.29, 2.5}) {  // the tests and the interval say the same
     const auto e = testEquivalence(sleep, margin);
-    CHECK((e.p < 0.05) == (e.interval.low > -margin && e.interval.high < margin));
-    CHECK((e.pBeyond < 0.05) == (e.interval.low > margin || e.interval.high < -margin));
+    CHECK((e.p < 0.05) == (e.interval->low > -margin && e.interval->high < margin));
   }
   const std::vector<double> one(3, 0.25), two(3, 0.5);
-  CHECK(verdict(comparePaired(one, two), 0.3) == "equivalent");
-  CHECK(verdict(comparePaired(one, two), 0.2) == "different");
-  CHECK(verdict(comparePaired(one, one), 1e-12) == "equivalent");
+  CHECK(verdict(comparePaired(one, two), 0.3) == "not decided");  // three pairs may be alike by chance
+  CHECK(verdict(comparePaired(one, two), 0.2) == "not decided");
+  const std::vector<double> ones(10, 0.25), twos(10, 0.5);
+  CHECK(verdict(comparePaired(ones, twos), 0.3) == "equivalent");
+  CHECK(verdict(comparePaired(ones, twos), 0.2) == "different");
+  CHECK(verdict(comparePaired(ones, ones), 1e-12) == "equivalent");
+  const MeanDifference exact{.difference = -0.25};  // one run each, which no seed changes
+  CHECK(verdict(exact, 0.3) == "equivalent");
+  CHECK(verdict(exact, 0.2) == "different");
 }
 
 TEST_CASE("Holm's correction is the worked one") {
@@ -111,7 +121,7 @@ const std::vector<std::size_t> threeByTwo{3, 2};
 }  // namespace
 
 TEST_CASE("Effects that add up have no interaction, and shares of all effects sum to one without noise") {
-  const auto analysis = analyseFactorial(threeByTwo, designed(0, 0, 0), true);
+  const auto analysis = analyseFactorial(threeByTwo, designed(0, 0, 0));
   REQUIRE(analysis.effects.size() == 3);
   // Σ (2a − 2)² over 12 values each = 12 · 8, and 36 · 2.5²
   CHECK(analysis.effects[0].squares == Approx(96));
@@ -123,35 +133,32 @@ TEST_CASE("Effects that add up have no interaction, and shares of all effects su
   CHECK(levelMeans(threeByTwo, designed(0, 0, 0), 1) == std::vector<double>{2, 7});
 }
 
-TEST_CASE("All sums of squares add up to the whole one") {
-  for (const bool blocks : {false, true}) {
-    const auto values = designed(1.5, 0.3, 0.8);
-    const auto analysis = analyseFactorial(threeByTwo, values, blocks);
-    double sum = analysis.errorSquares;
-    for (const FactorEffect& e : analysis.effects) sum += e.squares;
-    if (!blocks) CHECK(sum == Approx(analysis.squares));
-    else CHECK(sum < analysis.squares);  // the seeds' part is neither an effect nor error
-  }
+TEST_CASE(
+    "With the errors of all effects and what seeds have in common, sums of squares add up to the whole one") {
+  const auto values = designed(1.5, 0.3, 0.8);
+  const auto analysis = analyseFactorial(threeByTwo, values);
+  double sum = 0;
+  for (const FactorEffect& e : analysis.effects) sum += e.squares + e.errorSquares;
+  std::vector<double> seeds(6);
+  for (std::size_t i = 0; i < values.size(); ++i) seeds[i % 6] += values[i] / 6;
+  sum += 6 * 5 * variance(seeds);
+  CHECK(sum == Approx(analysis.squares));
 }
 
 TEST_CASE("What a seed has in common in all cells is no error where seeds are blocks") {
-  const auto quiet = analyseFactorial(threeByTwo, designed(1.5, 0.3, 0), true);
-  const auto loud = analyseFactorial(threeByTwo, designed(1.5, 0.3, 20), true);
+  const auto quiet = analyseFactorial(threeByTwo, designed(1.5, 0.3, 0));
+  const auto loud = analyseFactorial(threeByTwo, designed(1.5, 0.3, 20));
   CHECK(loud.effects[2].p == Approx(*quiet.effects[2].p).epsilon(1e-6));
-  CHECK(*loud.effects[2].p < 1e-4);
-  CHECK(*analyseFactorial(threeByTwo, designed(1.5, 0.3, 20), false).effects[2].p > 0.5);
+  CHECK(*loud.effects[2].p < 1e-3);
 }
 
-TEST_CASE("Two levels of one factor with blocks are a paired t test, without them an unpaired one") {
+TEST_CASE("Two levels of one factor are a paired t test") {
   std::vector<double> values = first;
   values.insert(values.end(), second.begin(), second.end());
   const std::vector<std::size_t> two{2};
   const auto paired = comparePaired(first, second);
-  const auto blocked = analyseFactorial(two, values, true);
-  CHECK(*blocked.effects[0].f == Approx(paired.t * paired.t));
-  CHECK(*blocked.effects[0].p == Approx(paired.p));
-  const auto free = analyseFactorial(two, values, false);
-  const auto unpaired =
-      compareUnpaired(first, second);  // the same t for samples of one size, more or less df
-  CHECK(*free.effects[0].f == Approx(unpaired.t * unpaired.t));
+  const auto analysis = analyseFactorial(two, values);
+  CHECK(*analysis.effects[0].f == Approx(paired.t * paired.t));
+  CHECK(*analysis.effects[0].p == Approx(paired.p));
+  CHECK(analysis.effects[0].epsilon == 1);
 }
