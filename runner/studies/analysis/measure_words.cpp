@@ -31,6 +31,9 @@ constexpr std::array known{
     KnownWords{"area", "larger", "smaller"},
 };
 
+/// Without the cells that it is of: "shell_share" of "shell_share of AAA*".
+std::string rowNameOf(const std::string& measure) { return measure.substr(0, measure.find(" of ")); }
+
 struct Row {
   std::size_t place;
   std::string unit;
@@ -46,7 +49,8 @@ std::optional<Row> rowIn(const std::string& scope, const std::string& measure, s
   return std::nullopt;
 }
 
-Row rowOf(const std::string& measure) {
+Row rowOf(const std::string& name) {
+  const std::string measure = rowNameOf(name);
   std::size_t before = 0;
   if (const auto row = rowIn<Observation>("world", measure, before)) return *row;
   if (const auto row = rowIn<CellContext>("cell", measure, before)) return *row;
@@ -60,8 +64,9 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
   std::string plain = measure;
   std::ranges::replace(plain, '_', ' ');
   std::ranges::replace(plain, '.', ' ');
+  const std::string row = rowNameOf(measure);
   for (const KnownWords& w : known)
-    if (measure == w.measure) return {plain, w.more, w.less};
+    if (row == w.measure) return {plain, w.more, w.less};
   return {plain, "higher", "lower"};
 }
 

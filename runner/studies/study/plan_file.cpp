@@ -159,8 +159,10 @@ Study studyOf(const Json& json) {
   auto s = fromJson<Study>(json);
   for (const StudyAxis& axis : s.axes)
     if (axis.levels.empty()) throw FileError("an axis has no levels");
-  for (const std::string& name : s.measures)
-    if (!findStudyMeasure(name)) throw FileError("this build knows no measure '" + name + "'");
+  try {
+    for (const std::string& name : s.measures)
+      if (!findStudyMeasure(name)) throw FileError("this build knows no measure '" + name + "'");
+  } catch (const InputError& error) { throw FileError(error.what()); }
   if (s.seeds.empty() || s.bases.empty()) throw FileError("there are no seeds or no scenarios");
   return s;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/error.h"
+
 namespace morula {
 
 namespace {
@@ -36,12 +38,37 @@ const std::vector<StudyMeasure>& studyMeasures() {
   return list;
 }
 
-const StudyMeasure* findStudyMeasure(std::string text) {
+namespace {
+
+constexpr std::string_view ofWord = " of ";
+
+std::optional<StudyMeasure> findRow(std::string text) {
   std::ranges::replace(text, '-', '_');
   const auto& list = studyMeasures();
   const auto found = std::ranges::find_if(
       list, [&](const StudyMeasure& m) { return m.name == text || withScope(m) == text; });
-  return found == list.end() ? nullptr : &*found;
+  return found == list.end() ? std::nullopt : std::optional(*found);
 }
+
+}  // namespace
+
+std::optional<StudyMeasure> findStudyMeasure(const std::string& text) {
+  const auto at = text.find(ofWord);
+  if (at == text.npos) return findRow(text);
+  const std::string measured = text.substr(0, at);
+  std::optional<StudyMeasure> m;
+  if (measured == "count") m = StudyMeasure{measured, "", "", Scope::cell, Needs::bodies, false};
+  else m = findRow(measured);
+  if (!m) return std::nullopt;
+  if (m->scope == Scope::world)
+    throw InputError("'" + measured +
+                     "' is of the organism as a whole and takes no 'of'; measures of cells and pairs do, "
+                     "and count");
+  m->of = parseSelection(text.substr(at + ofWord.size()));
+  m->name += std::string(ofWord) + m->of->text();
+  return m;
+}
+
+std::string withoutSelection(const std::string& name) { return name.substr(0, name.find(ofWord)); }
 
 }  // namespace morula

@@ -68,7 +68,7 @@ vary:
     both: {connections.make: at-division, connections.on-division: both}
 
 seeds: 1..10                   # each condition with each of them; or one number, or a list
-measures: [sister-contact, sphericity, clone-radius, lineage-space]  # morula schema --measures lists all; at the end
+measures: [sister-contact, sphericity, clone-radius, shell-share of AAA*]  # morula schema --measures lists all; at the end
 # measures: {names: [sphericity], when: each-division}               # or over time: also when: {every: 0.5}
 keep: {hashes: end, samples: end, pictures: first-seed}
 limits: {cpu-per-run: 120}     # [s]

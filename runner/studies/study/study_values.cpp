@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/did_you_mean.h"
+#include "base/error.h"
 #include "files/text.h"
 #include "study/study_measures.h"
 #include "study/study_table.h"
@@ -88,11 +89,13 @@ void readSeeds(Study& study, const Node& node, Problems& problems) {
 }
 
 const std::string measuresAllowed =
-    "a list of measures, as [sister-contact, sphericity], or {names: [...], when: each-division}";
+    "a list of measures, as [sister-contact, shell-share of AAA*], or {names: [...], when: each-division}";
 const std::string whenAllowed = "end, each-division or {every: T}";
 
 /// What was probably meant by a name that no measure has.
 std::string remedyFor(std::string text) {
+  text = withoutSelection(text);
+  if (text == "count") return "say of which cells, as count of skin";
   std::ranges::replace(text, '-', '_');
   std::vector<std::string> names, scopes;
   for (const StudyMeasure& m : studyMeasures()) {
@@ -109,12 +112,21 @@ void readMeasureNames(Study& study, const Node& node, const std::string& path, P
   for (const Node& item : node.items) {
     const auto text = scenario::readText(item, path, "a measure's name", problems);
     if (!text) continue;
-    const StudyMeasure* m = findStudyMeasure(*text);
+    std::optional<StudyMeasure> m;
+    try {
+      m = findStudyMeasure(*text);
+    } catch (const InputError& error) {
+      const std::string what = error.what();  // "what is wrong; the remedy"
+      const auto end = what.rfind("; ");
+      problems.add(item.place, path, what.substr(0, end), what.substr(end + 2));
+      continue;
+    }
     if (!m) {
       const std::string remedy = remedyFor(*text);
       problems.add(item.place, path,
-                   remedy.starts_with("write") ? "'" + *text + "' is measured of more than one thing"
-                                               : "there is no measure '" + *text + "'",
+                   remedy.starts_with("say")     ? "'count' is of some cells"
+                   : remedy.starts_with("write") ? "'" + *text + "' is measured of more than one thing"
+                                                 : "there is no measure '" + *text + "'",
                    remedy);
     } else if (std::ranges::find(study.measures, m->name) != study.measures.end()) {
       problems.add(item.place, path, "'" + *text + "' stands there twice", "remove it");
@@ -163,7 +175,9 @@ Json measureNamesSchema() {
     std::ranges::replace(dashed, '_', '-');
     if (dashed != m.name) names.push_back(dashed);
   }
-  return {{"type", "array"}, {"items", {{"enum", names}}}, {"minItems", 1}, {"uniqueItems", true}};
+  const Json ofSome{{"type", "string"}, {"pattern", "^[a-z][a-z._-]* of [^ ]+( [0-9]+)?$"}};
+  const Json items{{"anyOf", Json::array({Json{{"enum", names}}, ofSome})}};
+  return {{"type", "array"}, {"items", items}, {"minItems", 1}, {"uniqueItems", true}};
 }
 
 }  // namespace
@@ -215,9 +229,13 @@ Key measuresKey() {
       "measures",
       measuresAllowed,
       "What is measured [scenarios/MEASURES.md]: of the organism; of its cells, in the mean over those that "
-      "live; of "
-      "pairs, in the mean over those that touch. when: end, the default: of the last state; each-division: "
-      "also of "
+      "live; of pairs, "
+      "in the mean over those that touch. Of some cells alone with `of` behind it: shell-share of AAA* (a "
+      "path of daughters from "
+      "the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* "
+      "for all that begin so), "
+      "elongation of generation 3; `count of skin` counts them. when: end, the default: of the last state; "
+      "each-division: also of "
       "the first, and after each step in which cells divided; {every: T}: also of the first, and every T "
       "units of time. "
       "A '-' may stand for a '_', and where two tables have one name the scope stands before it: cell.volume",

@@ -87,14 +87,14 @@ void draw(const World& world, const Scenario& scenario, const std::filesystem::p
 int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const StudyFolder& folder,
             const TaskSettings& settings, TaskOutcome& outcome) {
   const Study& study = plan.study;
-  const auto measure = [&](const std::vector<Sample>& samples) {
-    const auto values = valuesOf(samples, study.measures);
+  const auto measure = [&](const std::vector<Sample>& samples, const std::map<StateId, std::string>& states) {
+    const auto values = valuesOf(samples, states, study.measures);
     outcome.values.insert(outcome.values.end(), values.begin(), values.end());
   };
   // What is not kept is measured and let go.
   RunResults before;
   const RecordSink let = [&](const RunResults& records) {
-    if (study.when.moments != Moments::end) measure(records.samples);
+    if (study.when.moments != Moments::end) measure(records.samples, records.stateTexts);
     if (before.samples.empty() && !records.samples.empty()) before.samples = {records.samples.front()};
     before.chain.insert(before.chain.end(), records.chain.begin(), records.chain.end());
   };
@@ -111,7 +111,7 @@ int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const 
     outcome.task.reason = reasonOf(kindOf(run.end.want), run.end.failure);
     outcome.values.clear();
   } else {
-    measure(measuredSamples(study, results.samples));
+    measure(measuredSamples(study, results.samples), results.stateTexts);
     results.checks = std::move(checked.sanity);
     if (keepsPicture(plan, task)) draw(run.world, scenario, folder.picture(plan.tasks[task].id));
   }

@@ -90,17 +90,58 @@ TEST_CASE("Every measure of every table has one name in studies, and finds its r
   std::vector<std::string> names;
   for (const StudyMeasure& m : studyMeasures()) {
     names.push_back(m.name);
-    REQUIRE(findStudyMeasure(m.name) == &m);
+    REQUIRE(findStudyMeasure(m.name)->name == m.name);
     std::string dashed = m.name;
     std::ranges::replace(dashed, '_', '-');
-    CHECK(findStudyMeasure(dashed) == &m);
-    CHECK(findStudyMeasure(std::string(name(m.scope)) + "." + m.row) == &m);
+    CHECK(findStudyMeasure(dashed)->name == m.name);
+    CHECK(findStudyMeasure(std::string(name(m.scope)) + "." + m.row)->name == m.name);
   }
   CHECK(names.size() ==
         measures<Observation>().size() + measures<CellContext>().size() + measures<Touch>().size());
   std::ranges::sort(names);
   CHECK(std::ranges::adjacent_find(names) == names.end());
   CHECK(!findStudyMeasure("volume"));  // of the organism, or of a cell?
+}
+
+TEST_CASE("A measure of cells or pairs may be of some cells alone, and what selects none is said") {
+  CHECK(
+      studyOf(ballStudyWith("[sister-contact, clone_radius]",
+                            "[shell-share of AAA*, count of skin, elongation of generation 3, cell.volume of s*]"))
+          .measures == std::vector<std::string>{"shell_share of AAA*", "count of skin",
+                                                "elongation of generation 3", "cell.volume of s*"});
+  const auto wrong = [](const char* measure) -> std::string {
+    try {
+      studyOf(ballStudyWith("[sister-contact, clone_radius]", "['" + std::string(measure) + "']"));
+      return "";
+    } catch (const InputError& error) { return error.what(); }
+  };
+  CHECK_THAT(wrong("clone-radius of AAA*"),
+             ContainsSubstring("'clone-radius' is of the organism as a whole and takes no 'of'"));
+  CHECK_THAT(wrong("shell-share of A*B"), ContainsSubstring("'A*B' selects no cells; needs a path (AAA"));
+  CHECK_THAT(wrong("shell-share of generation x"),
+             ContainsSubstring("is no generation; needs a whole number"));
+  CHECK_THAT(wrong("shel-share of AAA"), ContainsSubstring("did you mean shell_share?"));
+  CHECK_THAT(wrong("count"), ContainsSubstring("say of which cells, as count of skin"));
+}
+
+TEST_CASE("A selection has the cells that it says") {
+  const auto has = [](const char* selection, const char* path, const char* substances) {
+    return parseSelection(selection).has(CellPath::parse(path), substances);
+  };
+  CHECK(has("AB", "AB", ""));
+  CHECK(!has("AB", "ABA", ""));
+  CHECK(has("AB*", "ABA", ""));
+  CHECK(has("AB*", "AB", ""));
+  CHECK(!has("AB*", "AA", ""));
+  CHECK(has("generation 2", "AB", ""));
+  CHECK(!has("generation 2", "ABA", ""));
+  CHECK(has("generation 0", "", ""));
+  CHECK(has("skin", "A", "s1 skin"));
+  CHECK(!has("skin", "A", "s1 skins"));
+  CHECK(has("s*", "A", "b s1"));
+  CHECK(!has("ABC", "AB", "AB"));  // a substance
+  for (const char* text : {"AB", "AB*", "generation 2", "skin", "s*"})
+    CHECK(parseSelection(text).text() == text);
 }
 
 TEST_CASE("A value in a study is the same value in an override") {

@@ -20,11 +20,44 @@ TEST_CASE("a measure of cells is their mean, of the world itself, and what is no
               {Scope::cell, "generation", CellPath::parse("A"), {}, 1},
               {Scope::cell, "generation", CellPath::parse("BA"), {}, 2},
               {Scope::pair, "kinship", CellPath::parse("A"), CellPath::parse("B"), 3}};
-  const auto rows = valuesOf({start, end}, {"cells", "sphericity", "lineage_space", "generation", "kinship"});
+  const auto rows =
+      valuesOf({start, end}, {}, {"cells", "sphericity", "lineage_space", "generation", "kinship"});
   const std::vector<ResultRow> expected{{"cells", 0, 1},          {"cells", 2, 2},
                                         {"sphericity", 2, 0.625}, {"lineage_space", 2, 0.25},
                                         {"generation", 2, 1.5},   {"kinship", 2, 3}};
   CHECK(rows == expected);
+}
+
+TEST_CASE("a measure of some cells is the mean over these, and of pairs with one of them") {
+  Sample sample;
+  sample.cells.resize(4);
+  const char* paths[] = {"AA", "AB", "BA", "BB"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    sample.cells[i].path = CellPath::parse(paths[i]);
+    sample.cells[i].state = static_cast<StateId>(i % 2);
+    sample.cells[i]["sphericity"] = double(i);
+  }
+  sample.more = {{Scope::cell, "generation", CellPath::parse("AB"), {}, 5},
+                 {Scope::cell, "generation", CellPath::parse("BB"), {}, 7}};
+  const auto touch = [&](const char* a, const char* b, double area) {
+    ContactMeasures c;
+    c.a = CellPath::parse(a), c.b = CellPath::parse(b), c["area"] = area;
+    sample.contacts.push_back(c);
+  };
+  touch("AA", "AB", 1), touch("AB", "BA", 3), touch("BA", "BB", 8);
+  const std::map<StateId, std::string> states{{0, "skin"}, {1, "gut s1"}};
+  const auto value = [&](const char* measure) { return valuesOf({sample}, states, {measure}).at(0).value; };
+  CHECK(value("sphericity of B*") == 2.5);
+  CHECK(value("sphericity of AB") == 1);
+  CHECK(value("sphericity of generation 2") == 1.5);
+  CHECK(value("sphericity of skin") == 1);
+  CHECK(value("generation of B*") == 7);
+  CHECK(value("pair.area of AB") == 2);
+  CHECK(value("pair.area of B*") == 5.5);
+  CHECK(value("count of g*") == 2);
+  CHECK(value("count of s1") == 2);
+  CHECK(value("count of AAB*") == 0);
+  CHECK(valuesOf({sample}, states, {"sphericity of AAB*"}).empty());  // there was nothing to measure
 }
 
 TEST_CASE("names that two tables have are told apart") {
@@ -33,9 +66,9 @@ TEST_CASE("names that two tables have are told apart") {
   sample.cells.resize(2);
   sample.cells[0]["volume"] = 3, sample.cells[1]["volume"] = 5;
   for (const StudyMeasure& m : studyMeasures())
-    if (m.row == "volume" && m.scope == Scope::cell) CHECK(valuesOf({sample}, {m.name}).at(0).value == 4);
+    if (m.row == "volume" && m.scope == Scope::cell) CHECK(valuesOf({sample}, {}, {m.name}).at(0).value == 4);
     else if (m.row == "volume" && m.scope == Scope::world)
-      CHECK(valuesOf({sample}, {m.name}).at(0).value == 8);
+      CHECK(valuesOf({sample}, {}, {m.name}).at(0).value == 8);
 }
 
 TEST_CASE("shares are all of the tasks, each once, and even") {

@@ -1,0 +1,36 @@
+#pragma once
+// Which of the living cells a measure is of: what stands behind "of" in "shell_share of AAA*".
+#include <string>
+#include <string_view>
+
+#include "base/cell_path.h"
+
+namespace morula {
+
+/// One grammar wherever a measure may be of some cells alone:
+///
+///   AAA            the cell with this path, A and B from the egg on
+///   AAA*           that cell and all that descend from it
+///   generation 3   all cells three divisions from the egg
+///   skin, s*       all cells that hold the substance, or one that begins so
+struct CellSelection {
+  enum class Kind { cell, clone, generation, substance };
+  Kind kind;
+  CellPath path{};          // of a cell or a clone
+  int generation = 0;       // [divisions] from the egg
+  std::string substance{};  // a pattern (biology/substance_pattern.h)
+
+  /// As it is written.
+  std::string text() const;
+  /// Whether a cell with this path is selected that holds these substances, as a state's text has them.
+  bool has(const CellPath& cell, std::string_view substances) const;
+};
+
+/// What may stand behind "of", for messages.
+inline constexpr const char* selectionAllowed =
+    "a path (AAA, or AAA* with all that descend from it), generation N, or a substance (skin, s*)";
+
+/// Reads it. Throws InputError that says what is wrong.
+CellSelection parseSelection(const std::string& text);
+
+}  // namespace morula
