@@ -1,4 +1,5 @@
 // morula compare, as users start it.
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -65,6 +66,23 @@ TEST_CASE("compare prints sentences, tables, JSON and CSV, and draws") {
     CHECK(launch({"compare", file, "-o", folder / name}).code == 0);
     CHECK(readWhole(folder / name).size() > 1000);
   }
+}
+
+TEST_CASE("compare --tidy prints one value a row, with the labels of all axes") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "study.db";
+  writePolicies(file);
+  const auto runs = launch({"compare", file, "--tidy", "runs"});
+  INFO(runs.err);
+  REQUIRE(runs.code == 0);
+  CHECK(runs.out.starts_with("division,seed,time,measure,value\nlongest,1,"));
+  const json answer = json::parse(launch({"compare", file, "--json"}).out);
+  std::ptrdiff_t values = 0;
+  for (const json& condition : answer.at("conditions")) values += condition.at("n").get<std::ptrdiff_t>();
+  CHECK(std::ranges::count(runs.out, '\n') == 1 + values);
+  CHECK(launch({"compare", file, "--tidy", "cells"})
+            .out.starts_with("division,seed,time,cell,substances,measure,value\n"));
+  CHECK(launch({"compare", file, "--tidy", "cell"}).code == 2);
 }
 
 TEST_CASE("What compare cannot do it says, and what would be right") {

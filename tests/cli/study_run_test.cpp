@@ -102,6 +102,40 @@ TEST_CASE("a share, a task, the rest: each is computed once, and the whole is me
   CHECK(launch({"replay", s.files("/study.db")[0]}).code == 0);
 }
 
+TEST_CASE(
+    "a study that was changed goes on with what is there, and is the same as if it had been run at once") {
+  const Study study;
+  const std::string file = study.folder / "small.study.yaml", first = readWhole(file);
+  const auto with = [&](const std::string& old, const std::string& now) {
+    std::string text = readWhole(file);
+    text.replace(text.find(old), old.size(), now);
+    writeWhole(file, text);
+  };
+  with("seeds: 1..6", "seeds: 1..2");
+  REQUIRE(study.run({"run", "--json", "--quiet"}).code == 0);
+  with("seeds: 1..2", "seeds: 0..2");
+  with("random: {division.plane: random}",
+       "x: {division.plane: {axis: [1, 0, 0]}}, random: {division.plane: random}");
+  const auto refused = study.run({"run", "--quiet"});
+  CHECK(refused.code == 6);
+  CHECK_THAT(refused.err,
+             ContainsSubstring("study run --update plans it anew (4 of its 9 results are there and stay)"));
+  const auto updated = study.run({"run", "--update", "--json", "--quiet"});
+  INFO(updated.err);
+  REQUIRE(updated.code == 0);
+  CHECK(parsed(updated).at("computed") == 5);
+  CHECK(parsed(updated).at("already") == 4);
+  CHECK(study.run({"run", "--quiet"}).code == 0);  // the plan is this one now
+  const auto compare = [&](const std::string& folder) {
+    return launch({"compare", study.folder / folder, "--json"});
+  };
+  const auto grown = compare("out");
+  REQUIRE(launch({"study", "run", file, "--quiet", "--out", study.folder / "at-once"}).code == 0);
+  CHECK(grown.code == 0);
+  CHECK(grown.out == compare("at-once").out);
+  CHECK(study.run({"run", "--update", "--resume"}).code == 2);
+}
+
 TEST_CASE("mistakes on the command line are named") {
   const Study s;
   const auto refuses = [&](std::vector<std::string> words, int code, const std::string& because) {

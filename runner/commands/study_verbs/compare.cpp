@@ -1,11 +1,13 @@
 // morula compare: what a study has found; or how different two pictures look.
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "analysis/comparison.h"
 #include "analysis/into_golden.h"
 #include "analysis/organisms.h"
 #include "analysis/picture.h"
+#include "analysis/tidy.h"
 #include "base/error.h"
 #include "comparison/organism_grid.h"
 #include "files/content.h"
@@ -30,6 +32,7 @@ struct CompareCommand {
   GridMoments moments;
   CompareOptions options;
   bool csv = false;
+  std::optional<TidyRows> tidy;
   OutputOptions output;
 };
 
@@ -46,8 +49,8 @@ std::filesystem::path databaseOf(const std::string& named) {
 /// Two pictures that should look the same. Nothing of a study is asked for.
 int actOnPictures(const CompareCommand& command) {
   const CompareOptions& options = command.options;
-  if (command.csv || !command.organisms.empty() || !command.intoGolden.empty() || !options.by.empty() ||
-      !options.measures.empty() || !options.margins.empty() || options.within)
+  if (command.csv || command.tidy || !command.organisms.empty() || !command.intoGolden.empty() ||
+      !options.by.empty() || !options.measures.empty() || !options.margins.empty() || options.within)
     throw UsageError(
         "of two pictures compare takes -o, --json and --quiet alone; the other options are for a study");
   const ComparedPictures compared = comparePictures(command.what[0], command.what[1]);
@@ -85,6 +88,15 @@ int act(const CompareCommand& command) {
   if (!rises(moments.times)) throw UsageError("--at-times: needs rising times, as 0.5,1,2");
   if (!rises(moments.cells)) throw UsageError("--at-cells: needs rising numbers of cells, as 4,16,64");
   const std::filesystem::path file = databaseOf(command.what[0]);
+  if (command.tidy) {
+    std::string lines;  // as many as fit well through a pipe at once
+    writeTidy(file, *command.tidy, [&](std::string_view line) {
+      lines += line;
+      if (lines.size() > 1 << 16) print(std::exchange(lines, {}));
+    });
+    print(lines);
+    return fine;
+  }
   const StudyComparison comparison = compareStudy(readStudyResults(file), command.options);
   if (const std::string why = whyTooMany(comparison.results, moments);
       !why.empty() && !command.organisms.empty())
@@ -146,7 +158,10 @@ void addCompare(CLI::App& above, Action& action) {
              "When first so many cells live");
   verb.oneOf({"--moments", "--at-times", "--at-cells"});
   verb.onlyWith({"--moments", "--at-times", "--at-cells"}, {"--pictures"});
-  verb.oneOf({"--csv", "--json"});
+  verb.takes("--tidy", command.tidy, "ROWS", parseChoice<TidyRows>,
+             "The values alone as CSV with the labels of all axes, for pandas or R: one a line, of runs or "
+             "of their cells");
+  verb.oneOf({"--csv", "--json", "--tidy"});
   verb.takes("--into-golden", command.intoGolden, "SCENARIO",
              "Also write the differences of the first level of --by into the golden of this scenario, which "
              "the study varies");

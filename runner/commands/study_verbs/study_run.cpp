@@ -23,7 +23,7 @@ struct RunCommand {
   std::optional<Shard> shard;
   std::vector<std::string> tasks;
   ExecutionOptions execution;
-  bool resume = false, retryFailed = false, dryRun = false, noPredict = false;
+  bool resume = false, update = false, retryFailed = false, dryRun = false, noPredict = false;
 };
 
 std::size_t taskNamed(const Plan& plan, const std::string& id) {
@@ -83,8 +83,12 @@ int act(const RunCommand& command) {
   planning.execution = execution(command.execution);
   // Runs are forked off this process, which must therefore have no threads: predictions are made with one.
   planning.execution.threads = 1;
-  const PlannedStudy study = openStudy(
-      {command.of.study, command.of.out, command.of.input.allowOutside, command.resume, false}, planning);
+  const PlannedStudy study = openStudy({.what = command.of.study,
+                                        .to = command.of.out,
+                                        .allowOutside = command.of.input.allowOutside,
+                                        .resume = command.resume,
+                                        .update = command.update},
+                                       planning);
   const std::vector<std::size_t> tasks = chosenTasks(command, study.plan);
   if (command.dryRun) return tellPlan(command, study, tasks);
   if (study.isNew) tell(describe(study.plan), command.of.output.quiet);
@@ -123,6 +127,10 @@ void addStudyRun(CLI::App& study, Action& action) {
              "Go on with the plan in the folder, also if the study file has changed since; runs that have a "
              "result are never "
              "computed again");
+  verb.takes("--update", command.update,
+             "Plan anew what the study file says by now, as more seeds or conditions; runs that have a "
+             "result already stay");
+  verb.oneOf({"--resume", "--update"});
   verb.takes("--retry-failed", command.retryFailed, "Compute those once more whose result is a failure");
   verb.takes("--no-predict", command.noPredict, "Do not predict what a new study's runs cost");
   verb.takes("--dry-run", command.dryRun, "Tell what would be computed, and write nothing");

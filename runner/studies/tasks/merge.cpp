@@ -152,9 +152,10 @@ class Merge {
     const Task& planned = study_.plan.tasks[task];
     if (found.task().id != planned.id)
       return "it is named after task " + planned.id + ", and holds task " + found.task().id;
-    if (found.run().record.seed != planned.seed ||
-        found.resolved() !=
-            resolvedWithSeed(study_.plan.conditions[planned.condition].scenario, planned.seed))
+    const Condition& condition = study_.plan.conditions[planned.condition];
+    // Where no seed changes anything, the plan that it was computed for may have begun with another one.
+    const std::uint64_t seed = condition.usesSeed ? planned.seed : found.run().record.seed;
+    if (found.run().record.seed != seed || found.resolved() != resolvedWithSeed(condition.scenario, seed))
       return "its run is of another scene or seed than the plan's task " + planned.id;
     return "";
   }

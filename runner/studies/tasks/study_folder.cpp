@@ -1,5 +1,7 @@
 #include "tasks/study_folder.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "files/folders.h"
 #include "files/write_file.h"
@@ -23,14 +25,22 @@ PlannedStudy openFolder(const StudyChoice& choice) {
   return {folder, std::move(plan), false};
 }
 
+/// How many of a plan's runs have a result in the folder.
+std::size_t countResults(const Plan& plan, const StudyFolder& folder) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(plan.tasks, [&](const Task& t) { return fileExists(folder.task(t.id)); }));
+}
+
 void requireSamePlan(const Study& study, const Plan& there, const StudyFolder& folder) {
   const Plan now = makePlan(study, {.predict = false});
   if (now.id == there.id) return;
+  const std::size_t results = countResults(now, folder);
   throw FileError(
       "'" + study.file + "' says something else than the plan in '" + planFile(folder.path()).string() +
-      "', which was made from it before: plan " + now.id + " now, " + there.id +
-      " there; --resume goes on with the plan that is there, --out gives the changed study a folder of "
-      "its own");
+      "', which was made from it before; study run --update plans it anew (" + std::to_string(results) +
+      " of its " + std::to_string(now.tasks.size()) +
+      " results are there and stay), --resume goes on with the plan that is there, --out gives the "
+      "changed study a folder of its own");
 }
 
 }  // namespace
@@ -41,6 +51,8 @@ PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {
   const StudyFolder folder(choice.to.empty() ? studyFolder(study) : std::filesystem::path(choice.to));
   if (fileExists(planFile(folder.path()))) {
     Plan there = loadPlan(folder.path());
+    if (choice.update)
+      if (Plan now = makePlan(study, options); now.id != there.id) return {folder, std::move(now), true};
     if (!choice.resume) requireSamePlan(study, there, folder);
     return {folder, std::move(there), false};
   }

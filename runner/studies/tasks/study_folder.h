@@ -23,7 +23,7 @@ class StudyFolder {
 struct PlannedStudy {
   StudyFolder folder;
   Plan plan;
-  bool isNew = false;  // the folder has no plan yet
+  bool isNew = false;  // the folder has no plan yet, or another one that this one takes the place of
 };
 
 struct StudyChoice {
@@ -31,6 +31,7 @@ struct StudyChoice {
   std::string to;    // the folder; "": results/studies/NAME, or `what` itself if it is one
   bool allowOutside = false;
   bool resume = false;       // go on with the folder's plan, whatever the file says by now
+  bool update = false;       // plan anew what the file says by now; results that the new plan needs, too, stay
   bool mustBeThere = false;  // throws FileError where the folder has no plan
 };
 
