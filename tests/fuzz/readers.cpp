@@ -1,0 +1,207 @@
+#include "fuzz/readers.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "accuracy/accuracy.h"
+#include "analysis/margins.h"
+#include "analysis/study_results.h"
+#include "base/error.h"
+#include "base/hash.h"
+#include "biology/dna.h"
+#include "golden/golden.h"
+#include "mesh/convex_shell.h"
+#include "mesh/mesh.h"
+#include "scenario/scenario.h"
+#include "simulation/checkpoint.h"
+#include "study/cell_selection.h"
+#include "study/plan.h"
+#include "study/study_file.h"
+#include "study_store/task_file.h"
+#include "system/json.h"
+#include "system/usage_error.h"
+#include "tasks/shard.h"
+#include "temporary_folder.h"
+#include "unit/analysis/study_db.h"
+
+namespace morula::fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The small files with this ending below folders of the repository, in the order of their names.
+std::vector<std::string> filesIn(std::initializer_list<const char*> folders, std::string_view ending) {
+  constexpr std::uintmax_t most = 20'000;  // [byte] what is larger is only slower
+  std::vector<fs::path> files;
+  for (const char* folder : folders)
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(MORULA_SOURCE_DIR) / folder))
+      if (entry.path().string().ends_with(ending) && entry.file_size() < most) files.push_back(entry.path());
+  std::ranges::sort(files);
+  std::vector<std::string> texts;
+  for (const fs::path& file : files) texts.push_back(contentOf(file));
+  return texts;
+}
+
+std::string text(std::string_view bytes) { return std::string(bytes); }
+
+const Scene& smallScene() {
+  static const Scene scene = readScenario(contentOf(fs::path(MORULA_SOURCE_DIR) / "tests/studies/small.yaml"),
+                                          "small.yaml", "", {parseOverride("physics.mesh.icosphere=0")})
+                                 .scene;
+  return scene;
+}
+
+/// A checkpoint's fields begin behind its head, and its hash follows them [core/simulation/checkpoint.cpp]: bytes are taken as
+/// fields and sealed, for else the hash would refuse nearly all.
+constexpr std::size_t checkpointHead = 24, checkpointTail = 16;
+
+std::string sealed(std::string_view fields) {
+  const auto append = [](std::string& to, std::uint64_t value) {
+    to.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  std::string bytes = "MORULACP";
+  append(bytes, checkpointVersion);
+  append(bytes, fields.size());
+  bytes += fields;
+  Hasher h;
+  h.field("checkpoint").add(checkpointVersion).add(fields);
+  append(bytes, h.digest().high), append(bytes, h.digest().low);
+  return bytes;
+}
+
+std::vector<std::string> checkpoints() {
+  std::vector<std::string> fields;
+  World world = makeWorld(smallScene());
+  for (int i = 0; i < 3; ++i) {
+    const std::string bytes = saveState(world);
+    fields.push_back(bytes.substr(checkpointHead, bytes.size() - checkpointHead - checkpointTail));
+    for (int k = 0; k < 40 && !finished(world); ++k) step(world);
+  }
+  return fields;
+}
+
+std::vector<std::string> plans() {
+  Study study = loadStudy(fs::path(MORULA_SOURCE_DIR) / "tests/studies/small.study.yaml");
+  return {writePlan(makePlan(study, {.predict = false}))};
+}
+
+std::vector<std::string> taskFiles() {
+  TaskOutcome outcome;
+  outcome.task.id = "0123456789abcdef";
+  outcome.record.scenario = "fuzz";
+  outcome.end = {.status = RunStatus::failed, .failure = "numerical failure: too fast"};
+  outcome.task.reason = outcome.end.failure;
+  outcome.timing.started = outcome.timing.ended = "2008-06-17 12:00:00";
+  return {emptyTaskFile(), taskFileBytes(std::move(outcome))};
+}
+
+std::vector<std::string> mergedStudies() {
+  const TemporaryFolder folder;
+  MadeStudy study;
+  study.axes = {{"division", {"longest", "random"}}};
+  study.seeds = 2;
+  study.values = [](const std::vector<int>& levels, int seed) {
+    return std::map<std::string, double>{{"clone_radius", levels[0] + 0.5 * seed}};
+  };
+  writeStudy(study, folder / "study.db");
+  return {contentOf(folder / "study.db")};
+}
+
+/// As a file, for what reads databases.
+fs::path fileOf(std::string_view bytes) {
+  static const TemporaryFolder folder;
+  const fs::path file = folder / "bytes.db";
+  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return file;
+}
+
+const Reader all[] = {
+    {"scenario", [](std::string_view b) { readScenario(text(b), "fuzz.yaml", ""); },
+     [] {
+       return filesIn({"scenarios", "tests/bad_scenarios"}, ".yaml");
+     }},
+    {"override",
+     [](std::string_view b) {
+       readScenario(contentOf(fs::path(MORULA_SOURCE_DIR) / "tests/studies/small.yaml"), "small.yaml", "",
+                    {parseOverride(text(b))});
+     },
+     [] {
+       return std::vector<std::string>{"physics.drag=2", "stop={cycles: 2}",
+                                       "division.plane={axis: [1, 0, 0]}"};
+     }},
+    {"study", [](std::string_view b) { readStudy(text(b), "fuzz.study.yaml"); },
+     [] {
+       return filesIn({"scenarios", "tests/bad_studies", "tests/studies"}, ".study.yaml");
+     }},
+    {"dna", [](std::string_view b) { parseDna(b, "fuzz.dna"); },
+     [] {
+       return filesIn({"scenarios", "tests/bad_dna"}, ".dna");
+     }},
+    {"obj", [](std::string_view b) { readObj(text(b), "fuzz.obj"); },
+     [] { return filesIn({"scenarios"}, ".obj"); }},
+    {"shell", [](std::string_view b) { readConvexShell(text(b), "fuzz.obj"); },
+     [] { return filesIn({"scenarios"}, ".obj"); }},
+    {"golden", [](std::string_view b) { readGolden(text(b), "fuzz.golden"); },
+     [] { return filesIn({"golden"}, ".golden"); }},
+    {"checkpoint",
+     [](std::string_view b) {
+       World world = makeWorld(smallScene());
+       restoreState(world, sealed(b));
+     },
+     checkpoints},
+    {"plan", [](std::string_view b) { readPlan(text(b), "plan.json"); }, plans},
+    {"accuracy", [](std::string_view b) { accuracyFrom(parseJson(b)); },
+     [] {
+       return std::vector<std::string>{"{}", "{\"scenario\": \"x\", \"levels\": [], \"entries\": [{}]}"};
+     }},
+    {"words",
+     [](std::string_view b) {
+       const std::string word = text(b);
+       const auto refused = [](auto&& read) {
+         try {
+           read();
+         } catch (const InputError&) {
+         } catch (const UsageError&) {}
+       };
+       refused([&] { parseSelection(word); });
+       refused([&] { parseShard(word); });
+       refused([&] { parseMargins({word}, {"sphericity"}); });
+       refused([&] { CellPath::parse(word); });
+     },
+     [] {
+       return std::vector<std::string>{"AAA*", "generation 3", "3/40", "sphericity=5%", "skin"};
+     }},
+    {"task", [](std::string_view b) { TaskFile(fileOf(b)).whatIsWrong(); }, taskFiles},
+    {"merged", [](std::string_view b) { readStudyResults(fileOf(b)); }, mergedStudies},
+};
+
+}  // namespace
+
+std::span<const Reader> readers() { return all; }
+
+const Reader* readerNamed(std::string_view name) {
+  const auto found = std::ranges::find(all, name, [](const Reader& r) { return std::string_view(r.name); });
+  return found == std::end(all) ? nullptr : found;
+}
+
+bool takes(const Reader& reader, std::string_view bytes) {
+  try {
+    reader.read(bytes);
+    return true;
+  } catch (const InputError&) {
+  } catch (const UsageError&) {
+  } catch (const FileError&) {  // StoreError among them
+  } catch (const NumericalError&) {
+  } catch (const Json::exception&) {}
+  return false;
+}
+
+}  // namespace morula::fuzz
