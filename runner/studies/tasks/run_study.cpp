@@ -136,7 +136,7 @@ class StudyRun {
     const RunLimits& limits = study_.plan.study.limits;
     const ForkedAnswer& answer = end.answer;
     if (answer.code == cannotWrite) throw FileError(answer.text);
-    if (end.signal == 0 && answer.code == 0) return computed(task, end, answer.text);
+    if (end.signal == 0 && answer.code == 0) return computed(task, answer.text);
     if (end.signal == SIGXCPU && limits.cpu)
       return fail(task, end, FailureKind::cpuLimit,
                   fmt::format("more than {:g} s of CPU time (limits.cpu-per-run)", *limits.cpu));
@@ -152,19 +152,19 @@ class StudyRun {
                                            : fmt::format("ended with code {}", answer.code));
     const int signal = end.signal ? end.signal : answer.code - 128;
     report_.stopped.push_back({task, "stopped from outside by " + signalName(signal)});
-    progress_->ended(task, end.cpuSeconds, false);
+    progress_->ended(task, false);
   }
 
   /// `failure`: why the task failed; "" if it is done.
-  void computed(std::size_t task, const ForkedEnd& end, const std::string& failure) {
+  void computed(std::size_t task, const std::string& failure) {
     ++report_.computed;
     if (!failure.empty()) report_.failed.push_back({task, failure});
-    progress_->ended(task, end.cpuSeconds, !failure.empty());
+    progress_->ended(task, !failure.empty());
   }
 
   void fail(std::size_t task, const ForkedEnd& end, FailureKind kind, const std::string& why) {
     writeFailure(study_.plan, task, study_.folder, settings_, kind, why, end);
-    computed(task, end, std::string(name(kind)) + ": " + why);
+    computed(task, std::string(name(kind)) + ": " + why);
   }
 
   const PlannedStudy& study_;

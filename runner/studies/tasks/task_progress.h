@@ -10,8 +10,8 @@ class TaskProgress {
   /// `tasks`: those that are to be computed; `jobs` of them at a time.
   TaskProgress(const Plan& plan, const std::vector<std::size_t>& tasks, int jobs, bool quiet);
 
-  /// A task has ended; `cpuSeconds` [s] is what it took.
-  void ended(std::size_t task, double cpuSeconds, bool failed);
+  /// A task has ended.
+  void ended(std::size_t task, bool failed);
   /// Shows it if it is time to; call often.
   void show();
   void clear() { line_.clear(); }
@@ -22,9 +22,10 @@ class TaskProgress {
 
   const Plan& plan_;
   int jobs_;
+  double begun_;  // [s] by the wall clock
   ProgressLine line_;
   std::size_t all_, done_ = 0, failed_ = 0;
-  double expectedAll_ = 0, expectedDone_ = 0, took_ = 0;  // [s] of CPU time
+  double expectedAll_ = 0, expectedDone_ = 0;  // [s] of CPU time
 };
 
 }  // namespace morula
