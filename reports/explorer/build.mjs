@@ -1,4 +1,5 @@
-// One file, explorer.js, out of the sources: node build.mjs FOLDER, where FOLDER holds node_modules.
+// explorer.js out of the sources, and rerun.js, which runs the page's run again besides: node build.mjs FOLDER, where FOLDER holds
+// node_modules.
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -6,10 +7,8 @@ import { fileURLToPath } from "node:url";
 const here = dirname(fileURLToPath(import.meta.url));
 const folder = resolve(process.argv[2] ?? here);
 const { build } = createRequire(join(folder, "package.json"))("esbuild");
-await build({
-  entryPoints: [join(here, "src/main.ts")],
+const common = {
   nodePaths: [join(folder, "node_modules")],
-  outfile: join(folder, "explorer.js"),
   bundle: true,
   minify: true,
   legalComments: "eof", // licences stay with what they are of
@@ -17,4 +16,10 @@ await build({
   format: "iife",
   charset: "ascii",
   logLevel: "warning",
-});
+};
+const worker = await build({ ...common, entryPoints: [join(here, "src/rerun/worker.ts")], write: false });
+for (const [name, entry, define] of [
+  ["rerun.js", "src/rerun/main.ts", { WORKER: JSON.stringify(worker.outputFiles[0].text) }],
+  ["explorer.js", "src/main.ts", {}], // what build.sh looks for comes last
+])
+  await build({ ...common, entryPoints: [join(here, entry)], outfile: join(folder, name), define });

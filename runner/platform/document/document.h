@@ -101,6 +101,9 @@ struct Downloads {
 /// The place of the explorer.
 struct ExplorerPlace {};
 
+/// The place of the button that runs the page's run again.
+struct RerunPlace {};
+
 /// Blocks that belong together.
 struct Group {
   enum class Kind { pictures, charts, folded };  // folded: until it is asked for by its title
@@ -109,8 +112,8 @@ struct Group {
   Document body;
 };
 
-struct Block : std::variant<Sentence, FindingList, PlainList, Verbatim, Table, Picture, Swipe, LineKey, Downloads,
-                            ExplorerPlace, Group> {
+struct Block : std::variant<Sentence, FindingList, PlainList, Verbatim, Table, Picture, Swipe, LineKey,
+                            Downloads, ExplorerPlace, RerunPlace, Group> {
   using variant::variant;
 };
 

@@ -173,6 +173,12 @@ struct AsHtml {
            "id=\"explore\"></div>\n";
   }
 
+  std::string operator()(const RerunPlace&) const {
+    return "<div id=\"again\"><p>Programs of this page do not run here: JavaScript is switched off, or the "
+           "file "
+           "was changed.</p></div>\n";
+  }
+
   std::string operator()(const Group& group) const {
     const std::string body = htmlOf(group.body);
     if (group.kind == Group::Kind::folded)
