@@ -53,4 +53,7 @@ function(morula_kernels_for target isa namespace kernels)
   target_compile_options(${objects} PRIVATE ${MORULA_OPTIONS_${isa}} -fno-math-errno -fno-trapping-math
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # gcc 12 misreads its own vector intrinsics
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+  if(target MATCHES "^core_")
+    set_property(GLOBAL APPEND PROPERTY MORULA_CORE_OBJECTS $<TARGET_OBJECTS:${objects}>)
+  endif()
 endfunction()

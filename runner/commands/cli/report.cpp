@@ -81,8 +81,7 @@ void addReport(CLI::App& app, Action& action) {
   verb.takes("--no-bullet", options.noBullet,
              "Bullet is not run beside ours for scenarios with check.bullet");
   verb.takes("--rerun", options.question.rerun,
-             "The page holds the simulator, too: whoever reads it can make its run again there (./morula "
-             "wasm builds what it needs)");
+             "The page holds the simulator, too: whoever reads it can make its run again there");
   add(verb, options.execution);
   add(verb, options.messages);
 }

@@ -13,7 +13,7 @@
 #include "report/rerun_block.h"
 #include "report/sources.h"
 #include "report/study_part.h"
-#include "system/shared_files.h"
+#include "system/installation.h"
 #include "system/usage_error.h"
 
 namespace morula {
@@ -66,7 +66,7 @@ std::string titleOfParts(const Sources& sources, std::size_t runs) {
 
 std::string commandOf(const ReportQuestion& question) {
   static const ReportQuestion usual;
-  std::string command = "./morula report";
+  std::string command = programWord() + " report";
   for (const std::string& what : question.what) command += ' ' + shellWord(what);
   if (!question.run.empty()) command += " --run " + shellWord(question.run);
   if (question.frames != usual.frames) command += " --frames " + std::to_string(question.frames);
@@ -116,13 +116,16 @@ void findExplorer(ReportQuestion& question) {
   if (file) question.program = readFile(*file);
   else
     question.whyNone =
-        "./morula report builds it where Node.js and npm are (Debian: nodejs, npm), and has not";
+        installation()
+            ? "the installation does not have it"
+            : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm), and has not";
   if (!question.rerun) return;
-  if (!file) throw FileError("report --rerun: the page's program is not built; " + question.whyNone);
+  if (!file) throw FileError("report --rerun: there is no explorer that runs again; " + question.whyNone);
   const auto module = sharedFile("wasm/morula.wasm.gz");
   if (!module)
-    throw FileError(
-        "report --rerun: the simulator for pages is not built; ./morula wasm builds it (Debian: emscripten)");
+    throw FileError(std::string("report --rerun: the simulator for pages is not built; ") +
+                    (installation() ? "the installation does not have it"
+                                    : "./morula wasm builds it (Debian: emscripten)"));
   question.module = readFile(*module);
 }
 

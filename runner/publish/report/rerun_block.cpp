@@ -3,6 +3,7 @@
 #include "files/quote.h"
 #include "library/scene_format.h"
 #include "report_data/words.h"
+#include "system/installation.h"
 #include "system/json.h"
 
 namespace morula {
@@ -32,7 +33,7 @@ PageSection rerunSection(const RunFacts& run) {
           "compares the hashes of the state with those that are stored; the explorer shows the organism as "
           "it grows.")
       .add(RerunPlace{});
-  section.commands = {"./morula replay " + shellWord(run.database) + " --run " + run.run.id};
+  section.commands = {programWord() + " replay " + shellWord(run.database) + " --run " + run.run.id};
   return section;
 }
 
