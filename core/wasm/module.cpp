@@ -1,50 +1,19 @@
 // The simulator as a WebAssembly module for pages: functions that any JavaScript can call, without glue of a tool.
 // Texts come in at `place` and go out at `text`; whoever calls sees memory as the module's own.
-#include <new>
-#include <optional>
-#include <string>
+#include "wasm/module.h"
+
 #include <vector>
 
-#include "base/error.h"
 #include "base/floating_point.h"
 #include "library/scene_format.h"
 #include "simulation/hash.h"
 #include "simulation/measures.h"
-#include "simulation/world.h"
-
-#define MORULA_EXPORT(name) __attribute__((export_name(#name)))
 
 namespace morula::module {
 
 namespace {
 
-std::optional<World> world;
-std::optional<Hash> link;  // the last one
-std::string given, said;
 std::vector<float> places;
-
-enum Outcome { good, wrongInput, noPhysics, noMemory, aBug };
-
-/// What comes of it; where it fails, `said` tells why.
-template <class Act>
-Outcome outcomeOf(const Act& act) {
-  try {
-    act();
-    return good;
-  } catch (const InputError& error) {
-    said = error.what();
-    return wrongInput;
-  } catch (const NumericalError& error) {
-    said = error.what();
-    return noPhysics;
-  } catch (const std::bad_alloc&) {
-    said = "there is no more memory";
-    return noMemory;
-  } catch (const std::exception& error) {
-    said = error.what();
-    return aBug;
-  }
-}
 
 }  // namespace
 
@@ -61,8 +30,7 @@ MORULA_EXPORT(textSize) std::size_t textSize() { return said.size(); }
 MORULA_EXPORT(open) int open() {
   return outcomeOf([] {
     setFloatingPoint();
-    link.reset();
-    world.emplace(makeWorld(readScene(given, "scene")));
+    begin(readScene(given, "scene"));
   });
 }
 /// Goes on by up to so many steps, not past the end.

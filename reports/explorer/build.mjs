@@ -1,5 +1,5 @@
-// explorer.js out of the sources, and rerun.js, which runs the page's run again besides: node build.mjs FOLDER, where FOLDER holds
-// node_modules.
+// explorer.js out of the sources; rerun.js, which runs the page's run again besides; and playground.js: node build.mjs FOLDER, where FOLDER
+// holds node_modules.
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -17,9 +17,10 @@ const common = {
   charset: "ascii",
   logLevel: "warning",
 };
-const worker = await build({ ...common, entryPoints: [join(here, "src/rerun/worker.ts")], write: false });
+const program = async (of) => JSON.stringify((await build({ ...common, entryPoints: [join(here, of)], write: false })).outputFiles[0].text);
 for (const [name, entry, define] of [
-  ["rerun.js", "src/rerun/main.ts", { WORKER: JSON.stringify(worker.outputFiles[0].text) }],
+  ["playground.js", "src/playground/main.ts", { PLAYGROUND_WORKER: await program("src/playground/worker.ts"), WORKER: '""' }],
+  ["rerun.js", "src/rerun/main.ts", { WORKER: await program("src/rerun/worker.ts") }],
   ["explorer.js", "src/main.ts", {}], // what build.sh looks for comes last
 ])
   await build({ ...common, entryPoints: [join(here, entry)], outfile: join(folder, name), define });

@@ -5,8 +5,10 @@ set(built ${CMAKE_BINARY_DIR}/install)
 file(MAKE_DIRECTORY ${built})
 install(TARGETS morula RUNTIME)
 install(DIRECTORY scenarios golden DESTINATION ${share})
-install(FILES ${CMAKE_BINARY_DIR}/explorer/explorer.js ${CMAKE_BINARY_DIR}/explorer/rerun.js DESTINATION ${share}/explorer OPTIONAL)
-install(FILES ${CMAKE_BINARY_DIR}/wasm/morula.wasm.gz DESTINATION ${share}/wasm OPTIONAL)
+foreach(program explorer rerun playground)
+  install(FILES ${CMAKE_BINARY_DIR}/explorer/${program}.js DESTINATION ${share}/explorer OPTIONAL)
+endforeach()
+install(FILES ${CMAKE_BINARY_DIR}/wasm/morula.wasm.gz ${CMAKE_BINARY_DIR}/wasm/playground.wasm.gz DESTINATION ${share}/wasm OPTIONAL)
 
 # What the program says of its own command line.
 install(CODE "

@@ -49,7 +49,7 @@ if [ -n "$(find golden/.pending -name 'one-*')" ]; then fail "what was accepted 
 try 0 "$morula" check
 try 0 "$morula" report results/unique-four-20080617 -o page.html --frames 3
 if grep -q '<code>\./morula' page.html; then fail "commands of a page do not name the installed program"; fi
-grep -q 'morula check ' page.html || fail "a page has no commands"
+grep -q '<code>morula replay \|<code>morula render ' page.html || fail "a page has no commands"
 
 # The library, in a program that knows nothing but the installation.
 try 0 "$morula" validate "$prefix/share/morula/scenarios/thesis/unique-four.yaml" --scene "$scratch/four.scene"

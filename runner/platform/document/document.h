@@ -101,8 +101,10 @@ struct Downloads {
 /// The place of the explorer.
 struct ExplorerPlace {};
 
-/// The place of the button that runs the page's run again.
-struct RerunPlace {};
+/// A place, by its id, in which another program of the page builds; where none runs it says `without`.
+struct ProgramPlace {
+  std::string id, without;
+};
 
 /// Blocks that belong together.
 struct Group {
@@ -113,7 +115,7 @@ struct Group {
 };
 
 struct Block : std::variant<Sentence, FindingList, PlainList, Verbatim, Table, Picture, Swipe, LineKey,
-                            Downloads, ExplorerPlace, RerunPlace, Group> {
+                            Downloads, ExplorerPlace, ProgramPlace, Group> {
   using variant::variant;
 };
 

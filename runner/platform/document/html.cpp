@@ -173,10 +173,10 @@ struct AsHtml {
            "id=\"explore\"></div>\n";
   }
 
-  std::string operator()(const RerunPlace&) const {
-    return "<div id=\"again\"><p>Programs of this page do not run here: JavaScript is switched off, or the "
-           "file "
-           "was changed.</p></div>\n";
+  std::string operator()(const ProgramPlace& place) const {
+    return element("div", " id=\"" + place.id + "\"",
+                   place.without.empty() ? "" : element("p", "", safe(place.without))) +
+           "\n";
   }
 
   std::string operator()(const Group& group) const {

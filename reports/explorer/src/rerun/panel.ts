@@ -127,11 +127,11 @@ export class Panel {
     const same = hash === this.stored.state, took = `${seconds.toFixed(2)} s in this browser`;
     this.hash.textContent = hash;
     this.hash.dataset.same = String(same && this.firstOther < 0);
-    const hashes = this.agreed ? `, and all ${this.agreed} step hashes are as stored` : "";
-    if (same && this.firstOther < 0) this.finish(`The same bits as stored: the last state has the stored hash${hashes}. ${took}.`, "good", "✓ The same bits");
-    else if (this.firstOther >= 0) this.finish(`Other bits than stored. They begin ${this.lastSame >= 0 ? "" : "at "}${this.whereOther()}${same ? ", though the last state is as stored" : ""}. ${took}.`, "bad", "✗ Other bits");
+    const hashes = this.agreed ? `, and ${this.agreed === this.links.size ? "all" : `${this.agreed} of`} ${this.links.size} step hashes are as stored` : "";
+    if (same && this.firstOther < 0) this.finish(`The last state has the stored hash${hashes}. ${took}.`, "good", "✓ The same bits");
+    else if (this.firstOther >= 0) this.finish(`They begin to differ from those stored ${this.lastSame >= 0 ? "" : "at "}${this.whereOther()}${same ? ", though the last state is as stored" : ""}. ${took}.`, "bad", "✗ Other bits");
     else if (this.agreed) this.finish(`The last state has another hash than stored, though all ${this.agreed} step hashes agree: the stored hash is not that of this run. ${took}.`, "bad", "✗ Other bits");
-    else this.finish(`Other bits than stored; no step hashes are stored that would tell where they begin. ${took}.`, "bad", "✗ Other bits");
+    else this.finish(`The last state has another hash than stored; no step hashes are stored that would tell where they begin to differ. ${took}.`, "bad", "✗ Other bits");
   }
 
   /** The explorer shows shapes that were made here in place of those in the page. */
