@@ -164,7 +164,7 @@ void add(Words& w, T& a) {
   std::apply([&](auto&... field) { (add(w, field), ...); }, fields(a));
 }
 
-/// What one member says of another: numbers of substances and of vertices.
+/// What one member says of another: numbers of substances and of vertices. Meshes are as scenarios may have them.
 void checkReferences(const Scene& scene, const Reader& reader) {
   const Dna& dna = scene.dna;
   const auto areKnown = [&](const std::vector<SubstanceId>& ids) {
@@ -179,11 +179,13 @@ void checkReferences(const Scene& scene, const Reader& reader) {
   for (const Mesh& mesh : scene.mechanics->coarser) meshes.push_back(&mesh);
   const auto& shell = scene.mechanics->physics.shell;
   if (shell && shell->mesh) meshes.push_back(&shell->mesh->mesh);
-  for (const Mesh* mesh : meshes)
+  for (const Mesh* mesh : meshes) {
     for (const Face& face : mesh->faces)
       for (const auto vertex : face)
         if (vertex < 0 || std::size_t(vertex) >= mesh->vertices.size())
           reader.refuse("a face names vertex " + std::to_string(vertex) + ", which the mesh does not have");
+    checkClosedManifold(*mesh, "a mesh of the scene");
+  }
 }
 
 }  // namespace

@@ -99,4 +99,22 @@ done
 
 listed >"$scratch/after"
 diff "$scratch/before" "$scratch/after" || fail "something was written into the installation"
+
+# Pages that hold the simulator, where it was built, and the word for it where it was not.
+four=results/unique-four-20080617
+if [ -e "$share/morula/wasm/morula.wasm.gz" ]; then
+  try 0 "$morula" report $four --rerun -o again.html --frames 2
+  rm "$share/morula/wasm/morula.wasm.gz"
+fi
+if [ -e "$share/morula/wasm/playground.wasm.gz" ]; then
+  try 0 "$morula" playground --scenarios scenarios
+  has "playground" playground.html
+  rm "$share/morula/wasm/playground.wasm.gz"
+fi
+rm -f again.html playground.html
+try 6 "$morula" report $four --rerun -o again.html
+has "report --rerun without it" "does not have it"
+try 6 "$morula" playground
+has "playground without it" "the installation does not have it"
+if [ -e again.html ] || [ -e playground.html ]; then fail "what could not be made is there"; fi
 [ "$failures" = 0 ] && echo "the installation works away from the sources"

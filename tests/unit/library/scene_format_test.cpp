@@ -116,6 +116,9 @@ TEST_CASE("Numbers that a member cannot be are refused") {
              ContainsSubstring("a substance that it does not have"));
   CHECK_THAT(refused([](Scene& s) { s.mechanics->mesh.faces[0][1] = 42; }),
              ContainsSubstring("names vertex 42"));
+  CHECK_THAT(
+      refused([](Scene& s) { std::swap(s.mechanics->mesh.faces[0][1], s.mechanics->mesh.faces[0][2]); }),
+      ContainsSubstring("a mesh of the scene: "));
   CHECK_THAT(refused([](Scene& s) { s.mechanics->mesh.faces[0][1] = -1; }),
              ContainsSubstring("names vertex -1"));
 }
