@@ -6,6 +6,9 @@ option(MORULA_PORTABLE "Leave the AVX kernels out: only what every machine of th
 set(MORULA_ISAS scalar narrow)
 set(MORULA_WIDTH_scalar 1)
 set(MORULA_WIDTH_narrow 2)  # SSE2 on x86-64, NEON on aarch64: what every machine has
+if(EMSCRIPTEN)
+  set(MORULA_OPTIONS_narrow -msimd128)
+endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT MORULA_PORTABLE)
   target_compile_definitions(morula_flags INTERFACE MORULA_WITH_AVX)
   list(APPEND MORULA_ISAS avx2 avx512)
@@ -50,4 +53,7 @@ function(morula_kernels_for target isa namespace kernels)
   target_compile_options(${objects} PRIVATE ${MORULA_OPTIONS_${isa}} -fno-math-errno -fno-trapping-math
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # gcc 12 misreads its own vector intrinsics
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+  if(target MATCHES "^core_")
+    set_property(GLOBAL APPEND PROPERTY MORULA_CORE_OBJECTS $<TARGET_OBJECTS:${objects}>)
+  endif()
 endfunction()

@@ -10,7 +10,12 @@ namespace morula {
 
 namespace {
 
-constexpr std::size_t line = 64, hugePage = 2 << 20;
+constexpr std::size_t line = 64;
+#if defined(MADV_HUGEPAGE)
+constexpr std::size_t hugePage = 2 << 20;
+#else
+constexpr std::size_t hugePage = line;  // there are none
+#endif
 
 std::align_val_t alignmentOf(std::size_t bytes) {
   return std::align_val_t(bytes < hugePage ? line : hugePage);

@@ -13,6 +13,8 @@
 #include <immintrin.h>
 #elif defined(__aarch64__)
 #include <arm_neon.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 #endif
 
@@ -104,6 +106,8 @@ MORULA_INLINE Lanes sqrt(Lanes a) {
   return (RawLanes)_mm256_sqrt_ps((__m256)a.v);
 #elif defined(__aarch64__) && MORULA_WIDTH == 4
   return (RawLanes)vsqrtq_f32((float32x4_t)a.v);
+#elif defined(__wasm_simd128__) && MORULA_WIDTH == 4
+  return (RawLanes)wasm_f32x4_sqrt((v128_t)a.v);
 #else
   for (int i = 0; i < MORULA_WIDTH; ++i) a.v[i] = __builtin_sqrtf(a.v[i]);
   return a;
@@ -116,6 +120,8 @@ MORULA_INLINE Lanes sqrt(Lanes a) {
   return (RawLanes)_mm512_sqrt_pd((__m512d)a.v);
 #elif defined(__aarch64__) && MORULA_WIDTH == 2
   return (RawLanes)vsqrtq_f64((float64x2_t)a.v);
+#elif defined(__wasm_simd128__) && MORULA_WIDTH == 2
+  return (RawLanes)wasm_f64x2_sqrt((v128_t)a.v);
 #else
   for (int i = 0; i < MORULA_WIDTH; ++i) a.v[i] = __builtin_sqrt(a.v[i]);
   return a;
@@ -136,6 +142,10 @@ MORULA_INLINE unsigned bits(Mask m) {
   return _mm256_movemask_pd((__m256d)m.v);
 #elif !defined(MORULA_SINGLE) && defined(__x86_64__) && MORULA_WIDTH == 8
   return _mm512_movepi64_mask((__m512i)m.v);
+#elif defined(MORULA_SINGLE) && defined(__wasm_simd128__) && MORULA_WIDTH == 4
+  return wasm_i32x4_bitmask((v128_t)m.v);
+#elif !defined(MORULA_SINGLE) && defined(__wasm_simd128__) && MORULA_WIDTH == 2
+  return wasm_i64x2_bitmask((v128_t)m.v);
 #else
   unsigned b = 0;
   for (int i = 0; i < MORULA_WIDTH; ++i) b |= unsigned(m.v[i] & 1) << i;

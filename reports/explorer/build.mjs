@@ -1,4 +1,5 @@
-// One file, explorer.js, out of the sources: node build.mjs FOLDER, where FOLDER holds node_modules.
+// explorer.js out of the sources; rerun.js, which runs the page's run again besides; and playground.js: node build.mjs FOLDER, where FOLDER
+// holds node_modules.
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -6,10 +7,8 @@ import { fileURLToPath } from "node:url";
 const here = dirname(fileURLToPath(import.meta.url));
 const folder = resolve(process.argv[2] ?? here);
 const { build } = createRequire(join(folder, "package.json"))("esbuild");
-await build({
-  entryPoints: [join(here, "src/main.ts")],
+const common = {
   nodePaths: [join(folder, "node_modules")],
-  outfile: join(folder, "explorer.js"),
   bundle: true,
   minify: true,
   legalComments: "eof", // licences stay with what they are of
@@ -17,4 +16,11 @@ await build({
   format: "iife",
   charset: "ascii",
   logLevel: "warning",
-});
+};
+const program = async (of) => JSON.stringify((await build({ ...common, entryPoints: [join(here, of)], write: false })).outputFiles[0].text);
+for (const [name, entry, define] of [
+  ["playground.js", "src/playground/main.ts", { PLAYGROUND_WORKER: await program("src/playground/worker.ts"), WORKER: '""' }],
+  ["rerun.js", "src/rerun/main.ts", { WORKER: await program("src/rerun/worker.ts") }],
+  ["explorer.js", "src/main.ts", {}], // what build.sh looks for comes last
+])
+  await build({ ...common, entryPoints: [join(here, entry)], outfile: join(folder, name), define });

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The explorer of the pages that `morula report` writes, out of the sources beside this script:
 #
-#   build.sh FOLDER [--tests]     makes FOLDER/explorer.js, unless it is as new as its sources
+#   build.sh FOLDER [--tests]     makes FOLDER/explorer.js, rerun.js and playground.js, unless they are as new as their sources
 #
 # FOLDER gets the packages that package-lock.json names, too; with --tests also those that only tests need.
 # Exit codes: 0 it is there, 77 there is no Node.js or no npm, 1 it could not be built.

@@ -10,7 +10,9 @@ namespace {
 std::string policy(const Page& page) {
   std::string text =
       "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
-  if (!page.program.empty()) text += "; script-src 'sha256-" + base64(sha256(page.program)) + "'";
+  if (page.program.empty()) return text;
+  text += "; script-src 'sha256-" + base64(sha256(page.program)) + "'";
+  if (page.runsAgain) text += " 'wasm-unsafe-eval'; worker-src blob:";
   return text;
 }
 

@@ -27,6 +27,8 @@ struct Page {
   std::vector<PageBytes> bytes;
   std::string command;  // plain text: what makes this page again; may be empty
   std::string program;  // the explorer, JavaScript in one piece; "": the page stands without it
+  bool runsAgain =
+      false;  // the program starts the simulator: WebAssembly, in a worker that is made of the page's own text
 };
 
 /// The file. Equal pages give equal bytes. A content security policy forbids all requests, and every program but `program`.

@@ -26,7 +26,7 @@ export async function open(browser, name, size = { width: 1280, height: 1000 }, 
   const page = await browser.newPage(), url = pathToFileURL(join(pages, name)).href;
   page.on("console", (m) => check(`${name}: nothing on the console`, !["error", "warning"].includes(m.type()) || /GPU stall|swiftshader|WebGL-.*Performance/i.test(m.text()), m.text()));
   page.on("pageerror", (e) => check(`${name}: no error in the program`, false, e.message));
-  page.on("request", (r) => check(`${name}: no request leaves the page`, r.url().split("#")[0] === url || r.url().startsWith("data:"), r.url()));
+  page.on("request", (r) => check(`${name}: no request leaves the page`, r.url().split("#")[0] === url || r.url().startsWith("data:") || r.url().startsWith("blob:"), r.url()));
   await page.setViewport(size);
   await page.goto(url + hash, { waitUntil: "load" });
   return page;

@@ -147,6 +147,26 @@ check "test --matrix: everything is built" "build all;" "$called"
 check "test --matrix: it gets the build and the arguments" "matrix $tree/build/release gcc -O0 clang" "$out"
 check "test --matrix: its exit code passes through" 1 "$code"
 
+mkdir -p "$tree/core/wasm" "$tree/runner/input/browser"
+printf '#!/bin/sh\necho "fetch $1" >>"$MORULA_TEST_SCRATCH/calls"\n' >"$tree/runner/input/browser/fetch_yaml.sh"
+chmod +x "$tree/runner/input/browser/fetch_yaml.sh"
+printf '#!/bin/sh\nmkdir -p "$1" && touch "$1/morula.wasm.gz"\necho "wasm $1" >>"$MORULA_TEST_SCRATCH/calls"\nexit "${MORULA_TEST_WASM-0}"\n' >"$tree/core/wasm/build.sh"
+chmod +x "$tree/core/wasm/build.sh"
+start wasm
+check "wasm: what it needs is installed, and the program is not built" "apt-get install --no-install-recommends emscripten nodejs dpkg-dev;fetch $tree/build/release/wasm;wasm $tree/build/release/wasm;" "$called"
+check "wasm: it says where it is" "$tree/build/release/wasm/morula.wasm.gz" "$out"
+MORULA_TEST_WASM=1 start wasm
+check "wasm: what fails is our fault" 70 "$code"
+
+stand_in cpack <<'END'
+echo "cpack" >>"$MORULA_TEST_SCRATCH/calls"
+for last; do :; done
+mkdir -p "$last" && touch "$last/a.deb" "$last/a.tar.gz"
+END
+start package
+check "package: everything is built first" "apt-get install --no-install-recommends file;build all;cpack;" "$called"
+check "package: it says what it made" "$tree/build/release/packages/a.deb $tree/build/release/packages/a.tar.gz" "$(echo $out)"
+
 : >"$installed" && later touch "$tree/core/base/a.h" && rm "$scratch/bin/sudo"
 if [ ! -e /usr/bin/sudo ]; then
   MORULA_TEST_ID=1000 start

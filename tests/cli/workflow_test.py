@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The example workflow of reports/README.md: it is YAML, its paths and commands exist, and the page is uploaded whatever the
-check says.
+"""The example workflow of reports/README.md, and the one that others may use: they are YAML, their paths and commands exist, and the page is
+uploaded whatever the check says.
 
     workflow_test.py MORULA SOURCE-FOLDER
 
@@ -48,6 +48,20 @@ usage = subprocess.run([program, command[1], "--help"], stdout=subprocess.PIPE, 
 for option in command[2:]:
     holds(f"{command[1]} has {option}", not option.startswith("-") or option in usage)
 holds("./morula is there", os.access(os.path.join(source, command[0]), os.X_OK))
+
+# Of others: what they give reaches a shell as variables, never as its text.
+workflow = yaml.safe_load(open(os.path.join(source, ".github/workflows/check.yml"), encoding="utf-8"))
+inputs, steps = workflow[True]["workflow_call"]["inputs"], workflow["jobs"]["check"]["steps"]
+holds("every input is used, and none that is not there",
+      set(re.findall(r"inputs\.(\w+)", str(steps))) == set(inputs))
+holds("no input stands in a command", not any("${{" in step.get("run", "") for step in steps))
+for step in steps:
+    said = subprocess.run(["sh", "-nc", step.get("run", "")], stderr=subprocess.PIPE, check=False).stderr.decode()
+    holds(f"the shell reads {step.get('name')}: {said}", not said)
+checks = next(step["run"] for step in steps if "morula check" in step.get("run", ""))
+written = re.search(r"morula check .* --reports (\S+)", checks).group(1)
+holds("the folder that is written is uploaded, always",
+      steps[-1]["with"]["path"].endswith("/" + written) and steps[-1]["if"] == "always()")
 
 print("\n".join("not so: " + fault for fault in faults))
 sys.exit(1 if faults else 0)

@@ -5,7 +5,7 @@
 #
 # BUILD: gcc-O0, gcc-O2, gcc-O3, clang-O2, clang-O3; clang-O0: each source compiled by itself; gcc-O2-avx2 and
 # gcc-O2-avx512: every source compiled so, not the kernels alone; gcc-O3-portable: baseline kernels and no others;
-# aarch64-O2: for that machine.
+# aarch64-O2: for that machine; wasm-O3: as WebAssembly, for Node.js.
 # TARGET: hash_program or run_scene, for which the simulator alone is built, or morula.
 # What the compiler says goes into DIRECTORY.log. Exit codes: 0 built, 1 failed, 2 usage, 77 the compiler is not here.
 set -euo pipefail
@@ -21,11 +21,13 @@ case $name in
   gcc-O[0-3] | gcc-O[0-3]-*) compiler=g++ ;;
   clang-O[0-3] | clang-O[0-3]-*) compiler=clang++ ;;
   aarch64-O[0-3]) compiler=aarch64-linux-gnu-g++ ;;
+  wasm-O[0-3]) compiler=em++ ;;
   *) compiler= ;;
 esac
 # Never -mfma, nor an architecture that implies it: a fused multiply-add changes results.
 case $name in
   aarch64-O?) options=(--toolchain "$here/aarch64.cmake" -DMORULA_THREADS=OFF) ;;
+  wasm-O?) options=(--toolchain "$here/../../core/wasm/toolchain.cmake" -DMORULA_THREADS=OFF) ;;
   clang-O0) options=(-DMORULA_UNITY=OFF) ;;
   *-O?) ;;
   *-portable) flags=${flags%-portable} options=(-DMORULA_PORTABLE=ON) ;;
@@ -41,7 +43,7 @@ if ! command -v $compiler >/dev/null; then
   echo "$compiler is not installed"
   exit 77
 fi
-if [ "${name%%-*}" != aarch64 ]; then options+=("-DCMAKE_CXX_COMPILER=$compiler"); fi
+case $name in aarch64-* | wasm-*) ;; *) options+=("-DCMAKE_CXX_COMPILER=$compiler") ;; esac
 if [ "$target" = morula ]; then source=$here/../.. options+=(-DBUILD_TESTING=OFF); else source=$here; fi
 mkdir -p "$(dirname "$build")"
 cmake -S "$source" -B "$build" -G Ninja "${options[@]}" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" >"$build.log" 2>&1 &&

@@ -7,13 +7,14 @@
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 name=$1 build=$2 write_scene=$3
-emulator=
-if [ "${name%%-*}" = aarch64 ]; then
-  emulator=qemu-aarch64
-  if ! command -v $emulator >/dev/null; then
-    echo "$emulator is not installed: skipped"
-    exit 77
-  fi
+case $name in
+  aarch64-*) emulator=qemu-aarch64 ;;
+  wasm-*) emulator=node ;;
+  *) emulator= ;;
+esac
+if [ $emulator ] && ! command -v $emulator >/dev/null; then
+  echo "$emulator is not installed: skipped"
+  exit 77
 fi
 for target in hash_program run_scene; do "$here/build_as.sh" "$name" "$build" $target; done
 scene=$build/unique-four.scene

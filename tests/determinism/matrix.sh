@@ -65,6 +65,7 @@ prepare() { # ROW
   local command=${commands[$1]} build=${builds[$1]} target=morula isa said code=0
   case $command in
     qemu-aarch64*) command -v qemu-aarch64 >/dev/null || { echo "qemu-aarch64 is not installed" && return; } ;;
+    node*) command -v node >/dev/null || { echo "node is not installed" && return; } ;;
     setarch*) setarch -R true 2>/dev/null || { echo "forbidden here" && return; } ;;
     *LOCPATH=*)
       mkdir -p "$work/locales"

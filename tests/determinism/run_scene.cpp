@@ -8,8 +8,9 @@
 #include <set>
 #include <sstream>
 
+#include "base/error.h"
 #include "base/floating_point.h"
-#include "scene_text.h"
+#include "library/scene_format.h"
 #include "simulation/hash.h"
 #include "simulation/world.h"
 
@@ -74,7 +75,9 @@ int main(int argc, char** argv) try {
     return 2;
   }
   std::ifstream scene = open(argv[argc - 2]), golden = open(argv[argc - 1]);
-  run(scene_text::read(scene), readChain(golden), execution);
+  std::ostringstream text;
+  text << scene.rdbuf();
+  run(readScene(text.str(), argv[argc - 2]), readChain(golden), execution);
 } catch (const std::exception& error) {
   std::cerr << "run_scene: " << error.what() << '\n';
   return 3;

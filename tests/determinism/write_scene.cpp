@@ -3,15 +3,15 @@
 //   write_scene SCENARIO >FILE
 #include <iostream>
 
+#include "library/scene_format.h"
 #include "scenario/scenario.h"
-#include "scene_text.h"
 
 int main(int argc, char** argv) try {
   if (argc != 2) {
     std::cerr << "write_scene SCENARIO >FILE\n";
     return 2;
   }
-  morula::scene_text::write(std::cout, morula::loadScenario(argv[1]).scene);
+  std::cout << morula::writeScene(morula::loadScenario(argv[1]).scene);
   return std::cout.flush() ? 0 : 6;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

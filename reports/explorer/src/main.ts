@@ -16,13 +16,13 @@ function beside({ runs }: Data): number {
   return runs.length === 2 ? 1 : runs.findIndex((run, i) => i > 0 && run.scenario === runs[0].scenario);
 }
 
-class Explorer {
-  private readonly state: State;
+export class Explorer {
+  protected readonly state: State;
   private readonly colouring: Colouring;
-  private readonly views: View[] = [];
-  private readonly tree: Tree;
+  protected readonly views: View[] = [];
+  protected readonly tree: Tree;
   private readonly info: Info;
-  private readonly clock: Clock;
+  protected readonly clock: Clock;
   private readonly tip = element("div", "tip");
   private readonly bar = element("div", "bar");
   private readonly forces: ForceKey;
@@ -230,7 +230,7 @@ class Explorer {
     this.updateAll();
   }
 
-  private updateAll(): void {
+  protected updateAll(): void {
     this.views.forEach((view) => view.update());
     this.tree.update();
     this.clock.update();

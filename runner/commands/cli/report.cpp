@@ -7,6 +7,7 @@
 #include "files/write_file.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
+#include "options/picture_name.h"
 #include "options/verb.h"
 #include "system/console.h"
 
@@ -29,12 +30,6 @@ struct ReportOptions {
 fs::path defaultName(const std::string& what) {
   const fs::path path = what;
   return (isFolder(path) ? path : path.parent_path()) / "report.html";
-}
-
-std::string readPageName(const std::string& name) {
-  if (const auto ending = fs::path(name).extension(); ending != ".html" && ending != ".htm")
-    throw InputError("'" + name + "' does not end in .html, and a page is all that report writes");
-  return name;
 }
 
 int act(const ReportOptions& options) {
@@ -80,6 +75,8 @@ void addReport(CLI::App& app, Action& action) {
   verb.showDefault("--size-limit", "10M");
   verb.takes("--no-bullet", options.noBullet,
              "Bullet is not run beside ours for scenarios with check.bullet");
+  verb.takes("--rerun", options.question.rerun,
+             "The page holds the simulator, too: whoever reads it can make its run again there");
   add(verb, options.execution);
   add(verb, options.messages);
 }

@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "cli/verbs.h"
 #include "files/text.h"
+#include "files/write_file.h"
+#include "library/scene_format.h"
 #include "loop/simulate.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
@@ -21,6 +23,7 @@ struct ValidateOptions {
   ExecutionOptions execution;
   OutputOptions output;
   bool resolved = false;
+  std::string sceneFile;
 };
 
 /// A study is right if all its conditions are.
@@ -42,6 +45,9 @@ Json validateStudy(const std::string& file, const ValidateOptions& options, cons
 }
 
 int act(const ValidateOptions& options) {
+  if (!options.sceneFile.empty() && options.scenarios.size() != 1)
+    throw UsageError("--scene: writes the scene of one scenario, and " +
+                     std::to_string(options.scenarios.size()) + " are given");
   const Execution how = execution(options.execution);
   int code = fine;
   Json list = Json::array();
@@ -60,6 +66,8 @@ int act(const ValidateOptions& options) {
                       {"errors", Json::array()},
                       {"warnings", scenario.warnings}});
       tellWarnings(scenario.warnings, options.output.quiet);
+      if (!options.sceneFile.empty())
+        writeFile(options.sceneFile, writeScene(scenario.scene), Content::scene);
       if (options.resolved && options.output.json) list.back()["resolved"] = parseJson(scenario.resolved);
       else if (options.resolved) print(scenario.resolved);
       else if (!options.output.json)
@@ -86,6 +94,8 @@ void addValidate(CLI::App& app, Action& action) {
   add(verb, options.scene);
   addMemoryLimit(verb, options.execution);
   verb.takes("--resolved", options.resolved, "Print every parameter, defaults and changes included, as JSON");
+  verb.takes("--scene", options.sceneFile, "FILE",
+             "Write the scene for programs that have the simulator alone: morula.h, run again in pages");
   add(verb, options.output);
 }
 

@@ -5,7 +5,8 @@
 namespace morula::cli {
 
 AddVerb addRun, addParts, addCheck, addExplain, addReview, addValidate, addSchema, addInit, addRender,
-    addChart, addLineage, addReplay, addExport, addReport, addAccuracy, addBench, addTrail, addEngineWorker;
+    addChart, addLineage, addReplay, addExport, addReport, addPlayground, addAccuracy, addBench, addTrail,
+    addEngineWorker, addDescribe;
 
 /// All of them.
 AddVerb addVerbs;

@@ -18,4 +18,10 @@ Reader<std::string> pictureName(const std::string& verb, bool drawing) {
   return [=](const std::string& file) { return checkPictureName(verb, file, drawing), file; };
 }
 
+std::string readPageName(const std::string& name) {
+  if (const auto ending = std::filesystem::path(name).extension(); ending != ".html" && ending != ".htm")
+    throw InputError("'" + name + "' does not end in .html, and a page is all that is written");
+  return name;
+}
+
 }  // namespace morula::cli

@@ -13,4 +13,7 @@ void checkPictureName(const std::string& verb, const std::string& file, bool dra
 /// A file's name for which checkPictureName holds.
 Reader<std::string> pictureName(const std::string& verb, bool drawing);
 
+/// The name of a page. Throws InputError unless it ends in .html.
+std::string readPageName(const std::string& name);
+
 }  // namespace morula::cli

@@ -37,12 +37,24 @@ void takeAll(const CLI::Option& option, const std::function<void(const std::stri
     }
 }
 
+/// CLI11 keeps what it checks, not what it completes. Of all options of the command line, while it is declared and afterwards.
+std::map<const CLI::Option*, std::vector<std::string>>& choicesOfOptions() {
+  static std::map<const CLI::Option*, std::vector<std::string>> all;
+  return all;
+}
+
 CLI::Option* declare(CLI::App& verb, const std::string& name, const std::string& type,
                      const std::string& help) {
   return verb.add_option(name, help)->type_name(type)->check(refuseEmpty);
 }
 
 }  // namespace
+
+const std::vector<std::string>& choicesOf(const CLI::Option& option) { return choicesOfOptions()[&option]; }
+
+void Verb::setChoices(const std::string& name, const std::vector<std::string>& names) {
+  if (!names.empty()) choicesOfOptions()[verb_->get_option(name.substr(0, name.find(',')))] = names;
+}
 
 struct Verb::Checks {
   std::vector<std::function<void()>> ofOptions, ofValues;  // which were given together; what each was given

@@ -14,9 +14,13 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace morula::cli {
+
+/// All that may be given for an option, where that is a list of names; else empty.
+const std::vector<std::string>& choicesOf(const CLI::Option& option);
 
 /// What is to be done once the command line is understood. Returns the exit code.
 using Action = std::function<int()>;
@@ -66,17 +70,20 @@ class Verb {
   void takes(const std::string& name, T& value, const std::string& type, std::type_identity_t<Reader<T>> read,
              const std::string& help) {
     add(name, type, help, textOf(value), [&value, read](const std::string& text) { value = read(text); });
+    setChoices(name, namesOfChoices<T>());
   }
   template <class T>
   void takes(const std::string& name, std::optional<T>& value, const std::string& type,
              std::type_identity_t<Reader<T>> read, const std::string& help) {
     add(name, type, help, value ? textOf(*value) : "",
         [&value, read](const std::string& text) { value = read(text); });
+    setChoices(name, namesOfChoices<T>());
   }
   template <class T>
   void takes(const std::string& name, std::vector<T>& values, const std::string& type,
              std::type_identity_t<Reader<T>> read, const std::string& help) {
     addList(name, type, help, [&values, read](const std::string& text) { values.push_back(read(text)); });
+    setChoices(name, namesOfChoices<T>());
   }
 
   /// What the help shows as an option's default where that is no value which could be given: "as then".
@@ -104,6 +111,15 @@ class Verb {
     else return "";
   }
 
+  template <class T>
+  static std::vector<std::string> namesOfChoices() {
+    std::vector<std::string> names;
+    if constexpr (requires { choices<T>.size(); })
+      for (const auto& choice : choices<T>) names.push_back(choice.name);
+    return names;
+  }
+
+  void setChoices(const std::string& name, const std::vector<std::string>& names);
   void add(const std::string& name, const std::string& type, const std::string& help,
            const std::string& shown, Take take);
   void addList(const std::string& name, const std::string& type, const std::string& help, Take take);

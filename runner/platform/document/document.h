@@ -101,6 +101,11 @@ struct Downloads {
 /// The place of the explorer.
 struct ExplorerPlace {};
 
+/// A place, by its id, in which another program of the page builds; where none runs it says `without`.
+struct ProgramPlace {
+  std::string id, without;
+};
+
 /// Blocks that belong together.
 struct Group {
   enum class Kind { pictures, charts, folded };  // folded: until it is asked for by its title
@@ -109,8 +114,8 @@ struct Group {
   Document body;
 };
 
-struct Block : std::variant<Sentence, FindingList, PlainList, Verbatim, Table, Picture, Swipe, LineKey, Downloads,
-                            ExplorerPlace, Group> {
+struct Block : std::variant<Sentence, FindingList, PlainList, Verbatim, Table, Picture, Swipe, LineKey,
+                            Downloads, ExplorerPlace, ProgramPlace, Group> {
   using variant::variant;
 };
 

@@ -173,6 +173,12 @@ struct AsHtml {
            "id=\"explore\"></div>\n";
   }
 
+  std::string operator()(const ProgramPlace& place) const {
+    return element("div", " id=\"" + place.id + "\"",
+                   place.without.empty() ? "" : element("p", "", safe(place.without))) +
+           "\n";
+  }
+
   std::string operator()(const Group& group) const {
     const std::string body = htmlOf(group.body);
     if (group.kind == Group::Kind::folded)

@@ -25,6 +25,7 @@ Content contentOf(std::string_view head) {
   for (const auto report : {junitBeginning, summaryBeginning, jsonBeginning})
     if (head.starts_with(report)) return Content::report;
   if (head.starts_with(pageBeginning)) return Content::page;
+  if (head.starts_with(sceneBeginning)) return Content::scene;
   if (hasLine(head, "morula golden ")) return Content::golden;  // also below the marker of a merge
   if (hasLine(head, "morula:") || hasLine(head, "morula-study:") || head.find("\"morula\":") != head.npos)
     return Content::scenario;
@@ -35,8 +36,9 @@ Content contentOf(std::string_view head) {
 Content contentOfFile(const std::filesystem::path& file) { return contentOf(readHead(file, 4096)); }
 
 const char* name(Content content) {
-  constexpr const char* names[] = {"empty", "a picture", "a database", "a golden file",         "a scenario",
-                                   "DNA",   "a report",  "a page",     "a file of another kind"};
+  constexpr const char* names[] = {
+      "empty", "a picture", "a database", "a golden file", "a scenario",
+      "DNA",   "a report",  "a page",     "a scene",       "a file of another kind"};
   return names[static_cast<int>(content)];
 }
 

@@ -6,7 +6,7 @@
 
 namespace morula {
 
-enum class Content { empty, picture, database, golden, scenario, dna, report, page, other };
+enum class Content { empty, picture, database, golden, scenario, dna, report, page, scene, other };
 
 /// From the first bytes of a file; 4096 are enough.
 Content contentOf(std::string_view head);
@@ -31,6 +31,9 @@ inline constexpr std::string_view junitBeginning =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"morula check\"";
 inline constexpr std::string_view summaryBeginning = "### morula check\n";
 inline constexpr std::string_view jsonBeginning = "{\n  \"morula\": 1";
+
+/// How scenes begin that `morula validate --scene` writes [core/library/scene_format.h].
+inline constexpr std::string_view sceneBeginning = "morula-scene ";
 
 /// How pages begin that `morula report` writes.
 inline constexpr std::string_view pageBeginning = "<!DOCTYPE html>\n<!-- Morula report -->\n";

@@ -6,6 +6,7 @@
 #include "accuracy/tables.h"
 #include "base/number_text.h"
 #include "report_data/words.h"
+#include "system/installation.h"
 
 namespace morula {
 
@@ -14,7 +15,7 @@ namespace {
 constexpr std::size_t mostCommands = 4;
 
 std::string setCommand(const AccuracyRow& row, const std::string& scenario) {
-  std::string command = "./morula run " + scenario;
+  std::string command = programWord() + " run " + scenario;
   for (const std::string& change : row.set) command += " --set " + shellWord(change);
   return command;
 }

@@ -7,6 +7,7 @@
 #include "files/read_file.h"
 #include "report/accuracy_blocks.h"
 #include "report/parts.h"
+#include "system/installation.h"
 
 namespace morula {
 
@@ -112,7 +113,7 @@ void judgeTarget(const Json& t, std::vector<Finding>& findings) {
         {Kind::bad, "None of the settings tried holds an error of " + error + " and runs to its end"});
     return;
   }
-  std::string command = "./morula";
+  std::string command = programWord();
   for (const Json& word : best.at("command")) command += " " + shellWord(word.get<std::string>());
   const bool holds = t.at("mesh_holds").is_boolean() && t.at("mesh_holds").get<bool>();
   findings.push_back({holds ? Kind::good : Kind::warning,
@@ -131,10 +132,10 @@ void judgeTarget(const Json& t, std::vector<Finding>& findings) {
 
 PageSection madeBy(const Json& json, const std::string& scenario, const std::string& file) {
   PageSection section{"made-by",
-                  "Where it comes from",
-                  {},
-                  {"./morula accuracy " + scenario + " --json > " + shellWord(file),
-                   "./morula report " + shellWord(file)}};
+                      "Where it comes from",
+                      {},
+                      {programWord() + " accuracy " + scenario + " --json > " + shellWord(file),
+                       programWord() + " report " + shellWord(file)}};
   Table table{section.title, {}};
   if (json.contains("made_by"))
     for (const auto& [name, value] : json.at("made_by").items())

@@ -9,6 +9,7 @@
 #include "mesh/measures.h"
 #include "pictures/pictures.h"
 #include "simulation/measures.h"
+#include "system/installation.h"
 
 namespace morula {
 
@@ -246,8 +247,8 @@ PageSection bulletSection(const std::vector<RunFacts>& runs) {
     section.body.add(besideBullet(run.scenario, run.again->simulation.world, *run.bullet, &run.checks,
                                   {"picture-" + std::to_string(runs.size() + made), runs.size() == 1}));
     if (made++ == 0)
-      section.commands = {"./morula run " + source, "./morula check " + source,
-                          "./morula report " + shellWord(run.database)};
+      section.commands = {programWord() + " run " + source, programWord() + " check " + source,
+                          programWord() + " report " + shellWord(run.database)};
   }
   if (made > 0 && asked > made)
     section.body.note("The first " + std::to_string(made) + " of " + counted(asked, "run") +

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "report/bullet_block.h"
+#include "system/installation.h"
 
 namespace morula {
 
@@ -43,7 +44,7 @@ std::vector<PageSection> bulletSections(const std::vector<CheckedScenario>& chec
         {"bullet-" + std::to_string(sections.size() + 1),
          "Beside Bullet: " + c.report.scenario,
          besideBullet(c.again->scenario, c.again->simulation.world, *c.bullet, &c.report.results, {}),
-         {"./morula check " + shellWord(c.file), "./morula run " + shellWord(c.file)}});
+         {programWord() + " check " + shellWord(c.file), programWord() + " run " + shellWord(c.file)}});
   }
   const auto held =
       static_cast<std::size_t>(std::count_if(checked.begin(), checked.end(), heldAgainstBullet));

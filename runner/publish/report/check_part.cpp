@@ -10,6 +10,7 @@
 #include "report/check_tables.h"
 #include "report/golden_pictures.h"
 #include "report/parts.h"
+#include "system/installation.h"
 #include "system/json_record.h"
 
 namespace morula {
@@ -146,19 +147,19 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
     if (differ == 0) continue;
     ++failed;
     const CellNames names = c.again ? c.again->scenario.names : CellNames{};
-    findings.push_back(
-        {Finding::Kind::bad,
-         bold(c.report.scenario) + ": " + std::to_string(differ) + " of " +
-             counted(c.report.results.size(), "check") + (differ == 1 ? " differs: " : " differ: ") +
-             classesOf(c.report) +
-             (c.report.change.empty() ? Words()
-                                      : ". " + Words(changeSentence(c.report.change, names), Emphasis::italic))});
+    findings.push_back({Finding::Kind::bad,
+                        bold(c.report.scenario) + ": " + std::to_string(differ) + " of " +
+                            counted(c.report.results.size(), "check") +
+                            (differ == 1 ? " differs: " : " differ: ") + classesOf(c.report) +
+                            (c.report.change.empty()
+                                 ? Words()
+                                 : ". " + Words(changeSentence(c.report.change, names), Emphasis::italic))});
     if (++told > mostTold) continue;
     part.sections.push_back({"check-" + std::to_string(told), c.report.scenario, bodyOf(c)});
     if (!c.file.empty())
-      part.sections.back().commands = {"./morula check " + shellWord(c.file),
-                                       "./morula explain " + shellWord(c.file),
-                                       "./morula review " + shellWord(c.file)};
+      part.sections.back().commands = {programWord() + " check " + shellWord(c.file),
+                                       programWord() + " explain " + shellWord(c.file),
+                                       programWord() + " review " + shellWord(c.file)};
   }
   part.title = failed ? "morula check: " + std::to_string(failed) + " of " +
                             counted(checked.size(), "scenario") + (failed == 1 ? " differs" : " differ")
@@ -182,7 +183,7 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
       {"checks",
        "Scenarios",
        Document().add(overview(checked)),
-       {"./morula check" + files + " --reports " + shellWord(folder.empty() ? "." : folder)}});
+       {programWord() + " check" + files + " --reports " + shellWord(folder.empty() ? "." : folder)}});
   return part;
 }
 

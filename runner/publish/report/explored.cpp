@@ -75,7 +75,8 @@ int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Exp
   for (RunFacts& run : runs)
     if (question.frames > 0 && again < mostExplored && canRunAgain(run)) {
       ++again;
-      if (const int signal = runAgain(run, question.execution, question.frames, question.quiet))
+      if (const int signal = runAgain(run, question.execution, question.frames,
+                                      question.rerun && run.results.chain.empty(), question.quiet))
         return signal;
       explored.frames.push_back(&run.again->frames);
     }

@@ -10,9 +10,10 @@
 #include "report/bullet_block.h"
 #include "report/explored.h"
 #include "report/parts.h"
+#include "report/rerun_block.h"
 #include "report/sources.h"
 #include "report/study_part.h"
-#include "system/child_process.h"
+#include "system/installation.h"
 #include "system/usage_error.h"
 
 namespace morula {
@@ -65,18 +66,20 @@ std::string titleOfParts(const Sources& sources, std::size_t runs) {
 
 std::string commandOf(const ReportQuestion& question) {
   static const ReportQuestion usual;
-  std::string command = "./morula report";
+  std::string command = programWord() + " report";
   for (const std::string& what : question.what) command += ' ' + shellWord(what);
   if (!question.run.empty()) command += " --run " + shellWord(question.run);
   if (question.frames != usual.frames) command += " --frames " + std::to_string(question.frames);
   if (question.mostBytes != usual.mostBytes) command += " --size-limit " + std::to_string(question.mostBytes);
   if (!question.bullet) command += " --no-bullet";
+  if (question.rerun) command += " --rerun";
   return command + " -o page.html";
 }
 
 /// The parts, one after the other: what must be known first of each, then the explorer, then the rest.
 /// Parts are told apart by their titles, unless they are of `one` source.
-void putTogether(const std::vector<PagePart>& parts, bool one, const PageSection* explorer, Page& page) {
+void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector<PageSection>& explorer,
+                 Page& page) {
   page.verdict.clear(), page.blocks.clear();
   std::map<std::string, int> known;  // ids
   const auto add = [&](const PageSection& section, const std::string& part) {
@@ -92,24 +95,44 @@ void putTogether(const std::vector<PagePart>& parts, bool one, const PageSection
                       htmlOf(part.verdict);
   for (const PagePart& part : parts)
     for (const PageSection& section : part.change) add(section, titleOf(part));
-  if (explorer) add(*explorer, "");
+  for (const PageSection& section : explorer) add(section, "");
   for (const PagePart& part : parts)
     for (const PageSection& section : part.sections) add(section, titleOf(part));
+}
+
+/// A page holds one run that it makes again.
+void demandOneRun(const std::vector<RunFacts>& runs) {
+  if (runs.size() != 1)
+    throw UsageError("report --rerun: a page makes one run again, and this one has " +
+                     std::to_string(runs.size()) + (runs.empty() ? "" : "; choose one with --run"));
+  if (const std::string why = whyNoRerun(runs[0]); !why.empty())
+    throw UsageError("report --rerun: run " + runs[0].run.id + " cannot be made again in a page: " + why);
 }
 
 }  // namespace
 
 void findExplorer(ReportQuestion& question) {
-  const fs::path file = fs::path(ownProgram()).parent_path() / "explorer" / "explorer.js";
-  if (isPlainFile(file)) question.program = readFile(file);
+  const auto file = sharedFile(question.rerun ? "explorer/rerun.js" : "explorer/explorer.js");
+  if (file) question.program = readFile(*file);
   else
     question.whyNone =
-        "./morula report builds it where Node.js and npm are (Debian: nodejs, npm), and has not";
+        installation()
+            ? "the installation does not have it"
+            : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm), and has not";
+  if (!question.rerun) return;
+  if (!file) throw FileError("report --rerun: there is no explorer that runs again; " + question.whyNone);
+  const auto module = sharedFile("wasm/morula.wasm.gz");
+  if (!module)
+    throw FileError(std::string("report --rerun: the simulator for pages is not built; ") +
+                    (installation() ? "the installation does not have it"
+                                    : "./morula wasm builds it (Debian: emscripten)"));
+  question.module = readFile(*module);
 }
 
 ReportAnswer makeReport(const ReportQuestion& question) {
   const Sources sources = sourcesOf(question.what);
   std::vector<RunFacts> runs = factsOfAll(sources, question);
+  if (question.rerun) demandOneRun(runs);
   ReportAnswer answer{.bytes = {}, .runs = runs.size(), .remarks = {}};
   std::vector<PagePart> parts;
   Explored explored;
@@ -151,20 +174,25 @@ ReportAnswer makeReport(const ReportQuestion& question) {
             .data = {},
             .bytes = {},
             .command = commandOf(question),
-            .program = explored.runs.empty() ? "" : question.program};
+            .program = explored.runs.empty() ? "" : question.program,
+            .runsAgain = question.rerun};
   const auto compose = [&] {
-    const PageSection explorer = explorerSection(question, explored.runs);
-    putTogether(parts, one, explored.runs.empty() ? nullptr : &explorer, page);
+    std::vector<PageSection> explorer;
+    if (!explored.runs.empty()) explorer.push_back(explorerSection(question, explored.runs));
+    if (question.rerun) explorer.push_back(rerunSection(runs[0]));
+    putTogether(parts, one, explorer, page);
     if (!page.program.empty()) page.data = jsonText(explorerData(explored.runs));
   };
   // What room the rest leaves goes to the frames; base64 takes 4 bytes for 3.
+  if (question.rerun) page.bytes = rerunBytes(runs[0], question.module);
   compose();
   const std::size_t without = pageFile(page).size() + 20'000;
   const std::size_t room = question.mostBytes > without ? (question.mostBytes - without) / 4 * 3 : 0;
   for (Frames* of : explored.frames)
     thinFrames(*of, page.program.empty() ? 0 : room / explored.frames.size());
   compose();
-  if (!page.program.empty()) page.bytes = explorerBytes(explored.runs);
+  if (!page.program.empty())
+    for (PageBytes& bytes : explorerBytes(explored.runs)) page.bytes.push_back(std::move(bytes));
   answer.bytes = pageFile(page);
   if (answer.bytes.size() > question.mostBytes)
     answer.remarks.push_back("the page takes " + std::to_string(answer.bytes.size()) +

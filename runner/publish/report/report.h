@@ -17,6 +17,8 @@ struct ReportQuestion {
   std::size_t mostBytes = 10'000'000;  // of the page
   std::string program;                 // the explorer's; "": without it
   std::string whyNone;                 // why there is none; plain text
+  bool rerun = false;                  // the page holds the simulator, too, and makes its run again
+  std::string module;                  // the simulator, gzipped; of rerun
   Execution execution;
   bool bullet = true;  // beside ours, where scenarios have check.bullet and frames are asked for
   bool quiet = false;
@@ -29,7 +31,8 @@ struct ReportAnswer {
   int signal = 0;                    // that interrupted it; then there is no page
 };
 
-/// Takes the explorer's program from beside the running one, where ./morula builds it, or says why there is none.
+/// Takes the explorer's program from beside the running one, where ./morula builds it, or says why there is none. Of a page that runs
+/// again also the simulator; throws FileError where one of the two is not there.
 void findExplorer(ReportQuestion& question);
 
 /// Throws UsageError for what is nothing to report on, FileError, InputError.

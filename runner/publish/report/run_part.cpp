@@ -7,6 +7,7 @@
 #include "report/parts.h"
 #include "report/run_blocks.h"
 #include "report/verdict.h"
+#include "system/installation.h"
 
 namespace morula {
 
@@ -57,7 +58,8 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
   if (!judged.empty()) part.verdict = verdictOf(judged);
   if (Document changes = changesOf(runs); !changes.empty())
     part.change.push_back({"change", "What changed", std::move(changes)});
-  if (PageSection bullet = bulletSection(runs); !bullet.body.empty()) part.sections.push_back(std::move(bullet));
+  if (PageSection bullet = bulletSection(runs); !bullet.body.empty())
+    part.sections.push_back(std::move(bullet));
   part.sections.push_back(pictureSection(runs));
   part.sections.push_back(chartSection(runs));
   if (Document checks = checksOfAll(runs); !checks.empty()) {
@@ -65,8 +67,8 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t mostBytes) {
     const auto ofGolden = [](const CheckResult& c) { return c.kind == "golden"; };
     if (runs.size() == 1 && !runs[0].golden.empty() &&
         std::any_of(runs[0].checks.begin(), runs[0].checks.end(), ofGolden))
-      part.sections.back().commands = {"./morula check " + shellWord(sourceOf(runs[0])),
-                                       "./morula explain " + shellWord(sourceOf(runs[0]))};
+      part.sections.back().commands = {programWord() + " check " + shellWord(sourceOf(runs[0])),
+                                       programWord() + " explain " + shellWord(sourceOf(runs[0]))};
   }
   part.sections.push_back(provenanceSection(runs));
   part.sections.push_back(parameterSection(runs));

@@ -8,6 +8,7 @@
 #include "database/store_error.h"
 #include "loop/stored_scenario.h"
 #include "store/store.h"
+#include "system/installation.h"
 #include "system/signals.h"
 #include "system/usage_error.h"
 
@@ -56,7 +57,7 @@ PagePart studyPart(const std::string& database) {
   }
   const std::string file = shellWord(database);
   part.change.push_back(
-      {"findings", "What the study finds", std::move(findings), {"./morula study compare " + file}});
+      {"findings", "What the study finds", std::move(findings), {programWord() + " study compare " + file}});
   part.sections.push_back(
       {"strips",
        "Every value",
@@ -64,7 +65,7 @@ PagePart studyPart(const std::string& database) {
            svgPicture(drawComparedStudy(c),
                       "strips of all values of each condition, with their means and 95 % intervals",
                       "A dot a run; line and bar: the mean and its 95 % interval", Picture::Size::large)),
-       {"./morula study compare " + file + " -o strips.svg"}});
+       {programWord() + " study compare " + file + " -o strips.svg"}});
   Document body = comparedTables(c);
   Downloads downloads;
   for (Downloads::File file :
@@ -75,8 +76,8 @@ PagePart studyPart(const std::string& database) {
   part.sections.push_back({"comparison",
                            "Comparison",
                            std::move(body),
-                           {"./morula study compare " + file + " --csv > comparison.csv",
-                            "./morula study compare " + file + " --json > comparison.json"}});
+                           {programWord() + " study compare " + file + " --csv > comparison.csv",
+                            programWord() + " study compare " + file + " --json > comparison.json"}});
   return part;
 }
 
@@ -93,8 +94,10 @@ bool hasBodies(const StudyResults& results, const std::string& database) {
 
 int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
   const StudyResults results = readStudyResults(database);
-  PageSection section{
-      "organisms", "Organisms", {}, {"./morula compare " + shellWord(database) + " --pictures grid.png"}};
+  PageSection section{"organisms",
+                      "Organisms",
+                      {},
+                      {programWord() + " compare " + shellWord(database) + " --pictures grid.png"}};
   if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
   if (results.conditions.size() > mostDrawn) {
     section.body.note(counted(results.conditions.size(), "condition") +

@@ -110,12 +110,17 @@ Json dataOf(const ExplorerRun& run) {
 
 }  // namespace
 
+void addPalette(Json& data) {
+  data["scale"] = Json::array(), data["series"] = Json::array();
+  for (std::size_t i = 0; i < colourSteps; ++i)
+    data["scale"].push_back(hex(scaleColour(double(i) / (colourSteps - 1))));
+  for (std::size_t i = 0; i < manySeries; ++i) data["series"].push_back(hex(seriesColour(i)));
+}
+
 Json explorerData(const std::vector<ExplorerRun>& runs) {
   Json json{{"morula", explorerFormat}, {"units", unitsOf()},      {"scale", Json::array()},
             {"series", Json::array()},  {"forces", Json::array()}, {"runs", Json::array()}};
-  for (std::size_t i = 0; i < colourSteps; ++i)
-    json["scale"].push_back(hex(scaleColour(double(i) / (colourSteps - 1))));
-  for (std::size_t i = 0; i < manySeries; ++i) json["series"].push_back(hex(seriesColour(i)));
+  addPalette(json);
   for (const auto& kind : choices<ForceKind>)
     json["forces"].push_back({kind.name, hex(forceColour(kind.value)), kind.meaning});
   for (const ExplorerRun& run : runs) json["runs"].push_back(dataOf(run));

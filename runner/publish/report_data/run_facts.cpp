@@ -73,10 +73,13 @@ bool canRunAgain(const RunFacts& facts) {
          (facts.run.status == RunStatus::done || facts.run.status == RunStatus::failed);
 }
 
-int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool quiet) {
+int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool hashes, bool quiet) {
   FrameTaker taker(facts.run.time, frames, ForceMeter(makeScenarioWorld(facts.scenario, how)));
-  auto run = simulate(facts.scenario, how,
-                      {.quiet = quiet, .watch = [&](const World& world) { taker.observe(world); }});
+  RecordOptions record;
+  if (hashes) record.hashEvery = stepsPerHash;
+  auto run = simulate(
+      facts.scenario, how,
+      {.quiet = quiet, .record = record, .watch = [&](const World& world) { taker.observe(world); }});
   if (run.signal) return run.signal;
   requireEnough(run.end);
   const bool same = facts.run.status == RunStatus::done

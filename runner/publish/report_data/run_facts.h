@@ -48,8 +48,9 @@ std::string changeBetween(const RunFacts& before, const RunFacts& after);
 /// Whether there is something to look at when it runs again: bodies, and an end or a failure to come to.
 bool canRunAgain(const RunFacts& facts);
 
-/// Runs it again to where it ended, and keeps up to `frames` frames. Returns the signal that interrupted it, or 0.
-int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool quiet);
+/// Runs it again to where it ended, and keeps up to `frames` frames and, if asked, step hashes. Returns the signal that interrupted it,
+/// or 0.
+int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool hashes, bool quiet);
 
 /// Of a run that was made again, came to its stored end and differs from its golden: draws `beside`, which runs the golden's
 /// scenario. Returns the signal that interrupted it, or 0.

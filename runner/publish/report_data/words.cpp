@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "system/installation.h"
+
 namespace morula {
 
 Finding failedBecause(Finding::Kind kind, const std::string& before, const std::string& failure) {
@@ -51,7 +53,7 @@ std::string sourceOf(const RunFacts& run) {
 }
 
 std::string commandFor(const RunFacts& run, const std::string& verb, const std::string& options) {
-  return "./morula " + verb + " " + shellWord(run.database) + " --run " + run.run.id +
+  return programWord() + " " + verb + " " + shellWord(run.database) + " --run " + run.run.id +
          (options.empty() ? "" : " " + options);
 }
 

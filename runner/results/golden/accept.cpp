@@ -60,19 +60,27 @@ std::string goldenName(const fs::path& scenario) {
 
 bool liesInScenarios(const fs::path& scenario) { return !below(absolutePath(scenario), "scenarios").empty(); }
 
-fs::path goldenPath(const fs::path& scenario) {
+fs::path goldenFolder(const fs::path& scenario) {
   fs::path inside = below(scenario, "scenarios");
   fs::path root = scenario;  // as it was given if it tells where it lies, absolute if not
   if (inside.empty()) root = absolutePath(scenario), inside = below(root, "scenarios");
-  if (inside.empty()) return fs::path(scenario).replace_extension(".golden");
+  if (inside.empty()) return scenario.parent_path();
   for (auto part = inside.begin(); part != inside.end(); ++part) root = root.parent_path();
-  return root.parent_path() / "golden" / fs::path(inside).replace_extension(".golden");
+  return root.parent_path() / "golden";
+}
+
+fs::path goldenPath(const fs::path& scenario) {
+  fs::path inside = below(scenario, "scenarios");
+  if (inside.empty()) inside = below(absolutePath(scenario), "scenarios");
+  if (inside.empty()) inside = scenario.filename();
+  return goldenFolder(scenario) / inside.replace_extension(".golden");
 }
 
 std::vector<fs::path> goldensWithoutScenario(const fs::path& goldenFolder, const fs::path& scenarioFolder) {
   std::vector<fs::path> orphans;
   for (const fs::path& golden : filesBelow(goldenFolder, ".golden")) {
     const fs::path name = golden.lexically_relative(goldenFolder);
+    if (*name.begin() == ".pending") continue;  // waits for a review
     if (!fileExists(scenarioFolder / fs::path(name).replace_extension(".yaml"))) orphans.push_back(golden);
   }
   return orphans;

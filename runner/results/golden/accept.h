@@ -28,6 +28,8 @@ bool liesInScenarios(const std::filesystem::path& scenario);
 /// …/golden/thesis/unique-four.golden for …/scenarios/thesis/unique-four.yaml; unique-four.golden beside a
 /// scenario that lies elsewhere.
 std::filesystem::path goldenPath(const std::filesystem::path& scenario);
+/// …/golden for …/scenarios/thesis/unique-four.yaml; the scenario's own folder where there is no folder `scenarios` above it.
+std::filesystem::path goldenFolder(const std::filesystem::path& scenario);
 
 /// Golden files under `goldenFolder` that have no scenario under `scenarioFolder`, sorted.
 std::vector<std::filesystem::path> goldensWithoutScenario(const std::filesystem::path& goldenFolder,

@@ -15,6 +15,7 @@
 #include "store/build_info.h"
 #include "system/child_process.h"
 #include "system/console.h"
+#include "system/installation.h"
 
 namespace morula {
 
@@ -24,14 +25,23 @@ namespace {
 
 constexpr const char* extensions[] = {".golden", ".png", ".from"};
 
-/// …/build/release/pending for …/build/release/morula.
-fs::path pendingFolder() { return fs::path(ownProgram()).parent_path() / "pending"; }
+/// …/build/release/pending for …/build/release/morula; golden/.pending of a project for a program that is installed.
+fs::path pendingFolder(const fs::path& goldens) {
+  return installation() ? goldens / ".pending" : fs::path(ownProgram()).parent_path() / "pending";
+}
+
+/// Of the project that the scenario belongs to. What comes with an installation belongs to the project that one stands in.
+fs::path pendingFolder(const Scenario& scenario) {
+  const auto installed = installation();
+  const bool isOurs = installed && liesWithin(scenario.file, *installed);
+  return pendingFolder(isOurs ? fs::path("golden") : goldenFolder(scenario.file));
+}
 
 /// pending/thesis/unique-four-1a2b3c4d.golden: names are not unique (other folders, other checkouts), places
 /// are, so a hash of the place follows the name.
 fs::path fileOf(const Scenario& scenario, const char* extension) {
   const std::string place = absolutePath(scenario.file).string();
-  return pendingFolder() /
+  return pendingFolder(scenario) /
          (goldenName(scenario.file) + '-' + Hasher().add(place).digest().text().substr(0, 8) + extension);
 }
 
@@ -68,6 +78,7 @@ int putPending(const Scenario& scenario, const Simulation& run, const GoldenData
   const Origin origin = originOf(scenario);
   try {
     makeFolder(file.parent_path());
+    if (installation()) overwriteFile(pendingFolder(scenario) / ".gitignore", "*\n");
     overwriteFile(file, writeGolden({observed, "nobody", "pending", {}}));
     overwriteFile(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n');
   } catch (const FileError& error) {
@@ -94,8 +105,9 @@ void removePending(const Scenario& scenario) { removeAll(fileOf(scenario, ".gold
 
 std::vector<fs::path> pendingScenarios() {
   std::vector<fs::path> scenarios;
-  if (!fileExists(pendingFolder())) return scenarios;
-  for (const fs::path& result : filesBelow(pendingFolder(), ".golden")) {
+  const fs::path folder = pendingFolder("golden");
+  if (!fileExists(folder)) return scenarios;
+  for (const fs::path& result : filesBelow(folder, ".golden")) {
     const fs::path scenario = readOrigin(fs::path(result).replace_extension(".from")).scenario;
     if (scenario.empty() || !fileExists(scenario)) removeAll(result);
     else scenarios.push_back(scenario.lexically_proximate(currentFolder()));

@@ -1,6 +1,6 @@
 #pragma once
 // Results that differ from their goldens and wait for a review. They lie beside the program, never beside
-// sources: pending/<family>/<name>-<hash of its place>.golden, .png with the end beside the golden's, and .from with the
+// sources; those of an installed program in .pending of the project's golden folder: pending/<family>/<name>-<hash of its place>.golden, .png with the end beside the golden's, and .from with the
 // scenario's file and the build.
 #include <filesystem>
 #include <optional>

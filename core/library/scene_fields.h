@@ -1,19 +1,11 @@
 #pragma once
-// A scene as plain words, for programs that know no YAML: numbers are written as the bits that they are.
-// Writing and reading share one list of fields, and a field that is missing in it does not compile.
-#include <bit>
-#include <istream>
-#include <map>
-#include <memory>
-#include <ostream>
+// What a scene consists of, struct by struct: the one list that writing and reading share (scene_format.cpp). A member that is
+// missing in it does not compile. Whatever changes here changes the format: raise its version.
 #include <tuple>
-#include <type_traits>
 
-#include "base/error.h"
-#include "mesh/convex_shell.h"
 #include "simulation/scene.h"
 
-namespace morula::scene_text {
+namespace morula::scene_format {
 
 inline auto fields(Vector& a) {
   auto& [x, y, z] = a;
@@ -155,90 +147,4 @@ inline auto fields(Scene& a) {
   return std::tie(name, seed, dna, cycle, stop, mechanics, cells, variation, senses);
 }
 
-struct Writer {
-  std::ostream& out;
-  void number(std::uint64_t& n) { out << std::to_string(n) << '\n'; }
-  void text(std::string& s) { out << std::to_string(s.size()) << ' ' << s << '\n'; }
-};
-
-struct Reader {
-  std::istream& in;
-  void number(std::uint64_t& n) {
-    if (!(in >> n)) throw InputError("this is no scene, or it has been cut off");
-  }
-  void text(std::string& s) {
-    std::uint64_t size;
-    number(size);
-    in.get();
-    s.clear();
-    for (char c; s.size() < size && in.get(c);) s += c;
-    if (s.size() < size) throw InputError("this is no scene, or it has been cut off");
-  }
-};
-
-template <class Words, class T>
-requires(std::is_integral_v<T> || std::is_enum_v<T>) void add(Words& w, T& a) {
-  auto n = static_cast<std::uint64_t>(a);
-  w.number(n);
-  a = static_cast<T>(n);
-}
-template <class Words>
-void add(Words& w, double& a) {
-  auto n = std::bit_cast<std::uint64_t>(a);
-  w.number(n);
-  a = std::bit_cast<double>(n);
-}
-template <class Words>
-void add(Words& w, std::string& a) {
-  w.text(a);
-}
-template <class Words, class T>
-void add(Words& w, std::optional<T>& a) {
-  bool given = a.has_value();
-  add(w, given);
-  if (given && !a) a.emplace();
-  if (given) add(w, *a);
-}
-template <class Words, class T>
-void add(Words& w, std::shared_ptr<const T>& a) {
-  std::optional<T> copy = a ? std::optional(*a) : std::nullopt;
-  add(w, copy);
-  a = copy ? std::make_shared<const T>(std::move(*copy)) : nullptr;
-}
-template <class Words, class T>
-void add(Words& w, std::vector<T>& a) {
-  auto size = a.size();
-  add(w, size);
-  for (std::size_t i = 0; i < size; ++i) {
-    if (i == a.size()) a.emplace_back();
-    add(w, a[i]);
-  }
-}
-template <class Words>
-void add(Words& w, std::map<std::string, double>& a) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : a) names.push_back(name);
-  add(w, names);
-  for (std::string& name : names) add(w, a[name]);
-}
-
-template <class Words, class T>
-requires requires(T& a) { fields(a); }
-void add(Words& w, T& a) {
-  std::apply([&](auto&... field) { (add(w, field), ...); }, fields(a));
-}
-
-inline void write(std::ostream& out, Scene scene) {
-  Writer words{out};
-  add(words, scene);
-}
-
-/// Throws InputError.
-inline Scene read(std::istream& in) {
-  Scene scene;
-  Reader words{in};
-  add(words, scene);
-  return scene;
-}
-
-}  // namespace morula::scene_text
+}  // namespace morula::scene_format

@@ -1,0 +1,62 @@
+#pragma once
+// The simulator for other programs: a scene in; steps, measures and the state's hash out. The same scene gives the same bits as the
+// program `morula` gives, on any machine.
+//
+//   find_package(Morula REQUIRED)
+//   target_link_libraries(mine PRIVATE Morula::morula)
+//
+//   std::ifstream file("unique-four.scene");       // morula validate unique-four.yaml --scene unique-four.scene
+//   morula::Simulator organism({std::istreambuf_iterator<char>(file), {}});
+//   while (!organism.finished()) organism.step(64);
+//   std::cout << organism.cells() << ' ' << organism.hash() << '\n';
+//
+// What goes wrong is thrown as a std::exception: a scene that cannot be read or run, or a physics that cannot go on, after which the
+// organism stays as it failed. Two simulators share nothing; one must not be used by two threads at once.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace morula {
+
+class Simulator {
+ public:
+  /// `scene`: the text that `morula validate --scene` writes; `threads` change no bit of any result.
+  explicit Simulator(std::string_view scene, int threads = 1);
+  ~Simulator();
+  Simulator(Simulator&&) noexcept;
+  Simulator& operator=(Simulator&&) noexcept;
+
+  /// Goes on by up to so many time steps, not past the end. Call it first in a thread: it sets how the processor rounds.
+  void step(std::uint64_t most = 1);
+  bool finished() const;
+  std::uint64_t steps() const;
+  double now() const;
+  /// The time at which it will end, where the scene says so.
+  std::optional<double> end() const;
+
+  /// 32 hexadecimal digits over the whole state, as `morula run` prints them.
+  std::string hash() const;
+
+  std::size_t cells() const;
+  /// Of the living cell with this number: A and B from division to division, "" the egg. Cells are sorted by it.
+  std::string path(std::size_t cell) const;
+  /// What it holds: substances, sorted, with blanks between.
+  std::string substances(std::size_t cell) const;
+  /// x, y and z of each vertex of its surface, one after the other, and three vertices for each face; empty without bodies.
+  std::vector<double> vertices(std::size_t cell) const;
+  std::vector<std::int32_t> faces(std::size_t cell) const;
+
+  /// Of the organism or of one cell, by its name in `morula schema --measures`; absent where there is nothing to measure.
+  std::optional<double> measure(std::string_view name) const;
+  std::optional<double> measure(std::string_view name, std::size_t cell) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace morula

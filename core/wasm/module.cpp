@@ -1,0 +1,72 @@
+// The simulator as a WebAssembly module for pages: functions that any JavaScript can call, without glue of a tool.
+// Texts come in at `place` and go out at `text`; whoever calls sees memory as the module's own.
+#include "wasm/module.h"
+
+#include <vector>
+
+#include "base/floating_point.h"
+#include "library/scene_format.h"
+#include "simulation/hash.h"
+#include "simulation/measures.h"
+
+namespace morula::module {
+
+namespace {
+
+std::vector<float> places;
+
+}  // namespace
+
+/// Where a text of so many bytes is to be put for `open`.
+MORULA_EXPORT(place) char* place(std::size_t bytes) {
+  given.assign(bytes, '\0');
+  return given.data();
+}
+/// What was said last: of `open` and `run` that failed why, else a hash.
+MORULA_EXPORT(text) const char* text() { return said.data(); }
+MORULA_EXPORT(textSize) std::size_t textSize() { return said.size(); }
+
+/// Makes the world of the scene that was put in place.
+MORULA_EXPORT(open) int open() {
+  return outcomeOf([] {
+    setFloatingPoint();
+    begin(readScene(given, "scene"));
+  });
+}
+/// Goes on by up to so many steps, not past the end.
+MORULA_EXPORT(run) int run(std::uint32_t most) {
+  return outcomeOf([&] {
+    const std::uint64_t end = world->clock.step + most;
+    while (world->clock.step < end && !finished(*world)) takeSteps(*world, end - world->clock.step);
+  });
+}
+MORULA_EXPORT(isFinished) bool isFinished() { return finished(*world); }
+MORULA_EXPORT(stepNumber) double stepNumber() { return static_cast<double>(world->clock.step); }
+MORULA_EXPORT(timeNow) double timeNow() { return world->clock.time; }
+MORULA_EXPORT(cellCount) std::size_t cellCount() { return world->cells.path.size(); }
+
+/// Says the state's hash.
+MORULA_EXPORT(hash) int hash() {
+  return outcomeOf([] { said = stateHash(*world).text(); });
+}
+/// Says the next link of the chain of hashes, as databases and goldens keep them.
+MORULA_EXPORT(nextHash) int nextHash() {
+  return outcomeOf([] {
+    link = nextLink(link, *world).hash;
+    said = link->text();
+  });
+}
+
+/// Of all living cells, by path: their numbers in the lineage; and x, y, z of all vertices, cell after cell.
+MORULA_EXPORT(lineageNumbers) const std::uint32_t* lineageNumbers() { return world->cells.entry.data(); }
+MORULA_EXPORT(vertices) const float* vertices() {
+  places.clear();
+  if (world->bodies)
+    for (const CellPath& path : world->cells.path)
+      for (const Point& p : cellVertices(*world, path))
+        for (const double x : {p.x, p.y, p.z}) places.push_back(static_cast<float>(x));
+  return places.data();
+}
+MORULA_EXPORT(vertexNumbers) std::size_t vertexNumbers() { return places.size(); }
+
+}  // namespace morula::module

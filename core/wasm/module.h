@@ -1,0 +1,50 @@
+#pragma once
+// What the functions of a module work on, and how they tell what went wrong.
+#include <new>
+#include <optional>
+#include <string>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "simulation/world.h"
+
+#define MORULA_EXPORT(name) __attribute__((export_name(#name)))
+
+namespace morula::module {
+
+inline std::optional<World> world;
+inline std::optional<Hash> link;  // the last one of the chain of hashes
+inline std::string given, said;   // the text that came in last, and the one that goes out
+
+enum Outcome { good, wrongInput, noPhysics, noMemory, aBug };
+
+/// What comes of it; where it fails, `said` tells why.
+template <class Act>
+Outcome outcomeOf(const Act& act) {
+  try {
+    act();
+    return good;
+  } catch (const InputError& error) {
+    said = error.what();
+    return wrongInput;
+  } catch (const NumericalError& error) {
+    said = error.what();
+    return noPhysics;
+  } catch (const std::bad_alloc&) {
+    said = "there is no more memory";
+    return noMemory;
+  } catch (const std::exception& error) {
+    said = error.what();
+    return aBug;
+  }
+}
+
+inline void begin(const Scene& scene, double memoryLimit = INFINITY) {
+  link.reset();
+  world.reset();
+  Execution execution;
+  execution.memoryLimit = memoryLimit;
+  world.emplace(makeWorld(scene, execution));
+}
+
+}  // namespace morula::module

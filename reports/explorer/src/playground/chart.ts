@@ -1,0 +1,50 @@
+// One measure of the organism over time, as it comes.
+import { numberText } from "../data";
+import { element } from "../tools";
+
+const svg = "http://www.w3.org/2000/svg", width = 600, height = 120;
+
+export class Chart {
+  readonly box = element("div", "measured");
+  private readonly choice = element("select");
+  private readonly line = document.createElementNS(svg, "polyline");
+  private readonly said = element("span", "note");
+  private times: number[] = [];
+  private values: (number | null)[][] = [];
+  private end: number | null = null;
+  private units: string[] = [];
+
+  constructor() {
+    const label = element("label", "", "Over time "), picture = document.createElementNS(svg, "svg");
+    this.choice.id = "measure";
+    label.append(this.choice);
+    picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    picture.setAttribute("preserveAspectRatio", "none");
+    picture.setAttribute("aria-hidden", "true");
+    picture.append(this.line);
+    this.box.append(label, " ", this.said, picture);
+    this.box.hidden = true;
+    this.choice.addEventListener("change", () => this.draw());
+  }
+
+  begin(measures: [string, string][], end: number | null): void {
+    const chosen = this.choice.value;
+    this.times = [], this.values = [], this.end = end, this.units = measures.map(([, unit]) => unit);
+    this.choice.replaceChildren(...measures.map(([name]) => element("option", "", name)));
+    if (measures.some(([name]) => name === chosen)) this.choice.value = chosen;
+    this.box.hidden = false;
+  }
+
+  add(time: number, values: (number | null)[]): void {
+    this.times.push(time);
+    this.values.push(values);
+    this.draw();
+  }
+
+  private draw(): void {
+    const k = this.choice.selectedIndex, known = this.times.map((time, i): [number, number | null] => [time, this.values[i][k] ?? null]).filter((p): p is [number, number] => p[1] !== null);
+    const low = Math.min(...known.map(([, y]) => y)), high = Math.max(...known.map(([, y]) => y)), last = this.end ?? (this.times[this.times.length - 1] || 1);
+    this.line.setAttribute("points", known.map(([x, y]) => `${(width * x) / (last || 1)},${height - 4 - ((height - 8) * (y - low)) / (high - low || 1)}`).join(" "));
+    this.said.textContent = known.length ? `${numberText(known[known.length - 1][1])}${this.units[k] ? ` ${this.units[k]}` : ""}, from ${numberText(low)} to ${numberText(high)}` : "not measured in this scenario";
+  }
+}

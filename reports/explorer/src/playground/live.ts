@@ -1,0 +1,95 @@
+// A run that grows while it is looked at, and the explorer of it.
+import { Run, type Cell, type Data, type Frame } from "../data";
+import { Explorer } from "../main";
+import { facesAcross } from "../occlusion";
+import type { Measures, Read, Snapshot } from "./talk";
+
+/** Of substances: the scenario's colour of the first that has one, by its name or the longest beginning with a *; grey. */
+function colourOf(substances: string, colours: Record<string, string>): string {
+  for (const name of substances.split(" ")) {
+    const fits = Object.keys(colours).filter((key) => key === name || (key.endsWith("*") && name.startsWith(key.slice(0, -1)))).sort((a, b) => b.length - a.length);
+    if (name && fits.length) return colours[fits[0]];
+  }
+  return "#9aa0a6";
+}
+
+export class LiveRun extends Run {
+  private readonly own: Frame[] = [];
+  private readonly meshOf = new Map<number, number>(); // by vertices
+  private readonly stateOf = new Map<string, number>(); // by substances
+  private readonly grown: { cells: Cell[]; times: number[]; end: number };
+
+  constructor(private readonly read: Read, measures: Measures) {
+    super({
+      title: read.name, scenario: read.name, end: read.end ?? 0, states: [], colours: [], legend: Object.entries(read.colours), measures: measures.cell.map(([name]) => name),
+      forces: [], netForces: [], shell: read.shell, radius: read.radius, meshes: [], cells: [], frames: [],
+    }, new ArrayBuffer(0));
+    this.grown = this as unknown as typeof this.grown;
+  }
+
+  get hasBodies(): boolean { return this.read.hasBodies; }
+  frame(number: number): Frame { return this.own[number]; }
+  valuesOf(number: number): Float32Array { return this.own[number].values; }
+
+  private state(substances: string): number {
+    const known = this.stateOf.get(substances);
+    if (known !== undefined) return known;
+    this.stateOf.set(substances, this.states.length);
+    this.colours.push(colourOf(substances, this.read.colours));
+    return this.states.push(substances) - 1;
+  }
+
+  private takeLineage(lineage: NonNullable<Snapshot["lineage"]>): void {
+    this.cells.length = 0;
+    this.byPath.clear();
+    for (const [path, name, born, ended, fate, substances] of lineage) {
+      const cell: Cell = { path, name, born, ended, fate, state: this.state(substances), label: name || path || "egg", mother: null, daughters: [] };
+      this.cells.push(cell);
+      this.byPath.set(path, cell);
+    }
+    for (const cell of this.cells) {
+      cell.mother = cell.path === "" ? null : this.byPath.get(cell.path.slice(0, -1)) ?? null;
+      cell.mother?.daughters.push(cell);
+    }
+  }
+
+  add({ time, step, lineage, cells = [], contacts = [], vertices, meshes }: Snapshot): void {
+    if (lineage) this.takeLineage(lineage);
+    for (const cell of this.cells) if (cell.fate === "alive") cell.ended = time;
+    for (const [count, faces] of meshes) {
+      this.meshOf.set(count, this.meshes.length);
+      this.meshes.push(Uint32Array.from(faces));
+      this.across.push(facesAcross(Uint32Array.from(faces)));
+      this.vertexCounts.push(count);
+    }
+    const m = this.measures.length, frame: Frame = {
+      time, step, count: cells.length, cell: new Uint32Array(cells.length), mesh: new Uint32Array(cells.length), state: new Uint32Array(cells.length),
+      values: new Float32Array(cells.length * m), contacts: contacts.map(([a, b, area]) => ({ a, b, area })), connections: [], forces: new Float32Array(0), vertexForces: null,
+      positions: vertices, firstVertex: new Uint32Array(cells.length + 1),
+    };
+    cells.forEach(([number, substances, values, count], i) => {
+      frame.cell[i] = number;
+      frame.state[i] = this.state(substances);
+      frame.mesh[i] = this.meshOf.get(count) ?? 0;
+      frame.values.set(values.map((x) => x ?? NaN), i * m);
+      frame.firstVertex[i + 1] = frame.firstVertex[i] + count;
+    });
+    this.own.push(frame);
+    this.grown.times.push(time);
+    this.grown.end = Math.max(this.read.end ?? 0, time);
+  }
+}
+
+export class LiveExplorer extends Explorer {
+  constructor(root: HTMLElement, data: Data, private readonly run: LiveRun) { super(root, data); }
+
+  /** What has come since: the tree and the clock anew, the organism at its latest. */
+  grow(): void {
+    this.tree.setRun(this.run);
+    this.clock.setRuns();
+    this.state.set({ time: this.run.times[this.run.times.length - 1] });
+    this.updateAll();
+  }
+
+  leave(): void { for (const view of this.views) view.dispose(); }
+}

@@ -1,0 +1,40 @@
+// What the playground's page and the workers in which the simulator reads and runs tell each other.
+
+export interface Written { name: string; text: string; files: [string, string, string][] } // role, path, content
+
+export interface Order { module?: Uint8Array; number: number; written: Written; runs: boolean }
+
+/** What the strict reader says of a scenario without mistakes (runner/input/browser/module.cpp). */
+export interface Read {
+  name: string;
+  seed: number;
+  summary: string;
+  genes: number;
+  warnings: string[];
+  hasBodies: boolean;
+  end: number | null;
+  radius: number;
+  shell: { axes?: number[]; vertices?: number[]; faces?: number[] } | null;
+  colours: Record<string, string>;
+  cost: { cells: number; isMore: boolean; vertexSteps: number; steps: number; memory: number };
+}
+
+export interface Snapshot {
+  time: number;
+  step: number;
+  lineage?: [string, string, number, number, "alive" | "divided" | "died", string][];
+  cells?: [number, string, (number | null)[], number][]; // number in the lineage, substances, measures, vertices
+  contacts?: [number, number, number][];
+  world?: (number | null)[];
+  vertices: Float32Array;
+  meshes: [number, number[]][]; // those that are new: vertices, faces
+}
+
+export interface Measures { cell: [string, string][]; world: [string, string][] }
+
+export type News =
+  | { kind: "read"; number: number; read: Read | null; mistakes: string[] }
+  | { kind: "begun"; measures: Measures }
+  | { kind: "snapshot"; snapshot: Snapshot }
+  | { kind: "end"; hash: string; steps: number; seconds: number }
+  | { kind: "failed"; why: string };

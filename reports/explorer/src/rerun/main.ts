@@ -1,0 +1,7 @@
+// The program of pages that run again: the explorer, and beside it the simulator.
+import "../main";
+import { readData } from "../data";
+import { Panel } from "./panel";
+
+const place = document.getElementById("again"), data = place && readData();
+if (place && data) new Panel(place, data.runs[0]);

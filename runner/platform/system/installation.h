@@ -1,0 +1,18 @@
+#pragma once
+// Where this program stands: in its build folder, or installed, where nothing may be written.
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace morula {
+
+/// "explorer/explorer.js", which the program brings along beside itself or, installed, in share/morula; absent where it was not built.
+std::optional<std::filesystem::path> sharedFile(const std::string& name);
+
+/// share/morula of the installation that the program belongs to; absent in a build folder.
+std::optional<std::filesystem::path> installation();
+
+/// What people type to start it: "./morula" in its sources, "morula" where it is installed.
+std::string programWord();
+
+}  // namespace morula

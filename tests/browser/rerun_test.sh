@@ -1,0 +1,50 @@
+#!/bin/sh
+# Pages of `morula report --rerun` in a browser: rerun_test.sh PROGRAM. 77 where there is no Chromium, Node.js, npm or emscripten.
+set -eu
+program=$1
+here=$(cd "$(dirname "$0")" && pwd)
+source=$(cd "$here/../.." && pwd)
+build=$(dirname "$program")
+chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
+  echo "skipped: no Chromium"
+  exit 77
+}
+if ! "$source/reports/explorer/build.sh" "$build/explorer" --tests >"$build/explorer.log" 2>&1; then
+  tail -n 5 "$build/explorer.log"
+  echo "skipped: no Node.js, no npm, or its packages cannot be fetched"
+  exit 77
+fi
+code=0
+"$source/core/wasm/build.sh" "$build/wasm" >"$build/wasm.log" 2>&1 || code=$?
+case $code in
+  0) ;;
+  77) echo "skipped: no emscripten" && exit 77 ;;
+  *) tail -n 30 "$build/wasm.log" && exit 1 ;;
+esac
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$source"
+page() { # page NAME SCENARIO OPTION...: the page NAME.html
+  name=$1
+  shift
+  "$program" run "$@" --quiet --db "$scratch/$name.db" --out "$scratch/$name" >/dev/null
+  "$program" report "$scratch/$name.db" -o "$scratch/$name.html" --frames 20 --rerun --quiet >/dev/null
+}
+page one scenarios/thesis/unique-four.yaml
+page unchecked scenarios/thesis/unique-four.yaml --no-check --no-pictures
+page lineage scenarios/worm/lineage.yaml
+page single scenarios/hard/single-precision.yaml
+"$program" report "$scratch/one.db" -o "$scratch/plain.html" --frames 2 --quiet >/dev/null
+NODE_PATH=$build/explorer/node_modules CHROMIUM=$chromium node "$here/rerun_test.mjs" "$build/explorer" "$scratch"
+
+# What a page cannot make again is said, and nothing is written.
+refused() { # refused SAID ARGUMENT...
+  said=$1
+  shift
+  if "$program" report "$@" -o "$scratch/none.html" >"$scratch/out" 2>&1 || [ -e "$scratch/none.html" ] ||
+    ! grep -qF "$said" "$scratch/out"; then
+    echo "FAILED: report $* does not say: $said" && cat "$scratch/out" && exit 1
+  fi
+}
+refused 'this one has 2' --rerun "$scratch/one.db" "$scratch/lineage.db"

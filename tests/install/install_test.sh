@@ -1,0 +1,120 @@
+#!/bin/sh
+# The installation, far from the sources: install_test.sh BUILD CONFIGURATION. A project of one scenario is run, checked, reviewed and
+# reported; a program of somebody else's finds the library; shells complete; nothing is written into the installation.
+set -eu
+build=$1 configuration=$2
+here=$(cd "$(dirname "$0")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+prefix="$scratch/a place" # a space, for people have them
+failures=0
+fail() { echo "FAILED: $*" && failures=$((failures + 1)); }
+has() { # has WHAT SAID: of the last output
+  grep -qF -e "$2" "$scratch/out" || { fail "$1 does not say '$2':" && head -n 20 "$scratch/out"; }
+}
+try() { # try CODE COMMAND...: leaves what it said in $scratch/out
+  expected=$1 code=0
+  shift
+  "$@" >"$scratch/out" 2>&1 || code=$?
+  [ "$code" = "$expected" ] || { fail "$* ends with $code, not $expected:" && tail -n 20 "$scratch/out"; }
+}
+listed() { (cd "$prefix" && find . -type f -exec cksum {} + | LC_ALL=C sort -k 3); }
+
+try 0 cmake --install "$build" --config "$configuration" --prefix "$prefix"
+listed >"$scratch/before"
+morula="$prefix/bin/morula"
+unset MORULA_PRESET CI
+
+# A scenario that comes with it, from anywhere.
+mkdir -p "$scratch/project/scenarios"
+cd "$scratch/project"
+try 0 "$morula" run "$prefix/share/morula/scenarios/thesis/unique-four.yaml" --no-pictures
+has "run of a shipped scenario" "checks   all 13 pass ($prefix/share/morula/golden/thesis/unique-four.golden)"
+hash=$(sed -n 's/^ *state *//p' "$scratch/out")
+
+# A project of its own: accepted, changed, seen to wait, accepted again.
+sed -e '/^summary:/d' -e 's/^name:.*/name: one/' "$here/../browser/evil.yaml" >scenarios/one.yaml
+try 0 "$morula" review scenarios/one.yaml --accept --by tests --why 'the first one'
+[ -e golden/one.golden ] || fail "no golden in the project"
+try 0 "$morula" check
+try 0 "$morula" review
+sed -i 's/constant: 172/constant: 190/' scenarios/one.yaml
+try 1 "$morula" check --reports reports
+has "a check that differs" "kept for \`morula review\`: golden/.pending/one-"
+try 1 "$morula" review
+has "review" "picture  golden/.pending/one-"
+try 0 "$morula" check scenarios/one.yaml --help
+try 0 "$morula" review scenarios/one.yaml --accept --by tests --why 'a higher pressure'
+if [ -n "$(find golden/.pending -name 'one-*')" ]; then fail "what was accepted still waits"; fi
+try 0 "$morula" check
+try 0 "$morula" report results/unique-four-20080617 -o page.html --frames 3
+if grep -q '<code>\./morula' page.html; then fail "commands of a page do not name the installed program"; fi
+grep -q '<code>morula replay \|<code>morula render ' page.html || fail "a page has no commands"
+
+# The library, in a program that knows nothing but the installation.
+try 0 "$morula" validate "$prefix/share/morula/scenarios/thesis/unique-four.yaml" --scene "$scratch/four.scene"
+try 0 cmake -S "$prefix/share/doc/morula/examples/example" -B "$scratch/example" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release
+try 0 cmake --build "$scratch/example"
+try 0 "$scratch/example/example" "$scratch/four.scene"
+has "the example" "state hash $hash"
+has "the example" "AB: a5, "
+try 1 "$scratch/example/example" "$scratch/project/scenarios/one.yaml"
+has "the example of no scene" 'scene:1: this is no scene; one begins with "morula-scene 1"'
+
+# Shells and manual, as far as they are here.
+share="$prefix/share"
+complete='COMP_WORDS=(morula "$@") COMP_CWORD=$#; _morula 2>/dev/null; echo "${COMPREPLY[@]}"'
+completes() { # completes EXPECTED WORD...
+  wanted=$1
+  shift
+  # shellcheck disable=SC2016 # bash expands it
+  found=$(bash -c '. "$0"; shift; '"$complete" "$share/bash-completion/completions/morula" - "$@")
+  [ "$found" = "$wanted" ] || fail "bash completes '$*' to '$found', not '$wanted'"
+}
+if command -v bash >/dev/null; then
+  completes "study" stu
+  completes "plan" study pl
+  completes "slurm snakemake parallel" study emit ""
+  completes "--seed --seeds" run --seed
+  completes "grid aabb-tree spatial-hash brute-force" run --search ""
+  completes "scenarios" run sc
+fi
+if command -v fish >/dev/null; then
+  found=$(fish -c "source '$share/fish/vendor_completions.d/morula.fish'; complete -C 'morula study emit '" | tr '\n' ' ')
+  [ "$found" = "parallel slurm snakemake " ] || fail "fish completes to '$found'"
+fi
+if command -v zsh >/dev/null; then zsh -n "$share/zsh/vendor-completions/_morula" || fail "zsh does not read its completion"; fi
+if command -v man >/dev/null; then
+  try 0 man --warnings -P cat -l "$share/man/man1/morula.1.gz"
+  has "the manual" "morula study plan"
+  if grep -q 'warning\|<standard input>' "$scratch/out"; then fail "the manual has mistakes" && head -n 5 "$scratch/out"; fi
+fi
+for verb in $("$morula" describe bash | sed -n "s/^ *'') words='\([^']*\)'.*/\1/p"); do
+  try 0 "$morula" "$verb" --help
+  if [ "$verb" = study ]; then continue; fi
+  options=$(sed -nE 's/^  (-., *)?(-.,)?(--[a-z-]+).*/\3/p' "$scratch/out" | sort)
+  completed=$(bash -c '. "$0"; shift; '"$complete" "$share/bash-completion/completions/morula" - "$verb" -- | tr ' ' '\n' | grep '^--' | sort)
+  [ "$options" = "$completed" ] || fail "completion and help of $verb differ: $options / $completed"
+done
+
+listed >"$scratch/after"
+diff "$scratch/before" "$scratch/after" || fail "something was written into the installation"
+
+# Pages that hold the simulator, where it was built, and the word for it where it was not.
+four=results/unique-four-20080617
+if [ -e "$share/morula/wasm/morula.wasm.gz" ]; then
+  try 0 "$morula" report $four --rerun -o again.html --frames 2
+  rm "$share/morula/wasm/morula.wasm.gz"
+fi
+if [ -e "$share/morula/wasm/playground.wasm.gz" ]; then
+  try 0 "$morula" playground --scenarios scenarios
+  has "playground" playground.html
+  rm "$share/morula/wasm/playground.wasm.gz"
+fi
+rm -f again.html playground.html
+try 6 "$morula" report $four --rerun -o again.html
+has "report --rerun without it" "does not have it"
+try 6 "$morula" playground
+has "playground without it" "the installation does not have it"
+if [ -e again.html ] || [ -e playground.html ]; then fail "what could not be made is there"; fi
+[ "$failures" = 0 ] && echo "the installation works away from the sources"
