@@ -20,8 +20,11 @@ struct EmitCommand {
 };
 
 int act(const EmitCommand& command) {
-  const PlannedStudy study =
-      openStudy({command.of.study, command.of.out, command.of.input.allowOutside, command.resume, false}, {});
+  const PlannedStudy study = openStudy({.what = command.of.study,
+                                        .to = command.of.out,
+                                        .allowOutside = command.of.input.allowOutside,
+                                        .resume = command.resume},
+                                       {});
   const std::filesystem::path out =
       command.output.empty() ? siteFile(study, command.emit.site) : std::filesystem::path(command.output);
   const std::string text = emit(study, command.emit);

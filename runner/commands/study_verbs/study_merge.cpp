@@ -18,8 +18,12 @@ struct MergeCommand {
 };
 
 int act(const MergeCommand& command) {
-  const PlannedStudy study =
-      openStudy({command.of.study, command.of.out, command.of.input.allowOutside, true, true}, {});
+  const PlannedStudy study = openStudy({.what = command.of.study,
+                                        .to = command.of.out,
+                                        .allowOutside = command.of.input.allowOutside,
+                                        .resume = true,
+                                        .mustBeThere = true},
+                                       {});
   const MergeReport report = mergeStudy(
       study, {command.shards, command.output.empty() ? study.folder.merged().string() : command.output});
   printEither(command.of.output, toJson(report, study), describe(report, study));

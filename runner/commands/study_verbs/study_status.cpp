@@ -13,8 +13,12 @@ namespace {
 
 int act(const StudyOptions& options) {
   // Whatever the file says by now: the question is about what is there.
-  const PlannedStudy study =
-      openStudy({options.study, options.out, options.input.allowOutside, true, true}, {});
+  const PlannedStudy study = openStudy({.what = options.study,
+                                        .to = options.out,
+                                        .allowOutside = options.input.allowOutside,
+                                        .resume = true,
+                                        .mustBeThere = true},
+                                       {});
   const StudyStatus status = statusOf(study);
   printEither(options.output, toJson(status, study), describe(status, study));
   return status.isComplete() ? fine : incomplete;
