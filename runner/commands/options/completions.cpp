@@ -1,7 +1,7 @@
 // Completions for bash, zsh and fish, out of the command line's declarations.
 #include <functional>
 
-#include "files/text.h"
+#include "files/quote.h"
 #include "options/command_tree.h"
 
 namespace morula::cli {
@@ -42,14 +42,7 @@ bool takesFile(const OptionInfo& option) {
          option.type == "SCENARIO" || option.type == "PROGRAM";
 }
 
-/// In single quotes of any shell. Helps are one line each.
-std::string inQuotes(const std::string& text) {
-  std::string safe = "'";
-  for (const char c : text) safe += c == '\'' ? "'\\''" : std::string(1, c);
-  return safe + "'";
-}
-
-std::string escaped(std::string text, const std::string& characters) {
+std::string escaped(const std::string& text, const std::string& characters) {
   std::string safe;
   for (const char c : text) safe += (characters.find(c) == characters.npos ? "" : "\\") + std::string(1, c);
   return safe;
@@ -59,12 +52,12 @@ std::string escaped(std::string text, const std::string& characters) {
 
 std::string bashCompletion(const CommandInfo& program) {
   std::string verbs =
-                  "    '') words=" + inQuotes(listOf(program.commands)) + " options='--help --version' ;;\n",
+                  "    '') words=" + shellWord(listOf(program.commands)) + " options='--help --version' ;;\n",
               groups, values;
   for (const CommandInfo* group : groupsOf(program)) {
     groups += "    " + group->name +
               ") if [ \"$COMP_CWORD\" -gt 2 ]; then verb=\"$verb ${COMP_WORDS[2]}\"; fi ;;\n";
-    verbs += "    " + group->name + ") words=" + inQuotes(listOf(group->commands)) + " options=--help ;;\n";
+    verbs += "    " + group->name + ") words=" + shellWord(listOf(group->commands)) + " options=--help ;;\n";
   }
   eachCommand(program, [&](const CommandInfo& command, const std::string& name) {
     std::string options, words;
@@ -72,15 +65,15 @@ std::string bashCompletion(const CommandInfo& program) {
       if (option.isPositional) words += together(option.choices, " ");
       else options += (options.empty() ? "" : " ") + together(option.names, " ");
       if (option.isPositional || option.type.empty()) continue;
-      const std::string kind = !option.choices.empty() ? "words=" + inQuotes(together(option.choices, " "))
+      const std::string kind = !option.choices.empty() ? "words=" + shellWord(together(option.choices, " "))
                                : takesFolder(option)   ? "files=-d"
                                : takesFile(option)     ? "files=-f"
                                                        : "words=''";
       for (const std::string& of : option.names)
-        values += "    " + inQuotes(name + " " + of) + ") options='' words='' files=''; " + kind + " ;;\n";
+        values += "    " + shellWord(name + " " + of) + ") options='' words='' files=''; " + kind + " ;;\n";
     }
-    verbs += "    " + inQuotes(name) + ") options=" + inQuotes(options) +
-             (words.empty() ? " files=-f" : " words=" + inQuotes(words)) + " ;;\n";
+    verbs += "    " + shellWord(name) + ") options=" + shellWord(options) +
+             (words.empty() ? " files=-f" : " words=" + shellWord(words)) + " ;;\n";
   });
   return "# bash completion for morula; written by the program itself\n"
          "_morula() {\n"
@@ -101,7 +94,7 @@ std::string zshCompletion(const CommandInfo& program) {
   const auto described = [](const std::vector<CommandInfo>& commands) {
     std::string list;
     for (const CommandInfo& command : commands)
-      list += " " + inQuotes(escaped(command.name, ":") + ":" + command.purpose);
+      list += " " + shellWord(escaped(command.name, ":") + ":" + command.purpose);
     return list;
   };
   const auto actionOf = [](const OptionInfo& option) -> std::string {
@@ -112,10 +105,10 @@ std::string zshCompletion(const CommandInfo& program) {
     const std::string type = escaped(option.type, ":"),
                       value = option.type.empty() ? "" : ":" + type + ":" + actionOf(option);
     std::string list;
-    if (option.isPositional) return " " + inQuotes("*" + value);
+    if (option.isPositional) return " " + shellWord("*" + value);
     for (const std::string& name : option.names)
-      list += " " + inQuotes((option.type.ends_with("...") || option.names.back() == "--set" ? "*" : "") +
-                             name + "[" + escaped(option.help, "[]:\\") + "]" + value);
+      list += " " + shellWord((option.type.ends_with("...") || option.names.back() == "--set" ? "*" : "") +
+                              name + "[" + escaped(option.help, "[]:\\") + "]" + value);
     return list;
   };
   std::string cases, groups;

@@ -56,6 +56,13 @@ void listFields(T& task, auto&& field) {
         NullIf{resultHash.empty(), resultHash});
 }
 
+/// In a measure's name between what is measured and the cells that it is of: "shell_share of AAA*".
+inline constexpr std::string_view beforeSelection = " of ";
+/// "shell_share" of either.
+inline std::string withoutSelection(const std::string& measure) {
+  return measure.substr(0, measure.find(beforeSelection));
+}
+
 /// One value of one measure of a run: a scalar.
 struct ResultRow {
   std::string measure;
@@ -91,11 +98,12 @@ struct TimingRow {
   std::string command, binaryHash;
 };
 template <>
-inline constexpr TableInfo tableInfo<TimingRow> = {.name = "timing",
-                                                 .part = TablePart::study,
-                                                 .context = "task_id",
-                                                 .key = "task_id",
-                                                 .why = "of a study: when and where each task was computed"};
+inline constexpr TableInfo tableInfo<TimingRow> = {
+    .name = "timing",
+    .part = TablePart::study,
+    .context = "task_id",
+    .key = "task_id",
+    .why = "of a study: when and where each task was computed"};
 template <IsA<TimingRow> T>
 void listFields(T& timing, auto&& field) {
   auto& [started, ended, cpuSeconds, maxMemory, host, cpu, kernel, cpuFeatures, fpEnvironment, isa, threads,
@@ -122,10 +130,10 @@ struct StudyRow {
 };
 template <>
 inline constexpr TableInfo tableInfo<StudyRow> = {.name = "study",
-                                                .part = TablePart::study,
-                                                .key = "name",
-                                                .hasRowNumbers = true,
-                                                .why = "of a study: what was planned"};
+                                                  .part = TablePart::study,
+                                                  .key = "name",
+                                                  .hasRowNumbers = true,
+                                                  .why = "of a study: what was planned"};
 template <IsA<StudyRow> T>
 void listFields(T& study, auto&& field) {
   auto& [name, summary, planId, plan, buildId] = study;
@@ -142,9 +150,9 @@ struct AxisRow {
 };
 template <>
 inline constexpr TableInfo tableInfo<AxisRow> = {.name = "axis",
-                                               .part = TablePart::study,
-                                               .key = "number",
-                                               .why = "of a study: what it varies; compare reads it"};
+                                                 .part = TablePart::study,
+                                                 .key = "number",
+                                                 .why = "of a study: what it varies; compare reads it"};
 template <IsA<AxisRow> T>
 void listFields(T& axis, auto&& field) {
   auto& [number, name] = axis;

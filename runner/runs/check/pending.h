@@ -1,7 +1,7 @@
 #pragma once
-// Results that differ from their goldens and wait for a review. They lie beside the program, never beside
-// sources; those of an installed program in .pending of the project's golden folder: pending/<family>/<name>-<hash of its place>.golden, .png with the end beside the golden's, and .from with the
-// scenario's file and the build.
+// Results that differ from their goldens and wait for a review: <family>/<name>-<hash of its place>.golden, a .png with the end
+// beside the golden's, and a .from with the scenario's file and the build. They lie in the folder `pending` beside the program;
+// those of an installed program in .pending of the project's golden folder.
 #include <filesystem>
 #include <optional>
 #include <vector>

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "simulation/measures.h"
+#include "study_store/study_tables.h"
 
 namespace morula {
 
@@ -31,9 +32,6 @@ constexpr std::array known{
     KnownWords{"area", "larger", "smaller"},
 };
 
-/// Without the cells that it is of: "shell_share" of "shell_share of AAA*".
-std::string rowNameOf(const std::string& measure) { return measure.substr(0, measure.find(" of ")); }
-
 struct Row {
   std::size_t place;
   std::string unit;
@@ -50,7 +48,7 @@ std::optional<Row> rowIn(const std::string& scope, const std::string& measure, s
 }
 
 Row rowOf(const std::string& name) {
-  const std::string measure = rowNameOf(name);
+  const std::string measure = withoutSelection(name);
   std::size_t before = 0;
   if (const auto row = rowIn<Observation>("world", measure, before)) return *row;
   if (const auto row = rowIn<CellContext>("cell", measure, before)) return *row;
@@ -64,7 +62,7 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
   std::string plain = measure;
   std::ranges::replace(plain, '_', ' ');
   std::ranges::replace(plain, '.', ' ');
-  const std::string row = rowNameOf(measure);
+  const std::string row = withoutSelection(measure);
   for (const KnownWords& w : known)
     if (row == w.measure) return {plain, w.more, w.less};
   return {plain, "higher", "lower"};

@@ -49,6 +49,18 @@ bool anyShown(const StudyComparison& c, std::size_t measure) {
                              [&](const PairComparison& p) { return p.measure == measure && isDifferent(p); });
 }
 
+bool anyEffect(const StudyComparison& c, std::size_t measure) {
+  return std::ranges::any_of(c.effects, [&](const MeasureEffects& e) {
+    return e.measure == measure &&
+           std::ranges::any_of(e.corrected, [](const auto& p) { return p.value_or(1) < 0.05; });
+  });
+}
+
+/// All values lie close together, and nothing that is compared differs.
+bool tellsNothing(const StudyComparison& c, std::size_t measure) {
+  return spreadOf(c, measure).share() <= littleRange && !anyShown(c, measure) && !anyEffect(c, measure);
+}
+
 /// In the order of measures and pairs each; what is known is read first.
 struct Verdicts {
   std::vector<std::string> known, open;
@@ -152,8 +164,8 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
     verdicts.open.push_back(c.measureName(measure) + ": there was nothing to measure in any run");
     return;
   }
-  const bool tellsNothing = spread.share() <= littleRange && !anyShown(c, measure);
-  if (tellsNothing) {
+  const bool isSilent = tellsNothing(c, measure);
+  if (isSilent) {
     const std::string low = numberText(spread.low, 3), high = numberText(spread.high, 3);
     verdicts.known.push_back(fmt::format("{} is {} everywhere: it tells nothing", c.measureName(measure),
                                          low == high ? low : low + " to " + high));
@@ -161,10 +173,10 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
   for (const PairComparison& pair : c.pairs) {
     if (pair.measure != measure) continue;
     auto& part = isDifferent(pair) || pair.equivalence ? verdicts.known : verdicts.open;
-    if (!tellsNothing) part.push_back(pairVerdict(c, pair));
+    if (!isSilent) part.push_back(pairVerdict(c, pair));
     if (pair.equivalence) part.push_back(equivalenceVerdict(c, pair));
   }
-  if (!tellsNothing) addInteractions(c, measure, verdicts);
+  if (!isSilent) addInteractions(c, measure, verdicts);
 }
 
 /// "division: decides on clone_radius (η² 0.62, p = 0.001 after Holm): longest 0.742, random 0.794".
@@ -189,7 +201,7 @@ std::vector<std::string> axisVerdicts(const StudyComparison& c) {
     double most = 0, least = 1;
     for (const MeasureEffects& effects : c.effects) {
       const auto& p = effects.corrected[a];
-      if (!p) continue;
+      if (!p || tellsNothing(c, effects.measure)) continue;
       if (*p < 0.05) {
         lines.push_back(effectVerdict(c, effects, a));
         continue;

@@ -81,12 +81,12 @@ std::string powerText(const Study& study) {
   };
   std::size_t enough = study.seeds.size();
   while (corrected(enough) >= 0.05) ++enough;
-  std::string text =
-      fmt::format("  {}: where values repeat (counts), p is {} at least, {} after Holm over {} comparisons",
-                  counted(study.seeds.size(), "seed"), numberText(smallestSignFlipP(study.seeds.size()), 2),
-                  numberText(corrected(study.seeds.size()), 2), comparisons);
+  std::string text = fmt::format(
+      "  {}: of values that repeat, as counts do, no p is below {}, {} after Holm over {} comparisons",
+      counted(study.seeds.size(), "seed"), numberText(smallestSignFlipP(study.seeds.size()), 2),
+      numberText(corrected(study.seeds.size()), 2), comparisons);
   if (enough > study.seeds.size())
-    text += fmt::format("; alone they show no difference, with {} seeds they can", enough);
+    text += fmt::format("; one such difference alone is shown with {} seeds or more", enough);
   return text + "\n";
 }
 

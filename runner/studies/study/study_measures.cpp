@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "study_store/study_tables.h"
 
 namespace morula {
 
@@ -40,8 +41,6 @@ const std::vector<StudyMeasure>& studyMeasures() {
 
 namespace {
 
-constexpr std::string_view ofWord = " of ";
-
 std::optional<StudyMeasure> findRow(std::string text) {
   std::ranges::replace(text, '-', '_');
   const auto& list = studyMeasures();
@@ -53,7 +52,7 @@ std::optional<StudyMeasure> findRow(std::string text) {
 }  // namespace
 
 std::optional<StudyMeasure> findStudyMeasure(const std::string& text) {
-  const auto at = text.find(ofWord);
+  const auto at = text.find(beforeSelection);
   if (at == text.npos) return findRow(text);
   const std::string measured = text.substr(0, at);
   std::optional<StudyMeasure> m;
@@ -64,11 +63,9 @@ std::optional<StudyMeasure> findStudyMeasure(const std::string& text) {
     throw InputError("'" + measured +
                      "' is of the organism as a whole and takes no 'of'; measures of cells and pairs do, "
                      "and count");
-  m->of = parseSelection(text.substr(at + ofWord.size()));
-  m->name += std::string(ofWord) + m->of->text();
+  m->of = parseSelection(text.substr(at + beforeSelection.size()));
+  m->name += std::string(beforeSelection) + m->of->text();
   return m;
 }
-
-std::string withoutSelection(const std::string& name) { return name.substr(0, name.find(ofWord)); }
 
 }  // namespace morula

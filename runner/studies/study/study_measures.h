@@ -33,7 +33,4 @@ const std::vector<StudyMeasure>& studyMeasures();
 /// where the measure has no cells to select from.
 std::optional<StudyMeasure> findStudyMeasure(const std::string& text);
 
-/// The measure's name without "of" and what stands behind it.
-std::string withoutSelection(const std::string& name);
-
 }  // namespace morula

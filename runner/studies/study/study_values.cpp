@@ -7,6 +7,7 @@
 #include "files/text.h"
 #include "study/study_measures.h"
 #include "study/study_table.h"
+#include "study_store/study_tables.h"
 #include "values/value_types.h"
 
 namespace morula::study {

@@ -11,7 +11,6 @@
 #include "files/draft.h"
 #include "files/folders.h"
 #include "loop/progress.h"
-#include "store/build_info.h"
 #include "system/clock.h"
 #include "system/signals.h"
 #include "tasks/task_progress.h"
@@ -26,14 +25,6 @@ bool isCrash(int signal) {
   for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP})
     if (signal == own) return true;
   return false;
-}
-
-/// One build's results are compared with one another; a mixture would compare programs.
-void requireOwnBuild(const std::filesystem::path& file) {
-  const std::string theirs = TaskFile(file).buildId(), ours = buildId(buildInfo());
-  if (theirs == ours) return;
-  throw FileError("'" + file.string() + "' was computed by another build of the program (" + theirs +
-                  ", this is " + ours + "); go on with that build, or give a new folder with --out");
 }
 
 /// Keeps the order, but begins with those that take longest, so that none runs alone at the end.

@@ -5,7 +5,9 @@
 #include "base/error.h"
 #include "files/folders.h"
 #include "files/write_file.h"
+#include "store/build_info.h"
 #include "study/plan_folder.h"
+#include "study_store/task_file.h"
 
 namespace morula {
 
@@ -31,19 +33,30 @@ std::size_t countResults(const Plan& plan, const StudyFolder& folder) {
       std::ranges::count_if(plan.tasks, [&](const Task& t) { return fileExists(folder.task(t.id)); }));
 }
 
-void requireSamePlan(const Study& study, const Plan& there, const StudyFolder& folder) {
-  const Plan now = makePlan(study, {.predict = false});
-  if (now.id == there.id) return;
-  const std::size_t results = countResults(now, folder);
+[[noreturn]] void refuseOtherPlan(const Study& study, const Plan& now, const StudyFolder& folder) {
   throw FileError(
       "'" + study.file + "' says something else than the plan in '" + planFile(folder.path()).string() +
-      "', which was made from it before; study run --update plans it anew (" + std::to_string(results) +
-      " of its " + std::to_string(now.tasks.size()) +
+      "', which was made from it before; study run --update plans it anew (" +
+      std::to_string(countResults(now, folder)) + " of its " + std::to_string(now.tasks.size()) +
       " results are there and stay), --resume goes on with the plan that is there, --out gives the "
       "changed study a folder of its own");
 }
 
+/// Before the plan is replaced: what stays must be this build's, or the study could not go on with either plan.
+void requireOwnResults(const Plan& plan, const StudyFolder& folder) {
+  for (const Task& task : plan.tasks)
+    if (const auto file = folder.task(task.id); fileExists(file) && looksWhole(file))
+      return requireOwnBuild(file);  // of one build they are all
+}
+
 }  // namespace
+
+void requireOwnBuild(const std::filesystem::path& file) {
+  const std::string theirs = TaskFile(file).buildId(), ours = buildId(buildInfo());
+  if (theirs == ours) return;
+  throw FileError("'" + file.string() + "' was computed by another build of the program (" + theirs +
+                  ", this is " + ours + "); go on with that build, or give a new folder with --out");
+}
 
 PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {
   if (isFolder(choice.what)) return openFolder(choice);
@@ -51,10 +64,14 @@ PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {
   const StudyFolder folder(choice.to.empty() ? studyFolder(study) : std::filesystem::path(choice.to));
   if (fileExists(planFile(folder.path()))) {
     Plan there = loadPlan(folder.path());
-    if (choice.update)
-      if (Plan now = makePlan(study, options); now.id != there.id) return {folder, std::move(now), true};
-    if (!choice.resume) requireSamePlan(study, there, folder);
-    return {folder, std::move(there), false};
+    if (choice.resume) return {folder, std::move(there), false};
+    PlanOptions how = options;
+    how.predict = options.predict && choice.update;
+    Plan now = makePlan(study, how);
+    if (now.id == there.id) return {folder, std::move(there), false};
+    if (!choice.update) refuseOtherPlan(study, now, folder);
+    requireOwnResults(now, folder);
+    return {folder, std::move(now), true};
   }
   if (choice.mustBeThere)
     throw FileError("'" + folder.path().string() + "' holds no plan.json: nothing of '" + choice.what +

@@ -81,8 +81,10 @@ TEST_CASE("a failure is a result with its reason") {
 TEST_CASE("a cell whose name speaks of memory fails as any other") {
   const SmallStudy s(
       "morula-study: 1\nname: trees\nbase: tree.yaml\nseeds: [1]\nmeasures: [cells]\n",
-      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nnames: {cells: {A: memory-A, B: memory-B}}\n"
-      "cells:\n  - {at: [0, 0, 0], stretch: [1.3, 0.877, 0.877]}\n  - {at: [9, 0, 0], stretch: [1.3, 0.877, 0.877]}\n"
+      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\nstop: {time: 1}\nnames: {cells: {A: "
+      "memory-A, B: memory-B}}\n"
+      "cells:\n  - {at: [0, 0, 0], stretch: [1.3, 0.877, 0.877]}\n  - {at: [9, 0, 0], stretch: [1.3, 0.877, "
+      "0.877]}\n"
       "physics: {mesh: {icosphere: 2}, cell: {radius: 1, mass: 1}, membrane: {stiffness: 1e5, damping: "
       "0.2}}\n");
   const RunStudyReport report = s.run(s.open());
@@ -109,9 +111,15 @@ TEST_CASE("a changed study is not mixed with what was planned before") {
   s.run(study);
   writeText(s.folder / "trees.study.yaml", smallStudy + "keep: {hashes: none}\n");
   CHECK_THROWS_WITH(s.open(), ContainsSubstring("--resume goes on with the plan that is there"));
-  const PlannedStudy resumed =
-      openStudy({(s.folder / "trees.study.yaml").string(), (s.folder / "out").string(), false, true}, {});
-  CHECK(resumed.plan.id == study.plan.id);
+  const StudyChoice choice{.what = (s.folder / "trees.study.yaml").string(),
+                           .to = (s.folder / "out").string()};
+  StudyChoice resume = choice, update = choice;
+  resume.resume = update.update = true;
+  CHECK(openStudy(resume, {}).plan.id == study.plan.id);
+  const PlannedStudy updated = openStudy(update, {.predict = false});
+  CHECK(updated.isNew);
+  CHECK(updated.plan.id != study.plan.id);
+  CHECK(openStudy(resume, {}).plan.id == study.plan.id);  // until it is kept
   CHECK(openStudy({(s.folder / "out").string(), ""}, {}).plan.id == study.plan.id);
   CHECK_THROWS_AS(openStudy({s.folder.path().string(), ""}, {}), FileError);
 }
