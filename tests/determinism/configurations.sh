@@ -28,4 +28,4 @@ configuration "gcc -O3" gcc-O3 shorter run_scene
 configuration "everything with AVX2" gcc-O2-avx2 shorter run_scene
 configuration "everything with AVX-512" gcc-O2-avx512 shorter run_scene
 for isa in scalar narrow; do configuration "aarch64, $isa" aarch64-O2 quick qemu-aarch64 run_scene --isa $isa; done
-for isa in scalar narrow; do configuration "WebAssembly, $isa" wasm-O3 short node run_scene --isa $isa; done
+for isa in scalar narrow; do configuration "WebAssembly, $isa" wasm-O3 shorter node run_scene --isa $isa; done
