@@ -137,10 +137,14 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   }
 }
 
+double hardeningAt(double b) {
+  return 1 + b * (6 * hardening1 + 15 * hardening2 * b);  // E'' of ½ D² (1 + β₁ B + β₂ B²), u = 1
+}
+
 double measureHardening(const Contacts& c) {
   double b = 0;
   for (double deepest : c.deepest) b = std::max(b, deepest);
-  return 1 + b * (6 * hardening1 + 15 * hardening2 * b);  // E'' of ½ D² (1 + β₁ B + β₂ B²), u = 1
+  return hardeningAt(b);
 }
 
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {

@@ -62,6 +62,8 @@ void refreshList(Contacts& contacts, const Bodies& bodies, int threads);
 
 /// [1] How stiff the deepest overlap is, over K: as the last forces found it. The thesis' law and spheres: 1.
 double measureHardening(const Contacts& contacts);
+/// The same at an overlap B [pair_law_kernel.h].
+double hardeningAt(double overlap);
 
 /// Adds contact forces to one block's force. Needs all snapshots and a valid list.
 void addContactForces(Contacts& contacts, Bodies& bodies, int block, double timeStep);

@@ -29,6 +29,7 @@ MORULA_FIELDS(MembraneParameters, stiffness, damping, production, springs)
 MORULA_FIELDS(PressureParameters, constant, outside)
 MORULA_FIELDS(GrowthParameters, rate, until)
 MORULA_FIELDS(MotilityParameters, speed, persistence)
+MORULA_FIELDS(SettleParameters, tolerance, evaluations, together)
 MORULA_FIELDS(ShellPlane, normal, offset)
 MORULA_FIELDS(ConvexShell, mesh, planes)
 inline auto fields(ShellParameters& a) {
@@ -36,7 +37,7 @@ inline auto fields(ShellParameters& a) {
   return std::tie(semiAxes[0], semiAxes[1], semiAxes[2], mesh, holds);
 }
 MORULA_FIELDS(PhysicsParameters, coarsen, timeStep, autoShare, integrator, substeps, precision, cell,
-              membrane, pressure, shapeMatching, drag, growth, shell, motility)
+              membrane, pressure, shapeMatching, drag, growth, shell, motility, settle)
 MORULA_FIELDS(AdhesionPair, first, second, strength)
 MORULA_FIELDS(AdhesionParameters, strength, pairs)
 MORULA_FIELDS(ContactParameters, law, stiffness, damping, friction, slipSpeed, radius, adhesion)

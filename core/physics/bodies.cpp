@@ -178,6 +178,13 @@ Point measureCentre(const Bodies& b, int slot) {
   return sum / static_cast<double>(vertices);
 }
 
+void setVertexMass(Bodies& b, int slot, double mass) {
+  const double ratio = b.vertexMass[slot] / mass;
+  for (int v = 0; v < b.vertexCount(slot); ++v)
+    b.write(b.acceleration, slot, v, ratio * b.read(b.acceleration, slot, v));
+  b.vertexMass[slot] = mass;
+}
+
 void setBodies(Bodies& b, const std::vector<Body>& cells) {
   arrange(b, cells);
   const std::size_t lanes = std::size_t(b.blockCount()) * blockLanes;

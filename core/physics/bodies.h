@@ -123,6 +123,9 @@ Mesh takeSurface(const Bodies& bodies, int slot);
 /// The mean of a cell's vertices, which carry its mass. [length]
 Point measureCentre(const Bodies& bodies, int slot);
 
+/// Another mass for a cell's vertices; forces, which accelerations stand for, stay.
+void setVertexMass(Bodies& bodies, int slot, double mass);
+
 /// Replaces all cells; they come in the order of lineage paths. Accelerations are zero until the next force
 /// evaluation.
 void setBodies(Bodies& bodies, const std::vector<Body>& cells);

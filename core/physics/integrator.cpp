@@ -94,6 +94,12 @@ constexpr IntegratorKind kinds[] = {
      .solvesForces = true,
      .oscillatorLimit = verletLimit<1>,
      .movement = moveByXpbd},
+    // Of a step of the relaxation, as of a time step: nothing is damped.
+    {.title = "quasi-static relaxation",
+     .order = 0,
+     .settles = true,
+     .oscillatorLimit = verletLimit<1>,
+     .movement = moveBySymplecticEuler},
 };
 static_assert(std::size(kinds) == choices<Integrator>.size());
 

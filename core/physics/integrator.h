@@ -20,6 +20,7 @@ struct IntegratorKind {
   int evaluations = 1;        // of the forces, in a time step
   bool needsDrag = false;     // amplifies any motion that is not damped
   bool solvesForces = false;  // its drift solves for inner forces, which then limit no time step
+  bool settles = false;       // has no time step: it relaxes to rest (simulation/settle.h)
 
   /// [time] The largest stable time step for k x + c x' + m x'' = 0.
   double (*oscillatorLimit)(double k, double c, double m);

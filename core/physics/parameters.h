@@ -12,7 +12,7 @@
 namespace morula {
 
 /// What is to be known of each: integrator.h.
-enum class Integrator { velocityVerlet, thesisVerlet, explicitEuler, symplecticEuler, rungeKutta4, xpbd };
+enum class Integrator { velocityVerlet, thesisVerlet, explicitEuler, symplecticEuler, rungeKutta4, xpbd, fire };
 template <>
 inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
     {Integrator::velocityVerlet, "velocity-verlet", "second order"},
@@ -23,6 +23,8 @@ inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
     {Integrator::symplecticEuler, "symplectic-euler", "first order"},
     {Integrator::rungeKutta4, "rk4", "fourth order, with four evaluations of the forces per time step"},
     {Integrator::xpbd, "xpbd", "first order, and stable with any time step but for contacts"},
+    {Integrator::fire, "fire",
+     "quasi-static: after each event cells relax to rest, and time goes to the next one [Bitzek et al. 2006]"},
 });
 
 /// What keeps a cell in shape. What is to be known of each: cell_model.h.
@@ -111,6 +113,13 @@ struct MotilityParameters {
   double persistence = 1;  // [time] for which a cell keeps its direction
 };
 
+/// Quasi-static growth (Integrator::fire): how far the world settles after each event (simulation/settle.h).
+struct SettleParameters {
+  double tolerance = 0.03;             // [1] of tractions left, over the mean pressure
+  std::uint64_t evaluations = 20'000;  // of the forces, at most, in one settling
+  double together = 0;                 // [time] events so close to one another share a settling
+};
+
 struct PhysicsParameters {
   // [length] A daughter takes the coarsest of the scene's meshes whose mean edge at rest is no longer; absent:
   // every cell has the egg's mesh.
@@ -128,6 +137,7 @@ struct PhysicsParameters {
   std::optional<GrowthParameters> growth;
   std::optional<ShellParameters> shell;
   std::optional<MotilityParameters> motility;
+  SettleParameters settle;  // with Integrator::fire
 };
 
 }  // namespace morula

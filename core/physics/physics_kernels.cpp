@@ -4,6 +4,7 @@
 #include "physics/euler_kernel.h"
 #include "physics/isolated_kernel.h"
 #include "physics/pressure_kernel.h"
+#include "physics/relax_kernel.h"
 #include "physics/ring_kernel.h"
 #include "physics/runge_kutta_kernel.h"
 #include "physics/shape_kernel.h"
@@ -88,6 +89,7 @@ const PhysicsKernels physics = {
                         {findShapeForces<true, false>, findShapeForces<true, true>}},
     .measureSpheres = measureSpheres<false>,
     .measureDraggedSpheres = measureSpheres<true>,
+    .relaxVelocities = relaxVelocities,
 };
 
 }  // namespace morula::MORULA_ISA

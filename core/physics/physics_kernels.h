@@ -9,6 +9,15 @@ namespace morula {
 /// What a kick must know of the shell.
 enum class KickShell { none, anyShape, surface, aroundSpheres, planes, planesAroundSpheres };
 
+/// What a relaxation knows of a block's cells, [lane] (relax_kernel.h).
+struct Relaxation {
+  const double* mostMove;  // [length] of any vertex in one step
+  double* alpha;           // [1] α
+  double* descents;        // [1] evaluations since the cell last went uphill
+  double* strain;          // [1] how often of late the cell went uphill right after it had turned
+  double* squares;         // [acceleration²] A, of the last evaluation
+};
+
 struct PhysicsKernels {
   using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
   using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&,
@@ -26,6 +35,7 @@ struct PhysicsKernels {
   Stage addPressureForces, addPressureAndDragForces, findPressure;
   Stage findShapeForces[2][2];  // [damped or dragged][volumes too]
   Stage measureSpheres, measureDraggedSpheres;
+  void (*relaxVelocities)(const TemplateView&, const BlockView&, const Relaxation&);
 };
 
 const PhysicsKernels& physicsKernels(Isa isa, Precision precision = Precision::binary64);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "simulation/checkpoint_state.h"
+#include "simulation/settle.h"
 
 namespace morula {
 
@@ -13,9 +14,9 @@ namespace {
 /// Written so that infinities fail.
 bool isPositive(double a) { return a > 0 && a < INFINITY; }
 
-void checkClock(const Clock& c, bool hasBodies) {
+void checkClock(const Clock& c, bool hasTimeStep) {
   demand(std::isfinite(c.time) && std::isfinite(c.epochTime) && c.epochStep <= c.step, "the clock");
-  if (hasBodies) demand(isPositive(c.timeStep), "the time step");
+  if (hasTimeStep) demand(isPositive(c.timeStep), "the time step");
 }
 
 /// The living cells and their entries belong to each other.
@@ -53,7 +54,7 @@ void checkPolarities(const std::vector<PolarityRecord>& polarities) {
 
 void checkSavedState(const SavedState& s, const World& world) {
   const World& read = s.world;
-  checkClock(read.clock, world.bodies.has_value());
+  checkClock(read.clock, world.bodies && !settles(world));
   checkCells(read.cells, read.lineage.entries);
   if (world.bodies)
     for (int slot : read.bodies->slots)

@@ -245,6 +245,7 @@ SavedState readState(FieldReader& in, const World& world) {
   if (world.connections) read.world.connections.emplace();
   if (world.polarities) read.world.polarities.emplace();
   if (world.birthSizes) read.world.birthSizes.emplace();
+  if (world.settlings) read.world.settlings.emplace();
   visitState(read.world, StateReader(in, *world.biology, read));
   in.end();
   return read;
@@ -258,6 +259,7 @@ void takeOver(World& world, SavedState&& s) {
   world.divisions = std::move(s.world.divisions);
   world.polarities = std::move(s.world.polarities);
   if (world.birthSizes) world.birthSizes = std::move(s.world.birthSizes);
+  if (world.settlings) world.settlings = std::move(s.world.settlings);
   if (world.bodies) world.bodies = std::move(s.world.bodies);
   if (world.contacts) restoreContacts(s.contacts, world);
   if (world.motility) world.motility->isCurrent = false;

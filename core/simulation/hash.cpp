@@ -81,6 +81,7 @@ struct PartHasher {
   void operator()(const char*, const std::vector<DivisionRecord>&) {}
   void operator()(const char*, const std::vector<PolarityRecord>&) {}
   void operator()(const char*, const std::vector<BirthSize>&) {}
+  void operator()(const char*, const std::vector<SettlingRecord>&) {}
   void operator()(const char*, const Contacts&) {}
 
   template <class Record>

@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "base/parallel.h"
+#include "simulation/settle.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -10,7 +11,7 @@ namespace morula {
 namespace {
 
 bool areIsolated(const World& world) {
-  return world.bodies && !world.contacts && !world.connections && !world.motility && !world.swirls &&
+  return world.bodies && !settles(world) && !world.contacts && !world.connections && !world.motility && !world.swirls &&
          std::all_of(world.cells.growth.begin(), world.cells.growth.end(), [](double g) { return g == 0; });
 }
 
@@ -43,6 +44,7 @@ std::uint64_t wholeStepsUntilEnd(const World& world) {
 }  // namespace
 
 std::uint64_t stepsUntil(const Clock& clock, double time) {
+  if (clock.timeStep == 0) return 1;
   const double missing = (time - clock.time) / clock.timeStep;
   if (!(missing < 1e15)) return std::uint64_t(1) << 50;
   auto steps = static_cast<std::uint64_t>(std::max(1.0, missing));

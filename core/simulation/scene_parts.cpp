@@ -1,6 +1,7 @@
 #include "simulation/scene_parts.h"
 
 #include "physics/cell_model.h"
+#include "physics/integrator.h"
 #include "simulation/scene.h"
 
 namespace morula {
@@ -69,7 +70,7 @@ void addMesh(Hasher& h, const Mesh& mesh) {
 
 void addPart(Hasher& h, const PhysicsParameters& physics) {
   const auto& [coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane, pressure,
-               shapeMatching, drag, growth, shell, motility] = physics;
+               shapeMatching, drag, growth, shell, motility, settle] = physics;
   h.field("physics").add(number(integrator)).add(number(precision)).add(drag);
   if (substeps) h.field("substeps").add(*substeps);
   add(h, coarsen);
@@ -99,6 +100,10 @@ void addPart(Hasher& h, const PhysicsParameters& physics) {
   if (motility) {
     const auto& [speed, persistence] = *motility;
     h.field("motility").add(speed).add(persistence);
+  }
+  if (kindOf(integrator).settles) {
+    const auto& [tolerance, evaluations, together] = settle;
+    h.field("settle").add(tolerance).add(evaluations).add(together);
   }
 }
 

@@ -90,8 +90,13 @@ double automaticTimeStep(const Scene& scene, double limit);
 /// cycle is so much shorter than another that times cannot tell its beginning from its end.
 void refuseEndlessPace(const Scene& scene);
 
+/// Gives each cell the inertia with which a time step of 1 is 0.8 of the longest that is stable for it; its accelerations
+/// follow. Of all cells, or where not `anew` of those blocks whose contacts have become stiffer than `counted` [block], by
+/// how much they have hardened, which is kept. [settle.h]
+void followInertia(World& world, std::span<double> counted, std::span<const double> factor, bool anew);
+
 /// Sets the time step for the cells as they are now: the scene's own, or the automatic one, and evaluates the
-/// forces for it if it has changed. Throws NumericalError if the scene's own lies above 0.8 of a stability
+/// forces for it if it has changed. Quasi-static scenes have none: there it only evaluates the forces. Throws NumericalError if the scene's own lies above 0.8 of a stability
 /// limit, is longer than the shortest cell cycle or than the whole run, or moves a cell by more than mostFlight of its
 /// contacts' reach; the text names both numbers.
 void chooseTimeStep(World& world);

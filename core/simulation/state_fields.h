@@ -99,6 +99,16 @@ void visitFields(T& polarity, auto&& visit) {
   visit(Field{"direction", "", Use::saved}, direction);
 }
 
+template <IsA<SettlingRecord> T>
+void visitFields(T& settling, auto&& visit) {
+  auto& [time, step, cells, evaluations, residual] = settling;
+  visit(Field{"time", "", Use::saved}, time);
+  visit(Field{"step", "", Use::saved}, step);
+  visit(Field{"cells", "", Use::saved}, cells);
+  visit(Field{"evaluations", "", Use::saved}, evaluations);
+  visit(Field{"residual", "", Use::saved}, residual);
+}
+
 template <IsA<BirthSize> T>
 void visitFields(T& birth, auto&& visit) {
   auto& [size] = birth;
@@ -163,7 +173,7 @@ void visitBody(const Bodies& bodies, int slot, auto&& visit) {
 template <IsA<World> W>
 void visitState(W& world, auto&& visit) {
   auto& [model, execution, biology, divisionPolicy, stages, stagesOfLanes, clock, cells, bodies, contacts,
-         connections, lineage, timeSteps, divisions, birthSizes, polarities, before, motility, swirls] = world;
+         connections, lineage, timeSteps, divisions, birthSizes, polarities, settlings, before, motility, swirls] = world;
   visit("clock", clock);
   visit("cells", cells);
   visit("lineage", lineage.entries);
@@ -176,6 +186,7 @@ void visitState(W& world, auto&& visit) {
   if (contacts) visit("contacts", *contacts);
   if (connections) visit("connections", connections->history);
   if (birthSizes) visit("birth sizes", *birthSizes);
+  if (settlings) visit("settlings", *settlings);
 }
 
 }  // namespace morula

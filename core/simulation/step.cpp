@@ -6,6 +6,7 @@
 #include "contacts/contacts.h"
 #include "physics/growth.h"
 #include "simulation/memory.h"
+#include "simulation/settle.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -43,6 +44,7 @@ class LastStep {
 }  // namespace
 
 void step(World& world) {
+  if (settles(world)) return stepQuasiStatic(world);
   Clock& clock = world.clock;
   const double before = clock.time;
   if (world.bodies) {

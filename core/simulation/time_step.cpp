@@ -71,29 +71,40 @@ constexpr double foldedAdhesion = 80;
 constexpr double heldByLimit = 24;
 
 /// [force/length] Of one pair of vertices. A sphere is either pushed or drawn by another: the steeper slope counts.
-double contactStiffness(const Contacts& c, const Bodies& b) {
-  // A time step that the scene gives is held against what contacts are before they harden.
-  const double hardening = b.parameters.timeStep ? 1 : std::max(1.0, measureHardening(c) / heldByLimit);
+double contactStiffness(const Contacts& c, const Bodies& b, double hardening) {
   const double adhesion = adhesionStiffness(c, b);
   if (b.areSpheres()) return std::max(c.parameters.stiffness, adhesion);
   return hardening * c.parameters.stiffness + foldedAdhesion * adhesion;
 }
 
+/// Of a slot's cell. `held`, `contact`: stiffnesses of all its connections, and of a pair.
+Limit limitOf(const World& world, int cell, int slot, double held, double contact) {
+  const Bodies& b = *world.bodies;
+  const StabilityLimits own = measureLimits(b, slot);
+  Limit l{own.spring, own.pressure, INFINITY, connectionLimit(world, held, slot), cell};
+  if (world.contacts && world.contacts->parameters.law != ContactLaw::thesis)
+    l.contact = contactLimit(b.parameters.integrator, contact, world.contacts->parameters.damping,
+                             b.vertexMass[slot], b.parameters.drag);
+  return l;
+}
+
+/// [1] By how much contacts are stiffer than limits count with anyway.
+double excess(double hardening) { return std::max(1.0, hardening / heldByLimit); }
+
 /// The limits of the cell with the smallest combined one.
 Limit tightestLimit(const World& world, double& combined) {
   Limit tightest{INFINITY, INFINITY, INFINITY, INFINITY, 0};
   combined = INFINITY;
+  const Bodies& b = *world.bodies;
   const double held = connectionStiffness(world);
-  const double contact = world.contacts ? contactStiffness(*world.contacts, *world.bodies) : 0;
-  for (int cell = 0; cell < world.bodies->count; ++cell) {
-    const int slot = world.bodies->slots[cell];
-    const StabilityLimits own = measureLimits(*world.bodies, slot);
-    Limit l{own.spring, own.pressure, INFINITY, connectionLimit(world, held, slot), cell};
-    if (world.contacts && world.contacts->parameters.law != ContactLaw::thesis)
-      l.contact =
-          contactLimit(world.bodies->parameters.integrator, contact, world.contacts->parameters.damping,
-                       world.bodies->vertexMass[slot], world.bodies->parameters.drag);
-    const double all = combine(world.bodies->parameters.integrator, l);
+  double contact = 0;
+  if (world
+          .contacts)  // a time step that the scene gives is held against what contacts are before they harden
+    contact = contactStiffness(*world.contacts, b,
+                               b.parameters.timeStep ? 1 : excess(measureHardening(*world.contacts)));
+  for (int cell = 0; cell < b.count; ++cell) {
+    const Limit l = limitOf(world, cell, b.slots[cell], held, contact);
+    const double all = combine(b.parameters.integrator, l);
     if (all < combined) combined = all, tightest = l;
   }
   return tightest;
@@ -165,6 +176,19 @@ void refuseAboveCycle(const World& world, double timeStep) {
           ", or give a longer " + cycle.key);
 }
 
+/// As refuseAboveCycle, of events that share a settling.
+void refuseTogether(const World& world) {
+  const double together = world.bodies->parameters.settle.together;
+  const ShortestCycle cycle = shortestCycle(world.model);
+  if (together < cycle.length) return;
+  throw NumericalError(world.cells.path[0].text(), world.clock.step,
+                       "physics.settle.together " + exactText(together) +
+                           " is not shorter than the shortest cell cycle, " + cycle.key +
+                           (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") +
+                           exactText(cycle.length),
+                       "give less, or 0: each round of events then settles by itself");
+}
+
 /// The run would end behind its stop.
 void refuseAboveRun(const World& world, double timeStep) {
   const auto end = plannedEnd(world.model);
@@ -223,6 +247,22 @@ double automaticLimit(const World& world, double combined) {
 
 }  // namespace
 
+void followInertia(World& world, std::span<double> counted, std::span<const double> factor, bool anew) {
+  Bodies& b = *world.bodies;
+  const double held = connectionStiffness(world);
+  for (int block = 0; block < b.blockCount(); ++block) {
+    const double hard = world.contacts ? excess(hardeningAt(world.contacts->deepest[block])) : 1;
+    if (!anew && !(hard > counted[block])) continue;
+    counted[block] = hard;
+    const double contact = world.contacts ? contactStiffness(*world.contacts, b, hard) : 0;
+    for (int slot = block * blockLanes; slot < block * blockLanes + b.liveLanes(block); ++slot) {
+      const double share = margin * combine(b.parameters.integrator, limitOf(world, 0, slot, held, contact));
+      // A cell that nothing holds and nothing touches has no limit, and no force to be moved by.
+      if (share < INFINITY) setVertexMass(b, slot, b.vertexMass[slot] * factor[slot] / (share * share));
+    }
+  }
+}
+
 double timeStepLimit(const World& world) {
   double combined;
   tightestLimit(world, combined);
@@ -249,7 +289,7 @@ double automaticTimeStep(const Scene& scene, double limit) {
 void followContacts(World& world) {
   if (!world.bodies || !world.contacts || world.bodies->count == 0) return;
   const PhysicsParameters& p = world.bodies->parameters;
-  if (p.timeStep || kindOf(p.integrator).solvesForces) return;
+  if (p.timeStep || kindOf(p.integrator).solvesForces || kindOf(p.integrator).settles) return;
   constexpr std::uint64_t between = 64;  // steps: it need not be longer at once
   const Clock& clock = world.clock;
   const bool mayGrow = (clock.step - clock.epochStep) % between == 0;
@@ -263,6 +303,10 @@ void followContacts(World& world) {
 void chooseTimeStep(World& world) {
   if (world.bodies->count == 0) return;
   const PhysicsParameters& p = world.bodies->parameters;
+  if (kindOf(p.integrator).settles) {
+    refuseTogether(world);
+    return evaluateForces(world);
+  }
   double combined;
   const Limit limit = tightestLimit(world, combined);
   if (kindOf(p.integrator).needsDrag && !(combined > 0)) refuseUndamped(world, limit.cell);
@@ -288,7 +332,8 @@ void chooseTimeStep(World& world) {
   clock.timeStep = timeStep;
   clock.epochTime = clock.time;
   clock.epochStep = clock.step;
-  const bool again = !world.timeSteps.empty() && world.timeSteps.back().step == clock.step;  // births, then contacts
+  const bool again =
+      !world.timeSteps.empty() && world.timeSteps.back().step == clock.step;  // births, then contacts
   if (again) world.timeSteps.pop_back();
   world.timeSteps.push_back({clock.time, clock.step, timeStep});
   evaluateForces(world);  // the thesis' contact law and the grip of friction depend on the time step

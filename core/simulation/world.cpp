@@ -8,8 +8,10 @@
 #include "biology/substances.h"
 #include "contacts/contacts.h"
 #include "physics/growth.h"
+#include "physics/integrator.h"
 #include "simulation/memory.h"
 #include "simulation/population.h"
+#include "simulation/settle.h"
 #include "simulation/stages.h"
 #include "simulation/start_variation.h"
 
@@ -26,6 +28,18 @@ double lastDue(const Scene& scene) {
   return end ? *end + slack * scene.cycle.length : INFINITY;
 }
 
+/// What moves cells or slows them, and does not matter where they come to rest.
+void leaveOutMotion(MechanicsScene& m) {
+  m.physics.drag = m.physics.membrane.damping = 0;
+  if (m.contact) m.contact->damping = m.contact->friction = 0;
+}
+
+/// Lists that serve for more evaluations, where each moves cells farther than a time step does.
+SearchSettings searchOf(const MechanicsScene& m, SearchSettings search) {
+  if (kindOf(m.physics.integrator).settles) search.skinShare *= 2;
+  return search;
+}
+
 }  // namespace
 
 int cellNumber(const Cells& cells, const CellPath& path) {
@@ -40,21 +54,24 @@ World makeWorld(const Scene& scene, const Execution& execution) {
 World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution) {
   World world;
   world.model = scene;
+  if (scene.mechanics && kindOf(scene.mechanics->physics.integrator).settles)
+    leaveOutMotion(*world.model.mechanics);
   world.execution = execution;
   world.biology = std::move(biology);
   refuseEndlessPace(scene);
   createFounders(world);
   if (!scene.mechanics) return world;
 
-  const MechanicsScene& m = *scene.mechanics;
+  const MechanicsScene& m = *world.model.mechanics;
   world.divisionPolicy = makeDivisionPolicy(m.division, scene.seed, scene.variation);
   world.bodies = makeBodies(m.physics, m.mesh, execution.threads, m.coarser);
   if (m.contact)
-    world.contacts =
-        makeContacts(*m.contact, execution.isa, execution.search, m.physics.precision, m.physics.cell.model);
+    world.contacts = makeContacts(*m.contact, execution.isa, searchOf(m, execution.search),
+                                  m.physics.precision, m.physics.cell.model);
   if (m.connections) world.connections = Connections{*m.connections, {}, {}, {}};
   if (keepsPolarity(m.division)) world.polarities.emplace();
   if (m.physics.motility) world.motility.emplace();
+  if (settles(world)) world.settlings.emplace();
   setStages(world, execution.isa);
   requireMemoryForStart(world);
   setBodies(*world.bodies, makeStartBodies(*world.bodies, placeStart(scene, world.cells.path)));
@@ -88,7 +105,8 @@ void beginWithBodies(World& world) {
   if (world.contacts) resetContacts(*world.contacts, *world.bodies);
   sortByAdhesion(world);
   if (world.motility) world.motility->isCurrent = false;
-  if (world.clock.timeStep == 0) world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
+  if (world.clock.timeStep == 0 && !settles(world))
+    world.clock.timeStep = world.bodies->parameters.timeStep.value_or(1);
   evaluateForces(world);
   checkBodies(world);
   chooseTimeStep(world);

@@ -47,7 +47,7 @@ int cellNumber(const Cells& cells, const CellPath& path);
 struct Clock {
   double time = 0;         // [time] = epochTime + (step − epochStep)·timeStep, so no error piles up
   std::uint64_t step = 0;  // physical steps; in a lineage-only world, times at which cell cycles ran
-  double timeStep = 0;     // [time] 0 in a lineage-only world: it goes from cycle to cycle
+  double timeStep = 0;     // [time] 0 in a lineage-only or quasi-static world: it goes from cycle to cycle
   double epochTime = 0;    // where the present time step came into force
   std::uint64_t epochStep = 0;
   double nextCycle = 0;  // [time] when the next cell cycle of any cell is due
@@ -71,6 +71,14 @@ struct BirthSize {
   double size = 0;  // [1] CellContext::sizeAtBirth
 };
 
+/// A settling of a quasi-static world (settle.h).
+struct SettlingRecord {
+  double time = 0;  // [time] of the events before it
+  std::uint64_t step = 0, cells = 0;
+  std::uint64_t evaluations = 0;  // of the forces
+  double residual = 0;            // [1] r of settle.h, at its end
+};
+
 struct World {
   // Constant
   Scene model;
@@ -91,6 +99,7 @@ struct World {
   std::vector<DivisionRecord> divisions;                  // of cells with bodies, in order of time and path
   std::optional<std::vector<BirthSize>> birthSizes;       // [cell]; absent: no division asks for them
   std::optional<std::vector<PolarityRecord>> polarities;  // by path; absent: no division plane keeps any
+  std::optional<std::vector<SettlingRecord>> settlings;   // absent: the scene goes through time steps
 
   std::optional<BodyCopy> before;            // scratch of takeSteps
   std::optional<Motility> motility;          // of scenes with it; follows from the rest
@@ -104,8 +113,8 @@ World makeWorld(const Scene& scene, const Execution& execution = {});
 /// As above, with cells controlled by another biology than the scene's DNA.
 World makeWorld(const Scene& scene, std::unique_ptr<BiologicalUnit> biology, const Execution& execution);
 
-/// Goes on by one time step, or in a lineage-only world to the next cell cycle, and does the divisions,
-/// deaths and connections that are due. Throws NumericalError when the physics cannot go on; the world then
+/// Goes on by one time step, or in a lineage-only or quasi-static world to the next cell cycle, and does the
+/// divisions, deaths and connections that are due; a quasi-static one settles then. Throws NumericalError when the physics cannot go on; the world then
 /// holds the failed state.
 void step(World& world);
 

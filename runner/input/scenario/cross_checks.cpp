@@ -42,6 +42,12 @@ Place placeOf(const Node& root, const std::string& path) {
   return innermost(root, path, whole).place;
 }
 
+const Node* given(const Node& root, const std::string& path) {
+  bool whole = true;
+  const Node& node = innermost(root, path, whole);
+  return whole ? &node : nullptr;
+}
+
 namespace {
 
 void checkSubstances(const Dna& dna, Reading& reading) {
@@ -62,13 +68,6 @@ void checkSubstances(const Dna& dna, Reading& reading) {
     reading.problems.add(use.place, use.path, "the DNA has no substance '" + use.name + "'",
                          near.empty() ? "needs a name that occurs in the DNA" : "did you mean " + near + "?");
   }
-}
-
-/// The parameter's value, or else null.
-const Node* given(const Node& root, const std::string& path) {
-  bool whole = true;
-  const Node& node = innermost(root, path, whole);
-  return whole ? &node : nullptr;
 }
 
 /// [1] How far out the egg's shape reaches, in its radii. An icosphere counts as the sphere that it stands
@@ -324,6 +323,7 @@ void crossCheck(const Scenario& scenario, Reading& reading, const Node& root) {
     checkModel(scenario, reading, root);
     checkIntegrator(mechanics->physics, mechanics->contact && mechanics->contact->law != ContactLaw::thesis,
                     reading, root);
+    checkSettling(scenario, reading, root);
     checkSpheres(scenario, reading, root);
     checkDivision(scenario, reading, root);
     checkConnections(scenario, reading, root);

@@ -34,6 +34,9 @@ void checkDivision(const Scenario& scenario, Reading& reading, const Node& root)
 /// The place of a parameter's value, or of the innermost map that is given.
 Place placeOf(const Node& root, const std::string& path);
 
+/// The parameter's value, or else null.
+const Node* given(const Node& root, const std::string& path);
+
 /// Every parameter of every part that exists, in the table's order. Itself a scenario: reading it gives the
 /// same again.
 Json resolve(const Scenario& scenario);

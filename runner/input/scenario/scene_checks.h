@@ -24,4 +24,7 @@ void checkAdhesion(const Scenario& scenario, Reading& reading, const Node& root)
 /// Cells that crawl where nothing bears them.
 void checkMotility(const PhysicsParameters& physics, Reading& reading, const Node& root);
 
+/// Quasi-static growth, with parts that act for a time or have no energy to come to rest at.
+void checkSettling(const Scenario& scenario, Reading& reading, const Node& root);
+
 }  // namespace morula::scenario

@@ -1,5 +1,6 @@
 // Every section of a scenario: a map of parameters, and what makes and shows the part that it describes.
 #include "physics/cell_model.h"
+#include "physics/integrator.h"
 #include "scenario/parameter_table.h"
 #include "values/value_types.h"
 
@@ -13,6 +14,10 @@ bool hasMembrane(const Scenario& s) {
 
 bool hasRestShape(const Scenario& s) {
   return s.scene.mechanics && kindOf(s.scene.mechanics->physics.cell.model).hasRestShape;
+}
+
+bool hasSettling(const Scenario& s) {
+  return s.scene.mechanics && kindOf(s.scene.mechanics->physics.integrator).settles;
 }
 
 /// Also where `physics` stands there and could not be read, which has been said.
@@ -73,6 +78,10 @@ std::vector<Section> sections() {
        .later = true,
        .make = [](Scenario& s) { s.scene.mechanics->physics.motility.emplace(); },
        .exists = [](const Scenario& s) { return s.scene.mechanics->physics.motility.has_value(); }},
+      {.path = "physics.settle",
+       .meaning = "With integrator fire: how near to equilibrium cells come after each event",
+       .later = true,
+       .exists = hasSettling},
       {.path = "physics.contact",
        .meaning = "How cells touch",
        .absent = "cells pass through one another",

@@ -193,6 +193,7 @@ RunResults Recorder::take(const World& world, bool failed) {
       if (auto name = options_.nameOf(e.path)) results.names.emplace(e.path, std::move(*name));
   if (world.connections) results.connections = world.connections->history;
   for (const TimeStepChange& t : world.timeSteps) results.timeSteps.push_back({t.time, t.step, t.timeStep});
+  if (world.settlings) results.settlings = *world.settlings;
   results.divisions = world.divisions;
   return results;
 }

@@ -188,6 +188,7 @@ struct RunResults {
   std::vector<MeshFaces> meshes;              // by number; of those that surfaces in `samples` have
   std::vector<ConnectionRecord> connections;  // in the order in which they were made
   std::vector<TimeStepRecord> timeSteps;
+  std::vector<SettlingRecord> settlings;  // of quasi-static scenes
   std::vector<DivisionRecord> divisions;  // of cells with bodies
   std::vector<ChainLink> chain;           // by step
   std::vector<CheckResult> checks;

@@ -139,6 +139,7 @@ void insertResults(Database& db, const std::string& id, const RunResults& result
   insertRecords(db, id, results);
   insertAll(db, id, results.connections);
   insertAll(db, id, results.timeSteps);
+  insertAll(db, id, results.settlings);
   insertAll(db, id, results.divisions);
   insertChecks(db, id, results.checks);
 }

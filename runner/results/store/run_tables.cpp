@@ -14,12 +14,13 @@ const char* lasting(const std::string& text) {
 
 const std::vector<const SqlTable*>& runTables() {
   static const std::vector<const SqlTable*> tables{
-      &sqlTable<StoredRun>(),        &sqlTable<StoredText>(),     &sqlTable<DocumentUse>(),
-      &sqlTable<CellRow>(),          &sqlTable<WorldMeasures>(),  &sqlTable<CellSampleRow>(),
-      &sqlTable<ContactMeasures>(),  &sqlTable<TakenMeasure>(),   &sqlTable<CellSurface>(),
-      &sqlTable<ConnectionRecord>(), &sqlTable<DivisionRecord>(), &sqlTable<TimeStepRecord>(),
-      &sqlTable<ChainLink>(),        &sqlTable<CellHash>(),       &sqlTable<CheckResult>(),
-      &sqlTable<BulletSampleRow>(),  &sqlTable<CheckpointRow>(),  &sqlTable<FrameRow>()};
+      &sqlTable<StoredRun>(),        &sqlTable<StoredText>(),      &sqlTable<DocumentUse>(),
+      &sqlTable<CellRow>(),          &sqlTable<WorldMeasures>(),   &sqlTable<CellSampleRow>(),
+      &sqlTable<ContactMeasures>(),  &sqlTable<TakenMeasure>(),    &sqlTable<CellSurface>(),
+      &sqlTable<ConnectionRecord>(), &sqlTable<DivisionRecord>(),  &sqlTable<TimeStepRecord>(),
+      &sqlTable<SettlingRecord>(),   &sqlTable<ChainLink>(),       &sqlTable<CellHash>(),
+      &sqlTable<CheckResult>(),      &sqlTable<BulletSampleRow>(), &sqlTable<CheckpointRow>(),
+      &sqlTable<FrameRow>()};
   return tables;
 }
 

@@ -254,6 +254,25 @@ void listFields(T& change, auto&& field) {
 }
 
 template <>
+inline constexpr TableInfo tableInfo<SettlingRecord> = {
+    .name = "settling",
+    .part = TablePart::end,
+    .context = "run_id",
+    .key = "run_id, step",
+    .csv = "settlings",
+    .why = "with physics.integrator fire: how near to equilibrium each settling came, and what it took"};
+template <IsA<SettlingRecord> T>
+void listFields(T& settling, auto&& field) {
+  auto& [time, step, cells, evaluations, residual] = settling;
+  field({"step"}, step);
+  field({"time", "of the events before it", "time"}, time);
+  field({"cells"}, cells);
+  field({"evaluations", "of the forces"}, evaluations);
+  field({"residual", "tractions left over the pressure in cells; at most physics.settle.tolerance where it ended"},
+        residual);
+}
+
+template <>
 inline constexpr TableInfo tableInfo<ChainLink> = {
     .name = "step_hash",
     .part = TablePart::samples,

@@ -112,6 +112,7 @@ class Comparison {
   void operator()(const char*, const std::vector<DivisionRecord>&) {}
   void operator()(const char*, const std::vector<PolarityRecord>&) {}
   void operator()(const char*, const std::vector<BirthSize>&) {}
+  void operator()(const char*, const std::vector<SettlingRecord>&) {}
   void operator()(const char*, const Contacts&) {}
 
   std::optional<StateDifference> first() const {

@@ -1,0 +1,162 @@
+#include "simulation/settle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/aligned.h"
+#include "base/maths.h"
+#include "base/parallel.h"
+#include "contacts/contacts.h"
+#include "physics/integrator.h"
+#include "simulation/stages.h"
+
+namespace morula {
+
+namespace {
+
+constexpr double mostMove = 0.1;  // [mean edge at rest] of a vertex, in one evaluation
+constexpr double inertiaPerStrain = 2, clearlyMore = 1.5;
+constexpr std::uint64_t inertiaEvery = 64;  // evaluations
+using Lane = AlignedVector<double>;         // [slot], filled up to whole blocks
+
+/// A world on its way down. Gives cells their masses back at its end.
+class Descent {
+ public:
+  explicit Descent(World& world)
+      : world_(world),
+        bodies_(*world.bodies),
+        masses_(bodies_.vertexMass),
+        mostMove_(masses_.size(), 1),
+        alpha_(masses_.size(), 0),
+        descents_(masses_.size(), 0),
+        squares_(masses_.size(), 0),
+        strain_(masses_.size(), 0),
+        factor_(masses_.size(), 1),
+        hardening_(bodies_.blockCount(), 1) {
+    for (int slot : bodies_.slots)
+      mostMove_[slot] = mostMove * bodies_.meshOf(slot).meanRestLength * bodies_.restScale[slot];
+    stop();
+    evaluateForces(world_);
+    followInertia(world_, hardening_, factor_, true);
+  }
+
+  ~Descent() {
+    stop();
+    for (int slot : bodies_.slots) setVertexMass(bodies_, slot, masses_[slot]);
+  }
+  Descent(const Descent&) = delete;
+  Descent& operator=(const Descent&) = delete;
+
+  /// Chooses the next velocities by the forces of the last evaluation.
+  void turn() {
+    const PhysicsKernels& kernels = physicsKernels(world_.execution.isa, bodies_.parameters.precision);
+    parallelFor(bodies_.blockCount(), world_.execution.threads, [&](int i) {
+      const BlockView block = bodies_.block(i, threadNumber());
+      const std::size_t first = std::size_t(i) * blockLanes;
+      kernels.relaxVelocities(
+          bodies_.meshAt(block.meshLevel).view(), block,
+          {&mostMove_[first], &alpha_[first], &descents_[first], &strain_[first], &squares_[first]});
+    });
+  }
+
+  void move(bool inertiaAnew) {
+    followStrain(inertiaAnew);
+    followInertia(world_, hardening_, factor_, inertiaAnew);
+    movePhysics(world_, 1);
+    checkBodies(world_);
+  }
+
+  /// r [settle.h] of the last turn.
+  double residual() const {
+    double left = 0, pressure = 0, vertices = 0;
+    for (int slot : bodies_.slots) {
+      const double radius = cubeRoot(3 * bodies_.volume[slot] / (4 * std::numbers::pi));
+      const double count = bodies_.vertexCount(slot);
+      const double traction = bodies_.vertexMass[slot] * count / (4 * std::numbers::pi * radius * radius);
+      left += traction * traction * squares_[slot];
+      vertices += count;
+      pressure += scale(slot, radius);
+    }
+    return std::sqrt(left / vertices) / (pressure / bodies_.count);
+  }
+
+ private:
+  /// A cell that keeps going uphill at once is stiffer than its limits say, where its membrane has folded: without more inertia
+  /// it would swing for ever.
+  void followStrain(bool anew) {
+    for (int slot : bodies_.slots) {
+      const double factor = 1 + inertiaPerStrain * strain_[slot];
+      if (!anew && factor <= clearlyMore * factor_[slot]) continue;
+      factor_[slot] = factor;
+      hardening_[slot / blockLanes] = 0;  // inertia follows
+    }
+  }
+
+  double scale(int slot, double radius) const {
+    const PhysicsParameters& p = bodies_.parameters;
+    if (bodies_.areSpheres()) return (world_.contacts ? world_.contacts->parameters.stiffness : 1) / radius;
+    const bool filled = bodies_.pressureConstant[slot] > 0 || p.pressure.outside > 0;
+    return filled ? std::abs(bodies_.pressure[slot]) : p.membrane.stiffness / radius;
+  }
+
+  void stop() {
+    for (int slot : bodies_.slots)
+      for (int v = 0; v < bodies_.vertexCount(slot); ++v) bodies_.write(bodies_.velocity, slot, v, {});
+  }
+
+  World& world_;
+  Bodies& bodies_;
+  Lane masses_, mostMove_, alpha_, descents_, squares_, strain_, factor_;
+  std::vector<double> hardening_;  // [block] [1] that inertia counts with
+};
+
+void settle(World& world) {
+  if (world.bodies->count == 0) return;
+  const SettleParameters& p = world.bodies->parameters.settle;
+  SettlingRecord record{world.clock.time, world.clock.step, world.cells.path.size(), 0, 0};
+  Descent descent(world);
+  for (;;) {
+    ++record.evaluations;
+    descent.turn();
+    record.residual = descent.residual();
+    if (record.residual <= p.tolerance || record.evaluations >= p.evaluations) break;
+    descent.move(record.evaluations % inertiaEvery == 0);
+  }
+  world.settlings->push_back(record);
+}
+
+/// [time] Of what happens next.
+double nextEvent(const World& world) {
+  const Clock& clock = world.clock;
+  const PhysicsParameters& p = world.bodies->parameters;
+  double next = clock.nextCycle > clock.time ? clock.nextCycle + p.settle.together : INFINITY;
+  if (p.growth) {
+    double fastest = 0;
+    for (double growth : world.cells.growth) fastest = std::max(fastest, std::abs(growth));
+    // Cells that wait for a size are asked as often as if they grew.
+    if (fastest > 0 || next == INFINITY)
+      next = std::min(next, clock.time + mostGrowth / (p.growth->rate * std::max(fastest, 1.0)));
+  }
+  return std::min(next, plannedEnd(world.model).value_or(INFINITY));
+}
+
+}  // namespace
+
+bool settles(const World& world) {
+  return world.bodies && kindOf(world.bodies->parameters.integrator).settles;
+}
+
+void stepQuasiStatic(World& world) {
+  Clock& clock = world.clock;
+  const double before = clock.time;
+  if (clock.step++ > 0) {
+    clock.time = nextEvent(world);
+    growCells(world, clock.time - before);
+    releaseConnections(world);
+    runCellCycles(world, before, dueUntil(world, before));
+  }
+  settle(world);
+}
+
+}  // namespace morula

@@ -1,0 +1,26 @@
+#pragma once
+// Quasi-static growth: after each round of events the world relaxes to mechanical equilibrium, and time goes to the next event.
+// A step is one event and the settling after it; the first settles what the scene starts with. Masses, drag, damping and
+// friction have no effect on where forces vanish, and none here.
+//
+// The way down is FIRE, cell by cell (physics/relax_kernel.h). It ends when
+//
+//   r = √(mean over vertices of (|F|/s)²) / mean over cells of |p| ≤ tolerance        s: a vertex' share of its cell's surface
+//
+// the root mean square of tractions that are left, over the pressure in cells: the same on any mesh. Cells without pressure have
+// k_s/R in its place, balls K/R.
+#include "simulation/world.h"
+
+namespace morula {
+
+/// True if the scene's bodies settle instead of going through time steps.
+bool settles(const World& world);
+
+/// One step of such a world, up to `SettleParameters::evaluations` of the forces long: time goes to the next event, or where
+/// cells grow until one has grown by mostGrowth; then all settles. Throws NumericalError as step does.
+void stepQuasiStatic(World& world);
+
+/// [1] of mass and k_p, between two settlings.
+constexpr double mostGrowth = 0.02;
+
+}  // namespace morula
