@@ -34,6 +34,7 @@ Contacts makeContacts(const ContactParameters& parameters, Isa isa, const Search
                                  : c.kernels->addSphereForces;
     return c;
   }
+  if (parameters.law == ContactLaw::pair && !sticks) c.list.bytesPerNeighbour += sizeof(VertexNumber);
   c.takeSnapshot = parameters.law == ContactLaw::thesis ? c.kernels->takeSnapshot : c.kernels->takeSurface;
   c.addForces = parameters.law == ContactLaw::thesis ? c.kernels->addThesisForces
                 : sticks && rubs                     ? c.kernels->addStickyPairForcesWithFriction
@@ -77,6 +78,7 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
   c.rows[vertices] = asMemory({far, far, far, 1, 0, 0, 0, 0, 0, 1}, precision);
   c.farthest.assign(bodies.blockCount(), 0);
   c.deepest.assign(bodies.blockCount(), 0);
+  c.acting = {.change = AlignedVector<double>(bodies.blockCount(), 0)};
   c.list.reference = bodies.position;
   if (c.parameters.law == ContactLaw::thesis || bodies.areSpheres()) return;
   int mostVertices = 0;
@@ -89,9 +91,11 @@ void resetContacts(Contacts& c, const Bodies& bodies) {
 
 void takeSnapshot(Contacts& c, const Bodies& bodies, const BlockView& block, int index) {
   const std::size_t lines = bodies.blocks[index].firstLine;
-  c.farthest[index] = c.takeSnapshot(
+  const SnapshotChange change = c.takeSnapshot(
       bodies.meshAt(block.meshLevel).view(), block, &c.inverseRadiusSquared[std::size_t(index) * blockLanes],
       c.list.reference.from(lines * vertexStride), &c.rows[lines * blockLanes]);
+  c.farthest[index] = change.farthest;
+  countChange(c, change, index);
 }
 
 namespace {
@@ -122,13 +126,16 @@ void refreshList(Contacts& c, const Bodies& bodies, int threads) {
   const double limit = 0.25 * c.list.skin * c.list.skin;
   // Not `<=`: a NaN must lead to a rebuild, never to a stale list.
   const bool still = std::all_of(c.farthest.begin(), c.farthest.end(), [&](double f) { return f < limit; });
-  if (!c.listIsValid || !still) {
+  const bool choose = choosesPairs(c), search = !c.listIsValid || !still;
+  if (search) {
     takePoints(c, bodies, threads);
-    buildNeighbourList(c.list, bodies, c.radius, threads);
+    (choose ? findNeighbourLists : buildNeighbourList)(c.list, bodies, c.radius, threads);
     c.listIsValid = true;
     c.adhesion.isCurrent = false;
     ++c.rebuilds;
   }
+  if (choose && (search || !choiceHolds(c.acting))) choosePairs(c, bodies, threads);
+  ++c.acting.age;
   if (c.parameters.adhesion && !c.adhesion.isCurrent) findPairStrengths(c, bodies, threads);
   c.pairEvaluations += c.list.pairs;  // the forces come next
   if (c.parameters.friction > 0) {

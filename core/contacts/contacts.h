@@ -6,6 +6,7 @@
 
 #include "base/aligned.h"
 #include "base/cell_path.h"
+#include "contacts/acting_pairs.h"
 #include "contacts/adhesion.h"
 #include "contacts/contact_areas.h"
 #include "contacts/contacts_kernels.h"
@@ -36,7 +37,8 @@ struct Contacts {
   std::vector<Scratch> scratch;  // one per thread; of the pair law
   NeighbourList list;
   bool listIsValid = false;
-  Adhesion adhesion;  // of scenes with ContactParameters::adhesion
+  ActingPairs acting;  // of the pair law without adhesion
+  Adhesion adhesion;   // of scenes with ContactParameters::adhesion
 
   // Counters
   std::uint64_t rebuilds = 0;

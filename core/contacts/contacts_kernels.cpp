@@ -1,6 +1,7 @@
 // Compiled once per instruction set (core/CMakeLists.txt); see contacts_dispatch.cpp for the choice.
 #include "contacts/contacts_kernels.h"
 
+#include "contacts/acting_kernel.h"
 #include "contacts/pair_law_kernel.h"
 #include "contacts/rows_kernel.h"
 #include "contacts/sphere_law_kernel.h"
@@ -22,6 +23,7 @@ const ContactKernels contacts = {
     .addStickyPairForcesWithFriction = addPairForces<true, true>,
     .addStickySphereForces = addSphereForces<false, true>,
     .addStickySphereForcesWithFriction = addSphereForces<true, true>,
+    .findActing = findActing,
 };
 
 }  // namespace morula::MORULA_ISA

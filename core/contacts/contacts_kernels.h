@@ -44,11 +44,30 @@ struct ContactConstants {
   const double* adhesion;               // [as indices] of each pair (adhesion.h); null without adhesion
 };
 
+/// Squares of the largest changes of a block's vertices.
+struct SnapshotChange {
+  double farthest = 0;                       // from the place in `reference` [length²]
+  double moved = 0, turned = 0, spedUp = 0;  // of y, n and v since the snapshot before; for the pair law
+};
+
+/// One block's neighbour lists, and which pairs to leave out (acting_kernel.h).
+struct ListsToThin {
+  const std::int32_t *begin, *length;  // [vertex · blockLanes + lane]
+  const VertexNumber* neighbours;
+  static constexpr int readable = 32;  // numbers of rows behind the last neighbour
+  int vertices, liveLanes;
+  VertexNumber firstVertex;
+  double reachSquared;      // [1] beyond which κ a² is too far
+  double margin, perSpeed;  // [length], [time]: beyond margin + perSpeed |u| gaps are too wide,
+  double delay;             // [time] now and after this
+};
+
 struct ContactKernels {
-  /// Writes the rows of a block's vertices from position, predicted and gradient. Returns the largest squared
-  /// distance of a row from its place in `reference` ([vertexCount][3][blockLanes]). [length²]
-  using TakeSnapshot = double (*)(const TemplateView&, const BlockView&, const double* inverseRadiusSquared,
-                                  RealPointer reference, RowMemory* rows);
+  /// Writes the rows of a block's vertices from position, predicted and gradient. `reference`:
+  /// [vertexCount][3][blockLanes].
+  using TakeSnapshot = SnapshotChange (*)(const TemplateView&, const BlockView&,
+                                          const double* inverseRadiusSquared, RealPointer reference,
+                                          RowMemory* rows);
   TakeSnapshot takeSnapshot, takeSphereSnapshot, takeSurface;
   /// force += contact forces on one block's vertices. `force` [all blocks]: vertex g at (g / 8)·24 + g % 8.
   using AddForces = void (*)(const BlockSlices&, const std::int32_t* indices, const RowMemory* rows,
@@ -58,6 +77,10 @@ struct ContactKernels {
   // With adhesion, and without or with friction.
   AddForces addStickyPairForces, addStickyPairForcesWithFriction;
   AddForces addStickySphereForces, addStickySphereForcesWithFriction;
+
+  /// Writes the lists of those neighbours that may act, one after the other.
+  void (*findActing)(const ListsToThin&, const RowMemory* rows, std::int32_t* begin, std::int32_t* length,
+                     VertexNumber* acting);
 };
 
 const ContactKernels& contactKernels(Isa isa, Precision precision = Precision::binary64);

@@ -25,7 +25,8 @@ void prepareSearch(Search& search, const SearchInput& input, int threads) {
 
 /// That all blocks may keep together.
 std::int64_t mostNumbers(const NeighbourList& list) {
-  // Four bytes in BlockLists, up to nine while they are moved to a larger place, and four in slices: 16.
+  // Four bytes in BlockLists, up to nine while they are moved to a larger place, and four in slices: 16. Acting ones
+  // stand in BlockLists once more.
   return static_cast<std::int64_t>(std::clamp(list.mostBytes / list.bytesPerNeighbour, 0.0, 1e15));
 }
 
@@ -93,7 +94,7 @@ void searchAllBlocks(Search& search, const SearchInput& input, NeighbourList& li
 
 }  // namespace
 
-void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
+void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
                         int threads) {
   const int blocks = bodies.blockCount();
   list.halfReach.resize(radius.size());
@@ -109,7 +110,6 @@ void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const Aligned
         if constexpr (requires { search.preparation; }) list.counters += search.preparation;
       },
       list.search->way);
-  cutIntoSlices(list, bodies, threads);
   list.pairs = 0;
   ++list.counters.searches;
   for (const BlockLists& lists : list.perBlock) {
@@ -118,17 +118,18 @@ void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const Aligned
   }
 }
 
+void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
+                        int threads) {
+  findNeighbourLists(list, bodies, radius, threads);
+  cutIntoSlices(list, foundLists, bodies, threads);
+}
+
 std::vector<VertexNumber> neighboursOf(const NeighbourList& list, VertexNumber g) {
-  // Behind the last vertex stands the far row, which fills up shorter lists.
-  const auto far = static_cast<VertexNumber>(list.reference.size() / 3);
-  std::vector<VertexNumber> found;
-  for (const NeighbourSlice& slice : list.slices)
-    for (int l = 0; l < blockLanes; ++l)
-      for (int k = 0; slice.vertex[l] == g && k < slice.length; ++k) {
-        const VertexNumber j = list.indices[(slice.start + k) * blockLanes + l];
-        if (j < far) found.push_back(j);
-      }
-  return found;
+  std::size_t row = g;
+  auto block = list.perBlock.begin();
+  while (row >= block->begin.size()) row -= block++->begin.size();
+  const auto first = block->neighbours.begin() + block->begin[row];
+  return {first, first + block->length[row]};
 }
 
 }  // namespace morula

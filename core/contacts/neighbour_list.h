@@ -43,7 +43,12 @@ struct NeighbourList {
 /// Empty, and how it will be built.
 NeighbourList makeNeighbourList(ContactSearch search, Isa isa);
 
-/// Builds the list from the points in `reference`. `radius` [slot]: influence radii. Throws ListsTooLong.
+/// Builds the list from the points in `reference`, but for its slices. `radius` [slot]: influence radii. Throws
+/// ListsTooLong.
+void findNeighbourLists(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
+                        int threads);
+
+/// And with slices of all pairs.
 void buildNeighbourList(NeighbourList& list, const Bodies& bodies, const AlignedVector<double>& radius,
                         int threads);
 

@@ -27,6 +27,19 @@ MORULA_INLINE Rows loadRows(const RowMemory* rows, const VertexNumber* index) {
 #endif
 }
 
+/// As rows hold velocities.
+MORULA_INLINE Vec asStored(const Vec& v) {
+#if defined(MORULA_SINGLE)
+  return v;
+#else
+  Vec stored;
+  Lanes none;
+  unpackFloats(packFloats(v.x, v.y), stored.x, stored.y);
+  unpackFloats(packFloats(v.z, 0.0), stored.z, none);
+  return stored;
+#endif
+}
+
 /// `width` consecutive ones.
 MORULA_INLINE void storeRows(RowMemory* rows, const Rows& r) {
 #if defined(MORULA_SINGLE)
@@ -71,8 +84,9 @@ MORULA_INLINE double largestOf(Lanes a) {
 }
 
 /// [ContactKernels::takeSnapshot]
-inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
-                           RealPointer reference, RowMemory* rows) {
+inline SnapshotChange takeSnapshot(const TemplateView& mesh, const BlockView& b,
+                                   const double* inverseRadiusSquared, RealPointer reference,
+                                   RowMemory* rows) {
   Lanes farthest = 0.0;
   for (int v = 0; v < mesh.vertexCount; ++v)
     for (int lane = 0; lane < b.liveLanes; lane += width) {
@@ -83,7 +97,7 @@ inline double takeSnapshot(const TemplateView& mesh, const BlockView& b, const d
       const Vec moved = x - loadVec(reference, v, lane);
       farthest = max(dot(moved, moved), farthest);
     }
-  return largestOf(farthest);
+  return {.farthest = largestOf(farthest)};
 }
 
 }  // namespace morula::MORULA_ISA

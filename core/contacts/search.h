@@ -55,16 +55,20 @@ struct ListsTooLong {
   int block = 0;  // where it was found
 };
 
-/// The neighbours of one block's vertices; vertex v of lane l is row v·blockLanes + l. Memory is kept between
-/// searches, so that a steady run allocates nothing.
-struct BlockLists {
+/// The neighbours of one block's vertices; vertex v of lane l is row v·blockLanes + l.
+struct RowLists {
   std::vector<std::int32_t> begin, length;  // [row] into neighbours
   std::vector<VertexNumber> neighbours;     // longer than used
+  std::vector<std::int32_t> order, place;   // rows by length, longest first; scratch of the ordering
+};
+
+/// Memory is kept between searches, so that a steady run allocates nothing.
+struct BlockLists : RowLists {
   std::int32_t used = 0;
   std::int64_t asked = 0;                                        // the most that room was asked for
   std::int64_t most = std::numeric_limits<std::int32_t>::max();  // numbers that may be kept
-  std::vector<std::int32_t> order, place;  // rows by length, longest first; scratch of the ordering
-  SearchCounters counters;                 // of this search
+  RowLists acting;          // without pairs that cannot act for a while (acting_pairs.h)
+  SearchCounters counters;  // of this search
 
   void clear(int rows) {
     begin.assign(rows, 0);

@@ -10,7 +10,7 @@ namespace morula {
 namespace {
 
 /// Long lists first, so that the eight of a slice are of almost one length; ties by number: a counting sort.
-void orderByLength(BlockLists& lists) {
+void orderByLength(RowLists& lists) {
   const auto rows = static_cast<std::int32_t>(lists.length.size());
   std::int32_t longest = 0, listed = 0;
   for (std::int32_t l : lists.length) longest = std::max(longest, l), listed += l > 0;
@@ -23,7 +23,7 @@ void orderByLength(BlockLists& lists) {
     if (lists.length[i] > 0) lists.order[lists.place[lists.length[i]]++] = i;
 }
 
-void writeSlice(const NeighbourSlice& slice, const BlockLists& lists, VertexNumber firstOfBlock,
+void writeSlice(const NeighbourSlice& slice, const RowLists& lists, VertexNumber firstOfBlock,
                 VertexNumber far, std::int32_t* indices) {
   for (int l = 0; l < blockLanes; ++l) {
     std::int32_t* out = indices + slice.start * blockLanes + l;
@@ -39,18 +39,22 @@ void writeSlice(const NeighbourSlice& slice, const BlockLists& lists, VertexNumb
 
 }  // namespace
 
-void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads) {
+RowLists& foundLists(BlockLists& lists) { return lists; }
+RowLists& actingLists(BlockLists& lists) { return lists.acting; }
+
+void cutIntoSlices(NeighbourList& list, RowLists& (*listsOf)(BlockLists&), const Bodies& bodies,
+                   int threads) {
   const int blocks = bodies.blockCount();
   const VertexNumber far = bodies.lineCount() * blockLanes;
   const auto firstOf = [&](int block) { return bodies.blocks[block].firstLine * blockLanes; };
-  parallelFor(blocks, threads, [&](int block) { orderByLength(list.perBlock[block]); });
+  parallelFor(blocks, threads, [&](int block) { orderByLength(listsOf(list.perBlock[block])); });
 
   // Where each block's slices and indices begin.
   list.firstSlice.assign(1, 0);
   list.slices.clear();
   std::int64_t lines = 0;
   for (int block = 0; block < blocks; ++block) {
-    const BlockLists& lists = list.perBlock[block];
+    const RowLists& lists = listsOf(list.perBlock[block]);
     for (std::size_t first = 0; first < lists.order.size(); first += blockLanes) {
       NeighbourSlice slice;
       slice.start = lines;
@@ -66,7 +70,7 @@ void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads) {
   std::fill(list.indices.begin() + lines * blockLanes, list.indices.end(), far);
   parallelFor(blocks, threads, [&](int block) {
     for (std::int64_t s = list.firstSlice[block]; s < list.firstSlice[block + 1]; ++s)
-      writeSlice(list.slices[s], list.perBlock[block], firstOf(block), far, list.indices.data());
+      writeSlice(list.slices[s], listsOf(list.perBlock[block]), firstOf(block), far, list.indices.data());
   });
 }
 

@@ -4,7 +4,11 @@
 
 namespace morula {
 
-/// Fills slices, firstSlice and indices from perBlock.
-void cutIntoSlices(NeighbourList& list, const Bodies& bodies, int threads);
+/// All that were found, or those that may act.
+RowLists& foundLists(BlockLists& lists);
+RowLists& actingLists(BlockLists& lists);
+
+/// Fills slices, firstSlice and indices from one kind of each block's lists.
+void cutIntoSlices(NeighbourList& list, RowLists& (*listsOf)(BlockLists&), const Bodies& bodies, int threads);
 
 }  // namespace morula

@@ -31,8 +31,9 @@ struct SphereLaw {
 };
 
 /// [ContactKernels::takeSnapshot]
-inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const double* inverseRadiusSquared,
-                                 RealPointer reference, RowMemory* rows) {
+inline SnapshotChange takeSphereSnapshot(const TemplateView&, const BlockView& b,
+                                         const double* inverseRadiusSquared, RealPointer reference,
+                                         RowMemory* rows) {
   Lanes farthest = 0.0;
   for (int lane = 0; lane < b.liveLanes; lane += width) {
     const Vec x = loadVec(b.position, 0, lane), w = loadVec(b.predicted, 0, lane);
@@ -48,7 +49,7 @@ inline double takeSphereSnapshot(const TemplateView&, const BlockView& b, const 
     const Vec moved = x - loadVec(reference, 0, lane);
     farthest = max(dot(moved, moved), farthest);
   }
-  return largestOf(farthest);
+  return {.farthest = largestOf(farthest)};
 }
 
 template <bool withFriction, bool withAdhesion>

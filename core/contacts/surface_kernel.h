@@ -27,9 +27,11 @@ struct SurfaceForce {
 };
 
 /// [ContactKernels::takeSnapshot] of the surface.
-inline double takeSurface(const TemplateView& mesh, const BlockView& b, const double* inverseRadiusSquared,
-                          RealPointer reference, RowMemory* rows) {
-  Lanes farthest = 0.0;
+inline SnapshotChange takeSurface(const TemplateView& mesh, const BlockView& b,
+                                  const double* inverseRadiusSquared, RealPointer reference,
+                                  RowMemory* rows) {
+  Lanes farthest = 0.0, moved = 0.0, turned = 0.0, spedUp = 0.0;
+  constexpr VertexNumber consecutive[blockLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
   const Lanes normalScale = __builtin_sqrt(normalScaleSquared);
   const Real* position = b.position;
   for (int v = 0; v < mesh.vertexCount; ++v) {
@@ -44,13 +46,20 @@ inline double takeSurface(const TemplateView& mesh, const BlockView& b, const do
       const Vec y = (1.0 - retreat) * x + share * around;
       const Lanes curvature = load(inverseRadiusSquared + lane), fold = foldedNormal / curvature;
       const Vec n = (normalScale / sqrt(dot(g, g) + fold * fold)) * g;
-      storeRows(rows + std::int64_t(v) * blockLanes + lane, {y, n, w, curvature});
-      const Vec moved = y - loadVec(reference, v, lane);
-      // A lane without a cell has curvature 0; the list's points do not know it.
-      farthest = max(select(curvature > Lanes(0.0), dot(moved, moved), 0.0), farthest);
+      RowMemory* here = rows + std::int64_t(v) * blockLanes + lane;
+      const Rows before = loadRows(here, consecutive);
+      storeRows(here, {y, n, w, curvature});
+      const Mask cell = curvature > Lanes(0.0);  // in lanes without one nothing stands in lists
+      const auto see = [&](const Vec& change, Lanes& largest) {
+        largest = max(select(cell, dot(change, change), 0.0), largest);
+      };
+      see(y - loadVec(reference, v, lane), farthest);
+      see(y - before.x, moved);
+      see(n - before.n, turned);
+      see(asStored(w) - before.v, spedUp);
     }
   }
-  return largestOf(farthest);
+  return {largestOf(farthest), largestOf(moved), largestOf(turned), largestOf(spedUp)};
 }
 
 /// Zeros in the scratch of a block's surface.

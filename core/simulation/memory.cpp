@@ -50,7 +50,7 @@ double perVertex(const MechanicsScene& m) {
   if (shellShapeOf(m.physics) == ShellShape::surface) bytes += vector;    // Bodies::held
   if (!m.contact && !m.connections && !m.physics.motility) bytes += 3 * vector;  // BodyCopy
   // Snapshot, NeighbourList::reference, PointTable, BlockLists.
-  if (m.contact) bytes += sizeof(RowMemory) + vector + 6 * sizeof(double) + 4 * sizeof(std::int32_t);
+  if (m.contact) bytes += sizeof(RowMemory) + vector + 6 * sizeof(double) + 6 * sizeof(std::int32_t);
   return bytes;
 }
 
@@ -123,12 +123,15 @@ MemoryUse measureMemory(const World& world) {
   }
   if (world.contacts) {
     const Contacts& k = *world.contacts;
-    m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.list.reference);
+    m.snapshots = bytes(k.radius, k.inverseRadiusSquared, k.rows, k.farthest, k.deepest, k.acting.change,
+                        k.list.reference);
     m.listRows = bytes(k.list.firstSlice);
     m.listPairs = bytes(k.list.slices, k.list.indices, k.adhesion.ofPairs);
     for (const BlockLists& lists : k.list.perBlock) {
-      m.listRows += bytes(lists.begin, lists.length, lists.order, lists.place);
-      m.listPairs += bytes(lists.neighbours);
+      for (const RowLists* rows : {static_cast<const RowLists*>(&lists), &lists.acting}) {
+        m.listRows += bytes(rows->begin, rows->length, rows->order, rows->place);
+        m.listPairs += bytes(rows->neighbours);
+      }
     }
     m.search = bytes(k.list.halfReach) +
                std::visit([](const auto& search) { return searchBytes(search); }, k.list.search->way);

@@ -1,0 +1,82 @@
+#include "contacts/acting_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "contacts/contacts.h"
+#include "contacts/slices.h"
+
+namespace morula {
+
+namespace {
+
+constexpr double roundingRoom = 1e-5;
+// Of the smallest influence radius R. A choice costs about as much as half an evaluation of all pairs and lasts M/ċ of
+// them if each changes gaps by ċ; a margin M keeps so many more pairs. Both together cost least at M² = R ċ/4; where M is
+// beyond the largest one, as among newborn cells that fly apart, more than is gained.
+constexpr double cheapestMargin = 0.25, leastMargin = 0.01, mostMargin = 0.1;
+
+double delayOf(const Contacts& c) { return c.parameters.damping / c.parameters.stiffness; }
+
+/// The lists of one block.
+void findActing(const Contacts& c, const Bodies& bodies, int block, double reach, BlockLists& lists) {
+  const std::size_t needed = std::size_t(lists.used) + ListsToThin::readable;
+  if (lists.neighbours.size() < needed) lists.neighbours.resize(needed + needed / 4);
+  std::fill_n(lists.neighbours.begin() + lists.used, ListsToThin::readable,
+              static_cast<VertexNumber>(c.rows.size() - 1));
+  lists.acting.begin.assign(lists.begin.size(), 0);
+  lists.acting.length.assign(lists.length.size(), 0);
+  lists.acting.neighbours.resize(lists.neighbours.size());
+  const ListsToThin thin{.begin = lists.begin.data(),
+                         .length = lists.length.data(),
+                         .neighbours = lists.neighbours.data(),
+                         .vertices = bodies.verticesPerLane(block),
+                         .liveLanes = bodies.liveLanes(block),
+                         .firstVertex = bodies.blocks[block].firstLine * blockLanes,
+                         .reachSquared = reach * reach,
+                         .margin = c.acting.margin + roundingRoom * c.acting.largestRadius,
+                         .perSpeed = delayOf(c) * (c.acting.margin / c.acting.largestRadius + roundingRoom),
+                         .delay = delayOf(c)};
+  c.kernels->findActing(thin, c.rows.data(), lists.acting.begin.data(), lists.acting.length.data(),
+                        lists.acting.neighbours.data());
+}
+
+}  // namespace
+
+bool choosesPairs(const Contacts& c) { return !c.scratch.empty() && !c.parameters.adhesion; }
+
+void countChange(Contacts& c, const SnapshotChange& s, int block) {
+  c.acting.change[block] +=
+      2 * std::sqrt(normalScaleSquared) * (std::sqrt(s.moved) + delayOf(c) * std::sqrt(s.spedUp)) +
+      c.acting.largestRadius * std::sqrt(s.turned);
+}
+
+bool choiceHolds(const ActingPairs& acting) {
+  // Not `>=`: where numbers are none, pairs are chosen anew.
+  return std::ranges::all_of(acting.change, [&](double change) { return change < acting.margin; });
+}
+
+void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
+  ActingPairs& acting = c.acting;
+  const auto smaller = [&](int i, int j) { return c.radius[i] < c.radius[j]; };
+  const auto [least, most] = std::ranges::minmax(bodies.slots, smaller);
+  const double radius = c.radius[least];
+  acting.largestRadius = c.radius[most];
+  // The first choice shall not last: how fast gaps change is not known yet.
+  const double perEvaluation =
+      acting.age > 0 ? *std::ranges::max_element(acting.change) / static_cast<double>(acting.age) : 0;
+  acting.margin = std::max(leastMargin * radius, std::sqrt(cheapestMargin * radius * perEvaluation));
+  std::ranges::fill(acting.change, 0);
+  acting.age = 0;
+  if (!(acting.margin < mostMargin * radius)) {
+    acting.margin = INFINITY;
+    return cutIntoSlices(c.list, foundLists, bodies, threads);
+  }
+  const double reach = (1 + acting.margin / radius) * (1 + roundingRoom);
+  parallelFor(bodies.blockCount(), threads,
+              [&](int block) { findActing(c, bodies, block, reach, c.list.perBlock[block]); });
+  cutIntoSlices(c.list, actingLists, bodies, threads);
+}
+
+}  // namespace morula

@@ -1,0 +1,235 @@
+// Pairs that are left out of slices add nothing, as long as the choice holds.
+#include "contacts/acting_pairs.h"
+
+#include <algorithm>
+
+#include "catch.h"
+#include "crowd.h"
+
+using namespace morula;
+
+namespace {
+
+const double longest = std::sqrt(normalScaleSquared);  // ν
+
+std::vector<SnapshotRow> rowsOf(const Crowd& crowd) {
+  std::vector<SnapshotRow> rows;
+  for (const RowMemory& row : crowd.contacts.rows)
+    rows.push_back(readRow(row, crowd.lab.bodies.parameters.precision));
+  return rows;
+}
+
+/// The neighbours of each vertex that stand in slices.
+std::vector<std::vector<VertexNumber>> chosenOf(const Contacts& c) {
+  const auto far = static_cast<VertexNumber>(c.rows.size() - 1);
+  std::vector<std::vector<VertexNumber>> chosen(c.rows.size());
+  for (const NeighbourSlice& slice : c.list.slices)
+    for (int l = 0; l < blockLanes; ++l)
+      for (int k = 0; k < slice.length; ++k) {
+        const VertexNumber j = c.list.indices[(slice.start + k) * blockLanes + l];
+        if (j != far) chosen[slice.vertex[l]].push_back(j);
+      }
+  return chosen;
+}
+
+/// Chooses with about this margin, in smallest influence radii.
+void choose(Crowd& crowd, double share) {
+  ActingPairs& acting = crowd.contacts.acting;
+  acting.age = 1;
+  std::ranges::fill(acting.change, 4 * share * share * crowd.contacts.list.skin / 0.15);
+  choosePairs(crowd.contacts, crowd.lab.bodies, 1);
+}
+
+/// The worst that motion within a margin may do to a pair: how far its gap is from acting then, in the margin.
+struct WorstMotion {
+  const Contacts& c;
+  double moved, turned, spedUp;  // δ, η, w
+
+  double operator()(const SnapshotRow& i, const SnapshotRow& j) const {
+    const double delay = c.parameters.damping / c.parameters.stiffness;
+    const Vector a{i.x - j.x, i.y - j.y, i.z - j.z};
+    const Vector h = 0.5 * Vector{j.nx - i.nx, j.ny - i.ny, j.nz - i.nz};
+    const Vector u = Vector{i.vx, i.vy, i.vz} - Vector{j.vx, j.vy, j.vz};
+    const double curvature = 0.5 * (double(i.inverseRadiusSquared) + double(j.inverseRadiusSquared));
+    double worst = INFINITY;
+    // Nearer, against the normals, or across; turned against the distance or against the speed.
+    for (const Vector& way : {a, h, cross(cross(a, h), a)})
+      for (const Vector& b : {a, u, a + delay * u}) {
+        const Vector nearer = a - 2 * moved / (norm(way) + 1e-300) * way;
+        if (!(curvature * dot(nearer, nearer) < 1)) continue;
+        const Vector turnedBy = h - turned / (norm(b) + 1e-300) * b;
+        if (norm(turnedBy) > longest) continue;
+        const Vector faster = u - 2 * spedUp / (norm(turnedBy) + 1e-300) * turnedBy;
+        const double gap = dot(nearer, turnedBy);
+        worst = std::min({worst, gap, gap + delay * dot(faster, turnedBy)});
+      }
+    return worst / c.acting.margin;
+  }
+};
+
+struct Motion {
+  ContactParameters law;
+  double speed;  // [length/time]
+};
+
+}  // namespace
+
+TEST_CASE("No pair that is left out can act, whatever moves, turns and speeds up within the margin") {
+  const Mesh ball = makeIcosphere(1);
+  for (Isa isa : availableIsas())
+    for (Precision precision : {Precision::binary64, Precision::binary32})
+      for (const auto& [law, speed] : {Motion{{}, 0}, Motion{{}, 30}, Motion{{ContactLaw::pair, 40, 20}, 1},
+                                       Motion{{ContactLaw::pair, 40, 0}, 1}}) {
+        PhysicsParameters p = limp();
+        p.precision = precision;
+        int left = 0, act = 0;
+        double closest = INFINITY;
+        for (std::uint32_t key = 0; key < 4; ++key) {
+          Crowd crowd(p, law, ball, heap(ball, 9, 1.4, 0, key), isa);
+          Contacts& c = crowd.contacts;
+          std::vector<SnapshotRow> rows = rowsOf(crowd);
+          for (std::size_t g = 0; g + 1 < rows.size(); ++g) {
+            const auto k = static_cast<std::uint32_t>(100 * g + key);
+            SnapshotRow& row = rows[g];
+            // Of cells side by side in turn up and down, so that many face each other.
+            const Vector way = noiseVector(0, k) + Vector{0, 0, g % 2 == 0 ? 2.0 : -2.0},
+                         n = (0.99 * longest / norm(way)) * way, v = speed * noiseVector(1, k);
+            row.nx = n.x, row.ny = n.y, row.nz = n.z;
+            row.vx = float(v.x), row.vy = float(v.y), row.vz = float(v.z);
+            c.rows[g] = asMemory(row, precision);
+          }
+          rows = rowsOf(crowd);
+          for (double margin : {0.02, 0.05, 0.09}) {
+            choose(crowd, margin);
+            const auto chosen = chosenOf(c);
+            const double most = 0.999 * c.acting.margin, delay = std::max(law.damping / law.stiffness, 1e-6);
+            const WorstMotion motions[]{{c, 0, 0, 0},
+                                        {c, most / (2 * longest), 0, 0},
+                                        {c, 0, most / c.acting.largestRadius, 0},
+                                        {c, 0, 0, most / (2 * longest * delay)},
+                                        {c, most / (4 * longest), most / (2 * c.acting.largestRadius), 0}};
+            for (VertexNumber g = 0; g + 1 < static_cast<VertexNumber>(rows.size()); ++g) {
+              if (!(rows[g].inverseRadiusSquared > 0)) continue;
+              for (VertexNumber j : neighboursOf(c.list, g))
+                if (!std::ranges::binary_search(chosen[g], j))
+                  for (const WorstMotion& worst : motions) {
+                    const double gap = worst(rows[g], rows[j]);
+                    act += gap < 0, ++left;
+                    closest = std::min(closest, gap);
+                  }
+            }
+          }
+        }
+        CAPTURE(name(isa), law.damping, speed, left);
+        CHECK(act == 0);
+        CHECK(left > 10000);
+        CHECK(closest < 0.4);  // the margin is not much wider than it needs to be
+      }
+}
+
+TEST_CASE("Forces of the chosen pairs are those of all, bit for bit: cells that fly, spin and are shaken") {
+  const Mesh ball = makeIcosphere(2);
+  for (const ContactParameters& law :
+       {ContactParameters{}, ContactParameters{ContactLaw::pair, 40, 0.2, 0.3}}) {
+    int different = 0, choices = 0, evaluations = 0;
+    double entries = 0, all = 0;
+    for (std::uint32_t key = 0; key < 6; ++key) {
+      PhysicsParameters p = limp();
+      if (key % 2 == 1) p.precision = Precision::binary32;
+      Crowd crowd(p, law, ball, heap(ball, 9, 1.8, 0, key), bestIsa());
+      Bodies& b = crowd.lab.bodies;
+      for (int i = 0; i < 120; ++i) {
+        for (int slot = 0; slot < b.count; ++slot) {
+          const auto k = static_cast<std::uint32_t>(10 * key + slot);
+          const double size = key < 2 ? 1e-3 : 2e-4;
+          const Vector along = noiseVector(2, k), spin = 3 * noiseVector(3, k), middle = b.vertex(slot, 0);
+          for (int v = 0; v < b.vertexCount(); ++v) {
+            const Vector way =
+                along + cross(spin, b.vertex(slot, v) - middle) + 0.3 * noiseVector(4 + v, k + 1000 * i);
+            crowd.lab.setPosition(slot, v, b.vertex(slot, v) + size * way);
+            crowd.lab.setVelocity(slot, v, (i % 20 == 7 ? 300 : 30) * size * way);
+          }
+        }
+        crowd.evaluateContacts();
+        const Reals chosen = b.acceleration;
+        Contacts whole = crowd.contacts;
+        buildNeighbourList(whole.list, b, whole.radius, 1);
+        b.acceleration.assign(b.acceleration.size(), 0);
+        for (int block = 0; block < b.blockCount(); ++block)
+          addContactForces(whole, b, block, crowd.lawTimeStep);
+        if (i == 0) {
+          const auto slices = chosenOf(whole);
+          for (std::size_t g = 0; g + 1 < slices.size(); ++g)
+            different += slices[g] != neighboursOf(whole.list, static_cast<VertexNumber>(g));
+        }
+        different += chosen != b.acceleration || whole.deepest != crowd.contacts.deepest;
+        choices += crowd.contacts.acting.age == 1, ++evaluations;
+        entries += double(crowd.contacts.list.indices.size()), all += double(whole.list.indices.size());
+      }
+    }
+    CHECK(different == 0);
+    CHECK(choices < 0.9 * evaluations);
+    CHECK(entries < 0.8 * all);
+  }
+}
+
+TEST_CASE("Where little moves the choice is narrow and lasts") {
+  const Mesh ball = makeIcosphere(1);
+  Crowd crowd(limp(), {}, ball, heap(ball, 9, 1.8, 0));
+  const ActingPairs& acting = crowd.contacts.acting;
+  Bodies& b = crowd.lab.bodies;
+  const double radius = crowd.contacts.list.skin / 0.15;
+  std::vector<double> shares;
+  for (double way : {1e-4, 1e-3}) {
+    std::int64_t oldest = 0;
+    for (int i = 0; i < 60; ++i) {
+      b.write(b.position, 0, 0, b.vertex(0, 0) + Vector{0, 0, i % 2 == 0 ? way : -way});
+      crowd.evaluateContacts();
+      oldest = std::max(oldest, acting.age);
+    }
+    CHECK(oldest > 3);
+    shares.push_back(acting.margin / radius);
+  }
+  CHECK(shares[0] < shares[1]);
+  CHECK(shares[1] < 0.1);
+}
+
+TEST_CASE("Snapshots count by how much they may change gaps, and the choice holds up to its margin") {
+  const Mesh ball = makeIcosphere(1);
+  for (Isa isa : availableIsas()) {
+    Crowd crowd(limp(), {ContactLaw::pair, 40, 2}, ball, heap(ball, 9, 1.8, 0), isa);
+    Bodies& b = crowd.lab.bodies;
+    ActingPairs& acting = crowd.contacts.acting;
+    std::vector<double> expected(acting.change.size(), 0);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::vector<SnapshotRow> before = rowsOf(crowd);
+      for (int slot = 0; slot < b.count; ++slot)
+        for (int v = 0; v < b.vertexCount(); ++v) {
+          const std::uint32_t k = 100 * slot + v + 1000 * i;
+          crowd.lab.setPosition(slot, v, b.vertex(slot, v) + 0.01 * noiseVector(5, k));
+          crowd.lab.setVelocity(slot, v, crowd.lab.velocity(slot, v) + noiseVector(6, k));
+        }
+      crowd.advanceAndSnapshot(0);
+      const std::vector<SnapshotRow> after = rowsOf(crowd);
+      for (int block = 0; block < b.blockCount(); ++block) {
+        Worst moved, turned, spedUp;
+        for (int slot = block * blockLanes; slot < std::min(b.count, (block + 1) * blockLanes); ++slot)
+          for (int v = 0; v < b.vertexCount(); ++v) {
+            const SnapshotRow &p = before[numberOf(b, slot, v)], &q = after[numberOf(b, slot, v)];
+            moved.see(norm(Vector{q.x - p.x, q.y - p.y, q.z - p.z}));
+            turned.see(norm(Vector{q.nx - p.nx, q.ny - p.ny, q.nz - p.nz}));
+            spedUp.see(norm(Vector{q.vx - p.vx, q.vy - p.vy, q.vz - p.vz}));
+          }
+        expected[block] += 2 * longest * (moved + 2.0 / 40 * spedUp) + acting.largestRadius * turned;
+      }
+    }
+    for (std::size_t block = 0; block < expected.size(); ++block)
+      CHECK(std::abs(acting.change[block] - expected[block]) < 1e-6 * expected[block]);
+  }
+  ActingPairs acting{.change = {0, 0}, .margin = 1};
+  CHECK(choiceHolds(acting));
+  for (double change : {0.999, 1.0, std::nan("")}) {
+    acting.change[1] = change;
+    CHECK(choiceHolds(acting) == (change == 0.999));
+  }
+}
