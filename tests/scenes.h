@@ -174,6 +174,15 @@ inline Scene sticky(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
   return s;
 }
 
+/// The same by quasi-static growth: what acts for a time has no part in it.
+inline Scene settling(Scene s) {
+  s.name += " settling";
+  s.mechanics->physics.integrator = Integrator::fire;
+  s.mechanics->physics.timeStep.reset();
+  s.mechanics->physics.motility.reset();
+  return s;
+}
+
 /// For cells put together by hand: those with the mesh of 162 vertices may touch those with 42.
 inline Scene mixedMeshes() {
   Scene s = withBodies(uniqueFour, 1, makeIcosphere(2));

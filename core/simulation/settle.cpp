@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "base/aligned.h"
+#include "base/error.h"
 #include "base/maths.h"
+#include "base/number_text.h"
 #include "base/parallel.h"
 #include "contacts/contacts.h"
 #include "physics/integrator.h"
@@ -15,7 +17,9 @@ namespace morula {
 
 namespace {
 
-constexpr double mostMove = 0.1;  // [mean edge at rest] of a vertex, in one evaluation
+constexpr double mostMove = 0.1;     // [mean edge at rest] of a vertex, in one evaluation
+constexpr double leastStrain = 0.1;  // of k_s/R, in p̂
+constexpr double farOff = 10;        // [tolerance] of what no run goes on from
 constexpr double inertiaPerStrain = 2, clearlyMore = 1.5;
 constexpr std::uint64_t inertiaEvery = 64;  // evaluations
 using Lane = AlignedVector<double>;         // [slot], filled up to whole blocks
@@ -93,11 +97,13 @@ class Descent {
     }
   }
 
+  /// [force/length²] p̂ of settle.h
   double scale(int slot, double radius) const {
     const PhysicsParameters& p = bodies_.parameters;
-    if (bodies_.areSpheres()) return (world_.contacts ? world_.contacts->parameters.stiffness : 1) / radius;
-    const bool filled = bodies_.pressureConstant[slot] > 0 || p.pressure.outside > 0;
-    return filled ? std::abs(bodies_.pressure[slot]) : p.membrane.stiffness / radius;
+    const double stiffness = !bodies_.areSpheres() ? p.membrane.stiffness
+                             : world_.contacts     ? world_.contacts->parameters.stiffness
+                                                   : 1;
+    return std::max(std::abs(bodies_.pressure[slot]), leastStrain * stiffness / radius);
   }
 
   void stop() {
@@ -124,6 +130,14 @@ void settle(World& world) {
     descent.move(record.evaluations % inertiaEvery == 0);
   }
   world.settlings->push_back(record);
+  if (record.residual <= farOff * p.tolerance) return;
+  throw NumericalError(
+      "", record.step,
+      "after " + std::to_string(p.evaluations) + " evaluations forces are " + numberText(record.residual) +
+          " of what holds cells in shape, more than " + numberText(farOff) +
+          " times physics.settle.tolerance " + exactText(p.tolerance) + ": cells are far from rest",
+      "give more physics.settle.evaluations or a larger physics.settle.tolerance, or lower what is stiff "
+      "(physics.contact.stiffness, physics.pressure.constant)");
 }
 
 /// [time] Of what happens next.

@@ -42,6 +42,13 @@ class Experiment {
     if (!scenario_.scene.mechanics)
       throw InputError(scenario_.file +
                        ": physics: a lineage-only scene has no error; needs a physics block");
+    if (kindOf(scenario_.scene.mechanics->physics.integrator).settles)
+      throw InputError(
+          scenario_.file +
+          ": physics.integrator: fire has no time step whose error could be measured; how near to "
+          "equilibrium each "
+          "settling came stands in the table settling of its results. Compare runs with a smaller "
+          "physics.settle.tolerance, in a study");
     radius_ = scenario_.scene.mechanics->physics.cell.radius;
   }
 

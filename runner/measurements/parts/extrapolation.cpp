@@ -80,18 +80,24 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
   // The era that the trial run stands in is not over.
   const std::size_t first = trial.whole ? trial.eras.size() : trial.eras.size() - 1;
   int generation = -1;
-  double timeStep = world.clock.timeStep, from = world.clock.time;
+  double timeStep = world.clock.timeStep, from = world.clock.time, settledUntil = from;
   for (std::size_t i = first; i < all.size(); ++i) {
     const Era& era = life.eras[i];
     EraCounts& counts = all[i];
     if (i >= trial.eras.size()) {
       from = era.from;
-      if (era.generation != generation)
+      if (era.generation != generation && !world.settlings)
         timeStep =
             fixed ? *fixed : automaticTimeStep(world.model, predictTimeStepLimit(trial, era.generation));
       generation = era.generation;
     }
-    const double cells = double(era.cells), steps = std::ceil(std::max(era.to - from, 0.0) / timeStep);
+    const double cells = double(era.cells);
+    double steps = std::ceil(std::max(era.to - from, 0.0) / timeStep);
+    if (world.settlings) {  // an era for each settling, but for events that share one
+      const bool settles = !trial.whole && era.from >= settledUntil;
+      steps = settles ? trial.lastEvaluations : 0;
+      if (settles) settledUntil = era.from + world.bodies->parameters.settle.together;
+    }
     counts.steps += steps;
     if (!world.contacts || cells < 2) continue;
     counts.pairs += steps * cells * vertices * contact.pairs * touchingShare(cells);

@@ -55,23 +55,24 @@ Life predictLife(const Scene& scene, std::uint64_t most) {
 TrialRun tryBeginning(World world, const Life& life, double vertexSteps) {
   TrialRun run{.world = std::move(world), .eras = {{}}};
   World& w = run.world;
-  for (double done = 0; done < vertexSteps; done += w.bodies->livingVertices) {
+  for (double done = 0, evaluations = 1; done < vertexSteps; done += evaluations * w.bodies->livingVertices) {
     if ((run.whole = finished(w))) break;
     const std::size_t ever = w.lineage.entries.size(), cells = w.cells.path.size();
     const std::uint64_t searches = w.contacts ? w.contacts->rebuilds : 0;
     const std::uint64_t pairs = w.contacts ? w.contacts->pairEvaluations : 0;
     const double seconds = timeOf(ClockKind::cpu, [&] { step(w); });
     run.seconds += seconds;
+    if (w.settlings && !w.settlings->empty()) evaluations = double(w.settlings->back().evaluations);
     EraCounts& era = run.eras.back();
-    ++era.steps;
+    era.steps += evaluations;
     if (w.contacts) {
       era.searches += double(w.contacts->rebuilds - searches);
       era.pairs += double(w.contacts->pairEvaluations - pairs);
     }
     if (w.lineage.entries.size() == ever && w.cells.path.size() == cells) continue;
-    run.changeSeconds += seconds;
-    run.changeCells += w.cells.path.size();
-    if (w.bodies->count > 0) run.timeStepLimit = timeStepLimit(w);
+    if (w.settlings) run.lastEvaluations = evaluations;
+    else run.changeSeconds += seconds, run.changeCells += w.cells.path.size();
+    if (w.bodies->count > 0 && !w.settlings) run.timeStepLimit = timeStepLimit(w);
     run.generation = life.eras[std::min(run.eras.size(), life.eras.size() - 1)].generation;
     if (run.eras.size() < life.eras.size()) run.eras.emplace_back();
   }

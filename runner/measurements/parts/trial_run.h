@@ -32,7 +32,7 @@ Life predictLife(const Scene& scene, std::uint64_t most = 1'000'000);
 
 /// What an era of bodies needs.
 struct EraCounts {
-  double steps = 0, searches = 0;
+  double steps = 0, searches = 0;  // of a quasi-static scene: evaluations of the forces
   double pairs = 0;  // evaluations of a vertex and a neighbour
 };
 
@@ -41,6 +41,7 @@ struct TrialRun {
   std::vector<EraCounts> eras;  // those that it came to; the last may be unfinished
   bool whole = false;           // it came to the run's end
   double seconds = 0;           // [s] of CPU time, all steps
+  double lastEvaluations = 1;   // of a quasi-static scene's last settling after a birth or death
   // Of these, the steps in which cells were born or died, and the cells that were there then, added up.
   double changeSeconds = 0;
   std::uint64_t changeCells = 0;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/number_text.h"
+#include "check/settled.h"
 #include "report/bullet_block.h"
 #include "store/records.h"
 
@@ -160,6 +161,10 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
         {Kind::warning, "The run has not ended, or its program was killed: there are no results yet"});
   judgeChecks(facts, findings);
   judgeDivisions(facts, findings);
+  if (const std::string unsettled = unsettledText(
+          facts.scenario.scene.mechanics.value_or(MechanicsScene{}).physics.settle, facts.results.settlings);
+      !unsettled.empty())
+    findings.push_back({Kind::warning, unsettled});
   judgeAgain(facts, findings);
   judgeBullet(facts, findings);
   if (!facts.unusableGolden.empty())

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "diagnose/diagnose.h"
 #include "simulation/memory.h"
+#include "simulation/settle.h"
 #include "system/signals.h"
 #include "system/usable_memory.h"
 
@@ -137,7 +138,9 @@ Simulation simulate(World world, Recorder recorder, const RunOptions& options, b
     }
     run.end = endOf(run.world, status);  // hashes the state, which must be numbers
   } catch (const BodyFailure& error) {
-    fail(diagnose(run.world.model, run.world.execution, error), error.want);
+    // What drove a cell through time steps is no question where there are none.
+    fail(settles(run.world) ? error.what() : diagnose(run.world.model, run.world.execution, error),
+         error.want);
   } catch (const NumericalError& error) { fail(error.what(), error.want); } catch (const std::bad_alloc&) {
     fail(fmt::format("step {}: there is no more memory; {}", run.world.clock.step, outOfMemoryRemedy),
          Want::memory);

@@ -96,6 +96,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
   } else if (!outcome.checks && end.status == RunStatus::done)
     text += "  checks   none: " + outcome.whyNotChecked + "\n";
   text += describeAmbiguous(outcome.ambiguous);
+  if (!outcome.unsettled.empty()) text += "  warning  " + outcome.unsettled + "\n";
   text += describeSanity(outcome, scenario);
   text += "  results  " + settings.database.string() + " (run " + outcome.id + ")\n";
   std::size_t frames = 0;
@@ -125,6 +126,7 @@ Json toJson(const RunOutcome& outcome, const Scenario& scenario, const RunSettin
             {"db", settings.database.string()},
             {"pictures", outcome.pictures},
             {"ambiguous_divisions", ambiguousToJson(outcome.ambiguous)},
+            {"unsettled", outcome.unsettled},
             {"checked", outcome.checks ? Json(outcome.checks->passed()) : Json()},
             {"sane", orNull(outcome.isSane())},
             {"sanity", sanityJson(outcome.sanity)}};

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "check/ambiguous.h"
+#include "check/settled.h"
 #include "check/beside_golden.h"
 #include "check/check_run.h"
 #include "check/sanity.h"
@@ -150,6 +151,8 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   outcome.ambiguous = ambiguousDivisions(
       run.world.model, run.world.lineage.entries,
       [&](StateId state) { return run.world.biology->describe(state); }, run.world.divisions);
+  if (run.world.settlings)
+    outcome.unsettled = unsettledText(run.world.bodies->parameters.settle, *run.world.settlings);
   outcome.signal = run.signal;
   if (!done) return outcome;
   try {

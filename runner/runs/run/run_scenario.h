@@ -36,6 +36,7 @@ struct RunOutcome {
   CheckReport sanityReport(const Scenario& scenario) const;
   std::vector<std::string> pictures;
   std::vector<DivisionRecord> ambiguous;  // divisions across the longest extent of cells that have none
+  std::string unsettled;                  // [unsettledText]
   int signal = 0;                         // that ended it
 };
 

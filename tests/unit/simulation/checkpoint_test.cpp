@@ -34,6 +34,8 @@ std::vector<Scene> savedScenes() {
     scenes.push_back(shapes);
   }
   scenes.push_back(scenes::turning());
+  for (const Scene& events : {scenes::packed(), scenes::sticky(), scenes::spheres(), scenes::coarsening()})
+    scenes.push_back(scenes::settling(events));
   Scene ring = scenes::life(scenes::scaled(zoo::torus(7, 5), 0.33));
   ring.name = "life of a torus in single precision";
   ring.mechanics->division = {DivisionPlane::axis, {1, 0, 0}};

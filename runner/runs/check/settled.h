@@ -1,0 +1,15 @@
+#pragma once
+// Whether a quasi-static run came as near to equilibrium as its scenario asks.
+#include <string>
+#include <vector>
+
+#include "physics/parameters.h"
+#include "simulation/world.h"
+
+namespace morula {
+
+/// A sentence on settlings that ended at `evaluations` above the tolerance: how many, the farthest, and what to change; "" where
+/// there are none.
+std::string unsettledText(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings);
+
+}  // namespace morula

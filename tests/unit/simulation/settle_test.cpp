@@ -1,0 +1,176 @@
+// Quasi-static growth: where it ends, against forces added up by brute force and against a run through time that comes to rest
+// at the same place, and what it says when it does not get there.
+#include "simulation/settle.h"
+
+#include <numbers>
+
+#include "catch.h"
+#include "worlds.h"
+
+using namespace morula;
+
+namespace {
+
+Scene settled(Scene scene, double tolerance, std::uint64_t evaluations = 200'000) {
+  scene = scenes::settling(std::move(scene));
+  scene.mechanics->physics.settle = {.tolerance = tolerance, .evaluations = evaluations};
+  return scene;
+}
+
+/// As settle.h defines it, vertex by vertex.
+double residualOf(const World& world) {
+  const Bodies& b = *world.bodies;
+  double left = 0, pressure = 0;
+  int vertices = 0;
+  for (int slot : b.slots) {
+    const double radius = std::cbrt(3 * b.volume[slot] / (4 * std::numbers::pi));
+    const double share = 4 * std::numbers::pi * radius * radius / b.vertexCount(slot);
+    for (int v = 0; v < b.vertexCount(slot); ++v) {
+      const Vector traction = b.vertexMass[slot] / share * b.read(b.acceleration, slot, v);
+      left += dot(traction, traction);
+      ++vertices;
+    }
+    pressure +=
+        std::max(std::abs(b.pressure[slot]), 0.1 * b.parameters.membrane.stiffness / radius) / b.count;
+  }
+  return std::sqrt(left / vertices) / pressure;
+}
+
+double fastestVertex(const World& world) {
+  double speed = 0;
+  for (int slot : world.bodies->slots)
+    for (int v = 0; v < world.bodies->vertexCount(slot); ++v)
+      speed = std::max(speed, norm(world.bodies->read(world.bodies->velocity, slot, v)));
+  return speed;
+}
+
+/// Four cells in a shell that stop dividing then.
+Scene four() {
+  Scene scene = scenes::packed();
+  scene.stop = {.cycles = 3, .time = {}, .cells = {}};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("Each step ends with forces within the tolerance, and without motion") {
+  for (const double tolerance : {0.1, 1e-3, 1e-9}) {
+    World world = makeWorld(settled(four(), tolerance), {Isa::scalar, 1});
+    while (!finished(world)) {
+      step(world);
+      const SettlingRecord& last = world.settlings->back();
+      CAPTURE(tolerance, last.step, last.evaluations);
+      CHECK(last.step == world.clock.step);
+      CHECK(last.residual <= tolerance);
+      CHECK_THAT(residualOf(world),
+                 Catch::Matchers::WithinRel(last.residual, 1e-6) || Catch::Matchers::WithinAbs(0, 1e-12));
+      CHECK(fastestVertex(world) == 0);
+    }
+    CHECK(world.cells.path.size() == 8);
+  }
+}
+
+TEST_CASE("Forces of a world at rest vanish to rounding: 1e-9 of what a spring edge bears") {
+  const World world = ranToEnd(settled(four(), 1e-10));
+  const Bodies& b = *world.bodies;
+  double square = 0;
+  int vertices = 0;
+  for (int slot : b.slots) {
+    const double unit = b.parameters.membrane.stiffness * b.meshOf(slot).meanRestLength * b.restScale[slot];
+    for (int v = 0; v < b.vertexCount(slot); ++v, ++vertices) {
+      const Vector force = b.vertexMass[slot] / unit * b.read(b.acceleration, slot, v);
+      square += dot(force, force);
+    }
+  }
+  CHECK(std::sqrt(square / vertices) <= 1e-9);
+}
+
+TEST_CASE("A cell comes to rest where a run through time with drag ends") {
+  // Cells that touch have many states of rest beside one another: they turn and fold with next to no force.
+  Scene scene = scenes::packed();
+  scene.dna = parseDna("START: a0\ng1(a0|a0)\n", "still.dna");
+  scene.mechanics->physics.shell.reset();
+  scene.mechanics->physics.pressure.constant = 230;
+  scene.cells = {{.stretch = {1.1, 1, 0.93}}};
+  scene.stop = {.cycles = {}, .time = 0.5, .cells = {}};
+  const World relaxed = ranToEnd(settled(scene, 1e-11));
+  scene.mechanics->physics.drag = 3;
+  scene.stop.time = 200;
+  const World rest = ranToEnd(scene);
+  CHECK(residualOf(rest) < 1e-9);
+  double farthest = 0;
+  for (int v = 0; v < rest.bodies->vertexCount(0); ++v)
+    farthest = std::max(farthest, norm(rest.bodies->vertex(0, v) - relaxed.bodies->vertex(0, v)));
+  CHECK(farthest <= 1e-6);
+}
+
+TEST_CASE("Cells grow in small parts, each of which settles") {
+  Scene scene = settled(scenes::life(), 0.02);
+  World world = makeWorld(scene, {Isa::scalar, 1});
+  int parts = 0;
+  while (!finished(world)) {
+    double fastest = 0;
+    for (double growth : world.cells.growth) fastest = std::max(fastest, std::abs(growth));
+    const double before = world.clock.time;
+    step(world);
+    if (fastest == 0) continue;
+    CHECK((world.clock.time - before) * fastest * scene.mechanics->physics.growth->rate <=
+          mostGrowth + 1e-12);
+    ++parts;
+  }
+  CHECK(parts >= 10);
+}
+
+TEST_CASE("The lineage is that of the same scene through time") {
+  for (const Scene& scene : {scenes::packed(), scenes::life(), scenes::sticky()}) {
+    const World still = ranToEnd(settled(scene, 0.05)), moving = ranToEnd(scene);
+    CAPTURE(scene.name);
+    REQUIRE(still.cells.path == moving.cells.path);
+    for (std::size_t i = 0; i < still.lineage.entries.size(); ++i)
+      CHECK(still.lineage.entries[i].path == moving.lineage.entries[i].path);
+  }
+}
+
+TEST_CASE("Mass, drag, damping and friction change nothing") {
+  const Scene scene = settled(four(), 1e-3);
+  const Hash hash = stateHash(ranToEnd(scene));
+  Scene other = scene;
+  other.mechanics->physics.drag = 7;
+  other.mechanics->physics.membrane.damping = 0.5;
+  other.mechanics->contact->damping = 1;
+  other.mechanics->contact->friction = 0.8;
+  CHECK(stateHash(ranToEnd(other)) == hash);
+  other.mechanics->physics.cell.mass *= 4;  // a power of two: no rounding
+  const World heavy = ranToEnd(other), light = ranToEnd(scene);
+  CHECK(heavy.bodies->position == light.bodies->position);
+}
+
+TEST_CASE("Events that follow each other closely share a settling") {
+  Scene scene = settled(scenes::varied(), 0.05);
+  scene.variation.cycle = 0.05;
+  const std::size_t each = ranToEnd(scene).settlings->size();
+  scene.mechanics->physics.settle.together = 0.3;
+  const World shared = ranToEnd(scene);
+  CHECK(shared.settlings->size() * 2 <= each);
+}
+
+TEST_CASE("A settling that ends early is kept as it is, and one far off ends the run") {
+  World world = makeWorld(settled(four(), 1e-3, 60), {Isa::scalar, 1});
+  bool early = false;
+  try {
+    while (!finished(world)) step(world);
+  } catch (const NumericalError& error) {
+    early = true;
+    CHECK(std::string(error.what()).find("physics.settle.evaluations") != std::string::npos);
+  }
+  CHECK(early);
+  Scene nearly = settled(four(), 0.05, 60);
+  const World ended = ranToEnd(nearly);
+  CHECK(std::ranges::any_of(*ended.settlings, [](const SettlingRecord& s) { return s.residual > 0.05; }));
+}
+
+TEST_CASE("Events that share a settling cannot be as far apart as the cycles of one cell") {
+  Scene scene = settled(four(), 0.02);
+  scene.mechanics->physics.settle.together = scene.cycle.length;
+  CHECK_THROWS_AS(makeWorld(scene), InputError);
+}
