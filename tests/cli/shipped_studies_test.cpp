@@ -28,6 +28,7 @@ const std::map<std::string, std::vector<std::size_t>> madeAgain{{"policies", {0,
                                                                 {"placement", {0, 139}},
                                                                 {"settings", {0}},
                                                                 {"models", {0}},
+                                                                {"settling", {0, 60, 119}},
                                                                 {"elegans-128", {20}}};
 
 std::string sourceFile(const std::string& name) { return std::string(MORULA_SOURCE_DIR) + "/" + name; }
