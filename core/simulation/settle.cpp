@@ -85,6 +85,15 @@ class Descent {
     return std::sqrt(left / vertices) / (pressure / bodies_.count);
   }
 
+  /// The number of the cell with the largest forces.
+  std::size_t restless() const {
+    const auto force = [&](int slot) {
+      const double mass = bodies_.vertexMass[slot];
+      return mass * mass * squares_[slot];
+    };
+    return std::size_t(std::ranges::max_element(bodies_.slots, {}, force) - bodies_.slots.begin());
+  }
+
  private:
   /// A cell that keeps going uphill at once is stiffer than its limits say, where its membrane has folded: without more inertia
   /// it would swing for ever.
@@ -132,7 +141,7 @@ void settle(World& world) {
   world.settlings->push_back(record);
   if (record.residual <= farOff * p.tolerance) return;
   throw NumericalError(
-      "", record.step,
+      world.cells.path[descent.restless()].text(), record.step,
       "after " + std::to_string(p.evaluations) + " evaluations forces are " + numberText(record.residual) +
           " of what holds cells in shape, more than " + numberText(farOff) +
           " times physics.settle.tolerance " + exactText(p.tolerance) + ": cells are far from rest",
