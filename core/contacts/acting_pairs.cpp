@@ -59,15 +59,14 @@ bool choiceHolds(const ActingPairs& acting) {
 
 void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
   ActingPairs& acting = c.acting;
-  const auto smaller = [&](int i, int j) { return c.radius[i] < c.radius[j]; };
-  const auto [least, most] = std::ranges::minmax(bodies.slots, smaller);
-  const double radius = c.radius[least];
-  acting.largestRadius = c.radius[most];
+  const auto radiusOf = [&](int slot) { return c.radius[slot]; };
+  const double radius = radiusOf(*std::ranges::min_element(bodies.slots, {}, radiusOf));
+  acting.largestRadius = radiusOf(*std::ranges::max_element(bodies.slots, {}, radiusOf));
   // The first choice shall not last: how fast gaps change is not known yet.
   const double perEvaluation =
       acting.age > 0 ? *std::ranges::max_element(acting.change) / static_cast<double>(acting.age) : 0;
   acting.margin = std::max(leastMargin * radius, std::sqrt(cheapestMargin * radius * perEvaluation));
-  std::ranges::fill(acting.change, 0);
+  std::fill(acting.change.begin(), acting.change.end(), 0);
   acting.age = 0;
   if (!(acting.margin < mostMargin * radius)) {
     acting.margin = INFINITY;

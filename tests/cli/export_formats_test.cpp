@@ -79,7 +79,7 @@ TEST_CASE("of one run a file or a folder is written, and stdout names the files"
   CHECK(stored.exported("csv", "tables").code == 0);
   CHECK(stored.files("tables") == std::vector<std::string>{"cell_samples.csv", "cells.csv", "checks.csv",
                                                            "connections.csv", "contacts.csv", "divisions.csv",
-                                                           "runs.csv", "samples.csv", "time_steps.csv"});
+                                                           "runs.csv", "samples.csv", "settlings.csv", "time_steps.csv"});
   const Json json = Json::parse(stored.exported("newick", "again.nwk", {"--json"}).out);
   CHECK(json["format"] == "newick");
   CHECK(json["runs"][0]["run_id"] == stored.id);

@@ -90,7 +90,7 @@ def comparable(row):
 
 def check_csv():
     tables = {"runs": "run", "cells": "cell", "samples": "sample", "cell_samples": "cell_sample", "contacts": "contact",
-              "connections": "connection", "divisions": "division", "time_steps": "time_step", "checks": "check_result"}
+              "connections": "connection", "divisions": "division", "settlings": "settling", "time_steps": "time_step", "checks": "check_result"}
     for where, which in (("tables", [run]), ("both.tables", runs)):
         for file, table in tables.items():
             with open(path(where, file + ".csv"), newline="", encoding="utf-8") as stream:

@@ -32,7 +32,8 @@ try parts "$scenario" --rehearsal 1e4 --no-pictures
 try lineage "$scenario"
 if [ $bodies = 1 ]; then
   try render "$scenario" --time 0 --size 64 -o "$work/start.png"
-  try accuracy "$scenario" --quick --out "$work"
+  # One that goes from rest to rest has no time step whose error could be measured.
+  grep -q '^  integrator: fire' "$scenario" || try accuracy "$scenario" --quick --out "$work"
 fi
 try render "$scenario" --time 0 --size 64 --style lineage -o "$work/tree.png"
 exit $failures

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "physics/integrator.h"
 #include "accuracy/into_golden.h"
 #include "accuracy/target.h"
 #include "base/error.h"
@@ -53,7 +54,8 @@ AccuracyOptions optionsOf(const AccuracyWords& words, const Scenario& scenario, 
   if (words.quick) options.halvings = options.rounds = 1;
   if (words.quick && !options.until) options.until = quickTime(std::move(start));
   if (options.integrators.empty())
-    for (const auto integrator : valuesOf<Integrator>()) options.integrators.push_back(integrator);
+    for (const auto integrator : valuesOf<Integrator>())
+      if (!kindOf(integrator).settles) options.integrators.push_back(integrator);  // others have no time step
   // The next coarser mesh, unless others are asked for.
   const auto own = scenario.mesh.icosphere;
   if (options.levels.empty() && !only && !scenario.mesh.file &&

@@ -76,7 +76,7 @@ bool canRunAgain(const RunFacts& facts) {
 int runAgain(RunFacts& facts, const Execution& how, std::size_t frames, bool hashes, bool quiet) {
   FrameTaker taker(facts.run.time, frames, ForceMeter(makeScenarioWorld(facts.scenario, how)));
   RecordOptions record;
-  if (hashes) record.hashEvery = stepsPerHash;
+  if (hashes) record.hashEvery = stepsPerHashOf(facts.scenario.scene);
   auto run = simulate(
       facts.scenario, how,
       {.quiet = quiet, .record = record, .watch = [&](const World& world) { taker.observe(world); }});

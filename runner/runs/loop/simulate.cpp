@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "diagnose/diagnose.h"
+#include "physics/integrator.h"
 #include "simulation/memory.h"
 #include "simulation/settle.h"
 #include "system/signals.h"
@@ -66,6 +67,10 @@ Execution otherExecution(const Execution& how) {
   return other;
 }
 
+std::uint64_t stepsPerHashOf(const Scene& scene) {
+  return scene.mechanics && !kindOf(scene.mechanics->physics.integrator).settles ? stepsPerHash : 1;
+}
+
 bool wantsHashes(const Scenario& scenario, bool hasGolden) {
   return hasGolden || scenario.places.contains("check");
 }
@@ -91,7 +96,7 @@ RecordOptions recordingOf(const Scenario& scenario, bool hashes) {
                        .reference = scenario.check.reference,
                        .nameOf = scenario.names.function(),
                        .meshes = scenario.record.meshes};
-  if (hashes) record.hashEvery = scenario.scene.mechanics ? stepsPerHash : 1;
+  if (hashes) record.hashEvery = stepsPerHashOf(scenario.scene);
   return record;
 }
 

@@ -25,6 +25,8 @@ World makeScenarioWorld(const Scenario& scenario, const Execution& execution);
 /// [steps] from one hash of the state to the next, where the states on the way are hashed. Enough to tell at
 /// which step two runs part; a hash costs about as much as a step. A lineage is hashed at every step.
 constexpr std::uint64_t stepsPerHash = 64;
+/// Of a scene: 1 where a step is a cell cycle, or a settling.
+std::uint64_t stepsPerHashOf(const Scene& scene);
 
 /// Whether the states on the way are hashed where the run is checked: to be held against a golden file, or as
 /// `check` asks. `explain --db` looks for the first difference in what is stored of them.

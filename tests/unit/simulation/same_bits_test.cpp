@@ -85,7 +85,7 @@ TEST_CASE("Every instruction set goes through the scalar one's states, step by s
       World oracle = makeWorld(scene, {Isa::scalar, 1}), world = makeWorld(scene, {isa, 1});
       CAPTURE(scene.name, name(isa));
       CHECK(firstDifference(oracle, world) == -1);
-      CHECK(evaluationsOf(oracle) > 300);
+      CHECK(evaluationsOf(oracle) > (oracle.settlings ? 50 : 300));  // balls settle soon
       CHECK(oracle.lineage.entries.size() >= 7);
     }
 }
