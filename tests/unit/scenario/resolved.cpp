@@ -169,6 +169,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
                                       .contains(p.path) ||
                                   p.path.starts_with("physics.shape-matching") ||
                                   p.path.starts_with("physics.motility") ||
+                                  p.path.starts_with("physics.settle") ||
                                   p.path.starts_with("connections.spring");
     if (p.decides == scenario::Decides::results && !isTriedElsewhere) CHECK(tried.contains(p.path));
   }
@@ -194,6 +195,9 @@ TEST_CASE("so do those of other cell models, other integrators and single precis
   differ("shell", "", "physics.precision", "double", "single");
   differ("shell", "", "physics.shell.sphere", "3", "4");
   differ("shell", "integrator: xpbd,", "physics.substeps", "2", "3");
+  differ("shell", "integrator: fire,", "physics.settle.tolerance", "0.02", "0.01");
+  differ("shell", "integrator: fire,", "physics.settle.evaluations", "100", "200");
+  differ("shell", "integrator: fire,", "physics.settle.together", "0.1", "0.2");
   differ("shape-matching", "", "physics.shape-matching.stiffness", "300", "400");
   differ("shape-matching", "", "physics.shape-matching.linear", "0.25", "0.5");
   differ("shape-matching", "", "physics.shape-matching.damping", "3", "4");
