@@ -177,7 +177,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
 
 TEST_CASE("so do those of other cell models, other integrators and single precision") {
   const std::string text =
-      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {time_step: 0.5, shell: {sphere: 3},\n"
+      "morula: 1\nname: x\ndna: 'START: a0'\nstop: {time: 1}\nphysics: {shell: {sphere: 3},\n"
       "  INTEGRATOR cell: {mass: 2, model: MODEL}}\n";
   const auto of = [&](const std::string& model, const std::string& integrator, const Override& change) {
     return meaningAndParts(
@@ -194,7 +194,7 @@ TEST_CASE("so do those of other cell models, other integrators and single precis
   differ("shell", "", "physics.cell.model", "shell", "sphere");
   differ("shell", "", "physics.precision", "double", "single");
   differ("shell", "", "physics.shell.sphere", "3", "4");
-  differ("shell", "integrator: xpbd,", "physics.substeps", "2", "3");
+  differ("shell", "time_step: 0.5, integrator: xpbd,", "physics.substeps", "2", "3");
   differ("shell", "integrator: fire,", "physics.settle.tolerance", "0.02", "0.01");
   differ("shell", "integrator: fire,", "physics.settle.evaluations", "100", "200");
   differ("shell", "integrator: fire,", "physics.settle.together", "0.1", "0.2");
