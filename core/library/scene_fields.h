@@ -29,7 +29,7 @@ MORULA_FIELDS(MembraneParameters, stiffness, damping, production, springs)
 MORULA_FIELDS(PressureParameters, constant, outside)
 MORULA_FIELDS(GrowthParameters, rate, until)
 MORULA_FIELDS(MotilityParameters, speed, persistence)
-MORULA_FIELDS(SettleParameters, tolerance, evaluations, together)
+MORULA_FIELDS(SettleParameters, tolerance, evaluations, together, sample)
 MORULA_FIELDS(ShellPlane, normal, offset)
 MORULA_FIELDS(ConvexShell, mesh, planes)
 inline auto fields(ShellParameters& a) {

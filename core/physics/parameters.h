@@ -118,6 +118,7 @@ struct SettleParameters {
   double tolerance = 0.03;             // [1] of tractions left, over the mean pressure
   std::uint64_t evaluations = 20'000;  // of the forces, at most, in one settling
   double together = 0;                 // [time] events so close to one another share a settling
+  std::optional<std::uint64_t> sample;  // of so many settlings one is measured for how far from rest it ends
 };
 
 struct PhysicsParameters {

@@ -102,8 +102,9 @@ void addPart(Hasher& h, const PhysicsParameters& physics) {
     h.field("motility").add(speed).add(persistence);
   }
   if (kindOf(integrator).settles) {
-    const auto& [tolerance, evaluations, together] = settle;
+    const auto& [tolerance, evaluations, together, sample] = settle;
     h.field("settle").add(tolerance).add(evaluations).add(together);
+    if (sample) h.field("settle sample").add(*sample);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "contacts/contacts.h"
 #include "physics/integrator.h"
+#include "simulation/energy.h"
 #include "simulation/stages.h"
 
 namespace morula {
@@ -20,9 +21,10 @@ namespace {
 constexpr double mostMove = 0.1;     // [mean edge at rest] of a vertex, in one evaluation
 constexpr double leastStrain = 0.1;  // of k_s/R, in p̂
 constexpr double farOff = 10;        // [tolerance] of what no run goes on from
+constexpr double nearRest = 0.01;    // [tolerance] where a sampled settling is held to be at rest
 constexpr double inertiaPerStrain = 2, clearlyMore = 1.5;
 constexpr std::uint64_t inertiaEvery = 64;  // evaluations
-using Lane = AlignedVector<double>;         // [slot], filled up to whole blocks
+using PerSlot = AlignedVector<double>;      // filled up to whole blocks
 
 /// A world on its way down. Gives cells their masses back at its end.
 class Descent {
@@ -96,7 +98,7 @@ class Descent {
 
  private:
   /// A cell that keeps going uphill at once is stiffer than its limits say, where its membrane has folded: without more inertia
-  /// it would swing for ever.
+  /// it would oscillate without end.
   void followStrain(bool anew) {
     for (int slot : bodies_.slots) {
       const double factor = 1 + inertiaPerStrain * strain_[slot];
@@ -122,31 +124,65 @@ class Descent {
 
   World& world_;
   Bodies& bodies_;
-  Lane masses_, mostMove_, alpha_, descents_, squares_, strain_, factor_;
+  PerSlot masses_, mostMove_, alpha_, descents_, squares_, strain_, factor_;
   std::vector<double> hardening_;  // [block] [1] that inertia counts with
 };
+
+/// Goes on until r is at most `tolerance`, or so many evaluations have been made.
+void descend(Descent& descent, double tolerance, std::uint64_t most, SettlingRecord& record) {
+  while (!(record.residual <= tolerance) && record.evaluations < most) {
+    descent.move(record.evaluations % inertiaEvery == 0);
+    descent.turn();
+    ++record.evaluations;
+    record.residual = descent.residual();
+  }
+}
+
+/// [force·length] Of the world, but for motion.
+double heldEnergy(const World& world) {
+  const Energy energy = measureEnergy(world);
+  return energy.total() - energy.kinetic;
+}
+
+/// How far from rest the world is: goes there and comes back, to the same bits.
+void measureDistance(World& world, Descent& descent, SettlingRecord& record) {
+  Bodies& b = *world.bodies;
+  const Bodies before = b;
+  const double energy = heldEnergy(world);
+  const SettleParameters& p = b.parameters.settle;
+  SettlingRecord on = record;
+  descend(descent, nearRest * p.tolerance, record.evaluations + p.evaluations, on);
+  double farthest = 0;
+  for (int slot : b.slots)
+    for (int v = 0; v < b.vertexCount(slot); ++v)
+      farthest = std::max(farthest, norm(b.vertex(slot, v) - before.vertex(slot, v)));
+  record.energyLeft = energy - heldEnergy(world);
+  record.displacementLeft = farthest;
+  b = before;
+  if (world.contacts) world.contacts->listIsValid = false;
+  evaluateForces(world);  // so that contacts are those of before
+  b = before;             // and accelerations are, which have followed changes of inertia
+}
 
 void settle(World& world) {
   if (world.bodies->count == 0) return;
   const SettleParameters& p = world.bodies->parameters.settle;
-  SettlingRecord record{world.clock.time, world.clock.step, world.cells.path.size(), 0, 0};
+  SettlingRecord record{.time = world.clock.time, .step = world.clock.step, .cells = world.cells.path.size()};
   Descent descent(world);
-  for (;;) {
-    ++record.evaluations;
-    descent.turn();
-    record.residual = descent.residual();
-    if (record.residual <= p.tolerance || record.evaluations >= p.evaluations) break;
-    descent.move(record.evaluations % inertiaEvery == 0);
-  }
+  descent.turn();
+  record.evaluations = 1;
+  record.residual = descent.residual();
+  descend(descent, p.tolerance, p.evaluations, record);
   world.settlings->push_back(record);
-  if (record.residual <= farOff * p.tolerance) return;
-  throw NumericalError(
-      world.cells.path[descent.restless()].text(), record.step,
-      "after " + std::to_string(p.evaluations) + " evaluations forces are " + numberText(record.residual) +
-          " of what holds cells in shape, more than " + numberText(farOff) +
-          " times physics.settle.tolerance " + exactText(p.tolerance) + ": cells are far from rest",
-      "give more physics.settle.evaluations or a larger physics.settle.tolerance, or lower what is stiff "
-      "(physics.contact.stiffness, physics.pressure.constant)");
+  if (record.residual > farOff * p.tolerance)
+    throw NumericalError(
+        world.cells.path[descent.restless()].text(), record.step,
+        "after " + std::to_string(p.evaluations) + " evaluations forces are " + numberText(record.residual) +
+            " of what holds cells in shape, more than " + numberText(farOff) +
+            " times physics.settle.tolerance " + exactText(p.tolerance) + ": cells are far from rest",
+        "give more physics.settle.evaluations or a larger physics.settle.tolerance, or lower what is stiff "
+        "(physics.contact.stiffness, physics.pressure.constant)");
+  if (p.sample && record.step % *p.sample == 0) measureDistance(world, descent, world.settlings->back());
 }
 
 /// [time] Of what happens next.

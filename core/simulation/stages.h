@@ -92,7 +92,7 @@ void refuseEndlessPace(const Scene& scene);
 
 /// Gives each cell the inertia with which a time step of 1 is 0.8 of the longest that is stable for it; its accelerations
 /// follow. Of all cells, or where not `anew` of those blocks whose contacts have become stiffer than `counted` [block], by
-/// how much they have hardened, which is kept. [settle.h]
+/// how much they have hardened, which is kept. `factor` [slot]: by how much more inertia a cell gets. [settle.h]
 void followInertia(World& world, std::span<double> counted, std::span<const double> factor, bool anew);
 
 /// Sets the time step for the cells as they are now: the scene's own, or the automatic one, and evaluates the

@@ -101,12 +101,14 @@ void visitFields(T& polarity, auto&& visit) {
 
 template <IsA<SettlingRecord> T>
 void visitFields(T& settling, auto&& visit) {
-  auto& [time, step, cells, evaluations, residual] = settling;
+  auto& [time, step, cells, evaluations, residual, energyLeft, displacementLeft] = settling;
   visit(Field{"time", "", Use::saved}, time);
   visit(Field{"step", "", Use::saved}, step);
   visit(Field{"cells", "", Use::saved}, cells);
   visit(Field{"evaluations", "", Use::saved}, evaluations);
   visit(Field{"residual", "", Use::saved}, residual);
+  visit(Field{"energy_left", "", Use::saved}, energyLeft);
+  visit(Field{"displacement_left", "", Use::saved}, displacementLeft);
 }
 
 template <IsA<BirthSize> T>

@@ -77,6 +77,10 @@ struct SettlingRecord {
   std::uint64_t step = 0, cells = 0;
   std::uint64_t evaluations = 0;  // of the forces
   double residual = 0;            // [1] r of settle.h, at its end
+  // How far from rest that is [SettleParameters::sample]: what cells lose and how far a vertex goes until r is a
+  // hundredth of the tolerance, or `evaluations` have been made once more
+  std::optional<double> energyLeft;        // [force·length]
+  std::optional<double> displacementLeft;  // [length]
 };
 
 struct World {

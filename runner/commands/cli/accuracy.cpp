@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "physics/integrator.h"
 #include "accuracy/into_golden.h"
+#include "accuracy/settling_error.h"
 #include "accuracy/target.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -20,6 +20,7 @@
 #include "options/picture_name.h"
 #include "options/program.h"
 #include "options/verb.h"
+#include "physics/integrator.h"
 #include "pictures/pictures.h"
 #include "simulation/world.h"
 #include "system/child_process.h"
@@ -98,10 +99,27 @@ Json provenance(const Scenario& scenario, const Execution& how) {
   return json;
 }
 
+/// A scene without a time step: its error is how far from rest it is.
+int tellSettlings(const AccuracyWords& words, const Scenario& scenario) {
+  const Table settlings = measureSettlings(scenario, execution(words.execution));
+  if (words.output.json)
+    printJson({{"file", scenario.file},
+               {"settlings", jsonOf(settlings)},
+               {"made_by", provenance(scenario, execution(words.execution))}});
+  else
+    print(textOf(settlings) +
+          "\nleft: until the residual is a hundredth of physics.settle.tolerance; no time step, no error of "
+          "it\n");
+  return fine;
+}
+
 /// One scenario, whose report goes to stdout.
 int actOn(const AccuracyWords& words, const std::string& file) {
   const ReadScenario read = readerOf(words, file);
   const Scenario scenario = read({});
+  if (!words.intoGolden && !words.target && scenario.scene.mechanics &&
+      kindOf(scenario.scene.mechanics->physics.integrator).settles)
+    return tellSettlings(words, scenario);
   if (words.intoGolden) refuseIntoGolden(scenario);
   World start =
       makeScenarioWorld(scenario, execution(words.execution));  // its mistakes are told with their places

@@ -45,10 +45,8 @@ class Experiment {
     if (kindOf(scenario_.scene.mechanics->physics.integrator).settles)
       throw InputError(
           scenario_.file +
-          ": physics.integrator: fire has no time step whose error could be measured; how near to "
-          "equilibrium each "
-          "settling came stands in the table settling of its results. Compare runs with a smaller "
-          "physics.settle.tolerance, in a study");
+          ": physics.integrator: fire has no time step whose error could be measured, and no target for it; "
+          "accuracy without --target and --into-golden tells how far from rest settlings end");
     radius_ = scenario_.scene.mechanics->physics.cell.radius;
   }
 

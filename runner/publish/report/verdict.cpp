@@ -161,10 +161,13 @@ std::vector<Finding> findingsOf(const RunFacts& facts) {
         {Kind::warning, "The run has not ended, or its program was killed: there are no results yet"});
   judgeChecks(facts, findings);
   judgeDivisions(facts, findings);
-  if (const std::string unsettled = unsettledText(
-          facts.scenario.scene.mechanics.value_or(MechanicsScene{}).physics.settle, facts.results.settlings);
-      !unsettled.empty())
-    findings.push_back({Kind::warning, unsettled});
+  if (const auto& mechanics = facts.scenario.scene.mechanics) {
+    const auto& settlings = facts.results.settlings;
+    if (const std::string unsettled = unsettledText(mechanics->physics.settle, settlings); !unsettled.empty())
+      findings.push_back({Kind::warning, unsettled});
+    if (const std::string distance = distanceText(settlings); !distance.empty())
+      findings.push_back({Kind::note, distance});
+  }
   judgeAgain(facts, findings);
   judgeBullet(facts, findings);
   if (!facts.unusableGolden.empty())

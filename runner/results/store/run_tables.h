@@ -263,13 +263,17 @@ inline constexpr TableInfo tableInfo<SettlingRecord> = {
     .why = "with physics.integrator fire: how near to equilibrium each settling came, and what it took"};
 template <IsA<SettlingRecord> T>
 void listFields(T& settling, auto&& field) {
-  auto& [time, step, cells, evaluations, residual] = settling;
+  auto& [time, step, cells, evaluations, residual, energyLeft, displacementLeft] = settling;
   field({"step"}, step);
   field({"time", "of the events before it", "time"}, time);
   field({"cells"}, cells);
   field({"evaluations", "of the forces"}, evaluations);
   field({"residual", "tractions left over the pressure in cells; at most physics.settle.tolerance where it ended"},
         residual);
+  field({"energy_left", "that cells lose until the residual is a hundredth of the tolerance; of samples (physics.settle.sample)",
+         "force·length"},
+        energyLeft);
+  field({"displacement_left", "the farthest that a vertex goes on that way", "length"}, displacementLeft);
 }
 
 template <>

@@ -21,4 +21,16 @@ std::string unsettledText(const SettleParameters& asked, const std::vector<Settl
       counted(farthest.cells, "cell"), farthest.residual);
 }
 
+std::string distanceText(const std::vector<SettlingRecord>& settlings) {
+  const auto way = [](const SettlingRecord& s) { return s.displacementLeft.value_or(-1); };
+  const auto count = std::ranges::count_if(settlings, [&](const SettlingRecord& s) { return way(s) >= 0; });
+  if (count == 0) return "";
+  const SettlingRecord& farthest = *std::ranges::max_element(settlings, {}, way);
+  return fmt::format(
+      "{} measured: from there to a hundredth of the tolerance no vertex goes farther than {:.2g}, at time "
+      "{:.4g} with {}, which loses an energy of {:.2g}",
+      counted(count, "settling") + (count == 1 ? " was" : " were"), *farthest.displacementLeft, farthest.time,
+      counted(farthest.cells, "cell"), farthest.energyLeft.value_or(0));
+}
+
 }  // namespace morula

@@ -12,4 +12,7 @@ namespace morula {
 /// there are none.
 std::string unsettledText(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings);
 
+/// A sentence on how far from rest the settlings end that were measured (physics.settle.sample); "" where none was.
+std::string distanceText(const std::vector<SettlingRecord>& settlings);
+
 }  // namespace morula

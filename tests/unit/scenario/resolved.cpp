@@ -198,6 +198,7 @@ TEST_CASE("so do those of other cell models, other integrators and single precis
   differ("shell", "integrator: fire,", "physics.settle.tolerance", "0.02", "0.01");
   differ("shell", "integrator: fire,", "physics.settle.evaluations", "100", "200");
   differ("shell", "integrator: fire,", "physics.settle.together", "0.1", "0.2");
+  differ("shell", "integrator: fire,", "physics.settle.sample", "1", "2");
   differ("shape-matching", "", "physics.shape-matching.stiffness", "300", "400");
   differ("shape-matching", "", "physics.shape-matching.linear", "0.25", "0.5");
   differ("shape-matching", "", "physics.shape-matching.damping", "3", "4");

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "catch.h"
+#include "simulation/energy.h"
 #include "worlds.h"
 
 using namespace morula;
@@ -83,6 +84,51 @@ TEST_CASE("Forces of a world at rest vanish to rounding: 1e-9 of what a spring e
     }
   }
   CHECK(std::sqrt(square / vertices) <= 1e-9);
+}
+
+TEST_CASE("How far from rest a settling ends is measured, and changes no bit") {
+  for (const bool sticks : {false, true}) {
+    Scene scene = settled(four(), 0.03);
+    if (sticks) scene.mechanics->contact->adhesion.emplace().strength = 0.5;
+    const World usual = ranToEnd(scene);
+    Scene measured = scene;
+    measured.mechanics->physics.settle.sample = 2;
+    World sampled = makeWorld(measured);
+    while (!finished(sampled)) {
+      step(sampled);
+      const SettlingRecord& last = sampled.settlings->back();
+      CAPTURE(sticks, last.step);
+      REQUIRE(last.energyLeft.has_value() == (last.step % 2 == 0));
+      if (last.step % 2 != 0) continue;
+      // The same events, settled to a hundredth of the tolerance at once: the way goes through the same states.
+      World there = makeWorld(scene);
+      while (there.clock.step + 1 < last.step) step(there);
+      there.bodies->parameters.settle.tolerance = 0.0003;
+      step(there);
+      double farthest = 0;
+      for (int slot : there.bodies->slots)
+        for (int v = 0; v < there.bodies->vertexCount(slot); ++v)
+          farthest =
+              std::max(farthest, norm(there.bodies->vertex(slot, v) - sampled.bodies->vertex(slot, v)));
+      CHECK_THAT(*last.displacementLeft, Catch::Matchers::WithinRel(farthest, 1e-12));
+      const double left = measureEnergy(sampled).total() - measureEnergy(there).total();
+      // A difference of energies that are some thousand times as large.
+      CHECK_THAT(*last.energyLeft, Catch::Matchers::WithinRel(left, 1e-9));
+      CHECK(*last.energyLeft > 0);
+    }
+    for (std::size_t i = 0; i < usual.settlings->size(); ++i) {
+      CHECK((*usual.settlings)[i].evaluations == (*sampled.settlings)[i].evaluations);
+      CHECK((*usual.settlings)[i].residual == (*sampled.settlings)[i].residual);
+    }
+    for (int slot : usual.bodies->slots) {
+      REQUIRE(usual.bodies->pressure[slot] == sampled.bodies->pressure[slot]);
+      for (int v = 0; v < usual.bodies->vertexCount(slot); ++v) {
+        REQUIRE(norm(usual.bodies->vertex(slot, v) - sampled.bodies->vertex(slot, v)) == 0);
+        REQUIRE(norm(usual.bodies->read(usual.bodies->acceleration, slot, v) -
+                     sampled.bodies->read(sampled.bodies->acceleration, slot, v)) == 0);
+      }
+    }
+  }
 }
 
 TEST_CASE("A cell comes to rest where a run through time with drag ends") {

@@ -1,0 +1,27 @@
+#include "accuracy/settling_error.h"
+
+#include "base/error.h"
+#include "loop/simulate.h"
+
+namespace morula {
+
+Table measureSettlings(Scenario scenario, const Execution& how) {
+  scenario.scene.mechanics.value().physics.settle.sample = 1;
+  const Simulation run = simulate(scenario, how);
+  requireEnough(run.end);
+  if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);
+  const std::vector<FieldOf<SettlingRecord>> fields{
+      {{"step", "step", "step"}, [](const SettlingRecord& s) { return Cell(s.step); }},
+      {{"time", "time", "time"}, [](const SettlingRecord& s) { return number(s.time); }},
+      {{"cells", "cells", "cells"}, [](const SettlingRecord& s) { return Cell(s.cells); }},
+      {{"evaluations", "evaluations", "evaluations"},
+       [](const SettlingRecord& s) { return Cell(s.evaluations); }},
+      {{"residual", "residual", "residual"}, [](const SettlingRecord& s) { return number(s.residual, 2); }},
+      {{"energy_left", "energy_left", "energy left"},
+       [](const SettlingRecord& s) { return number(s.energyLeft, 2); }},
+      {{"displacement_left", "displacement_left", "farthest vertex' way left"},
+       [](const SettlingRecord& s) { return number(s.displacementLeft, 2); }}};
+  return tableOf("How far from rest settlings end", fields, *run.world.settlings);
+}
+
+}  // namespace morula
