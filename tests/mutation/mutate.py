@@ -4,8 +4,8 @@
     tests/mutation/mutate.py BUILD [--only WORD] [--list] [--jobs N]
 
 BUILD is a folder for a copy of the sources, its build and what was found (results.tsv); the sources themselves stay as they
-are. A second run goes on where the last one ended: mutants of a file that has not changed are not tried again, survivors only
-when tests have changed. The exit code is 1 if a mutant survives that equivalent.txt does not explain.
+are. A second run goes on where the last one ended: mutants of a file that has not changed are not tried again, unexplained
+survivors only when tests have changed. The exit code is 1 if a mutant survives that equivalent.txt does not explain.
 """
 import argparse, collections, functools, hashlib, os, pathlib, re, resource, shutil, signal, subprocess, sys
 
@@ -213,7 +213,8 @@ def main():
     if results.exists():
         for line in results.read_text().splitlines():
             source, tests, file, _, nth, old, new, result, by = line.split("\t")
-            if result != "survived" or tests == tests_are: known[source, file, old, new, int(nth)] = result, by
+            explained = (file, old, new) in accepted
+            if result != "survived" or tests == tests_are or explained: known[source, file, old, new, int(nth)] = result, by
     bench, table, unexplained = None, [], []
     try:
         for file, count, guards in TARGETS:

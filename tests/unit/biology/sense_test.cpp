@@ -159,6 +159,10 @@ TEST_CASE("A cell perceives others from afar: the nearest, and what they release
   one.state = two.state = 1, other.state = 0;
   CHECK(measured(SenseKind::near, cell) == std::numeric_limits<double>::infinity());
   CHECK(measured(SenseKind::diffusion, cell, about("x", 2)) == 0);
+  for (const SenseKind kind : {SenseKind::near, SenseKind::diffusion}) {  // they mean nothing without
+    CHECK(kindOf(kind).of.required);
+    CHECK(kindOf(kind).number.required);
+  }
   CHECK(kindOf(SenseKind::diffusion).least <= 0.);  // what it may be held against is not above what it can be
   cell.others = {{&one, 3}, {&other, 0.5}, {&two, 1.5}};
   CHECK(measured(SenseKind::near, cell) == 1.5);
