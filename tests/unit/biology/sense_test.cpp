@@ -14,7 +14,7 @@ namespace {
 
 /// A cell of which all is known that a test says.
 struct KnownCell final : CellContext, PhysicalUnit {
-  const PhysicalUnit* physical() const override { return this; }
+  const PhysicalUnit* physical() const override { return hasBody ? this : nullptr; }
   std::span<const Neighbour> neighbours() const override { return touching; }
   std::span<const CellContext* const> connected() const override { return connectedTo; }
   std::span<const OtherCell> otherCells() const override { return others; }
@@ -37,6 +37,7 @@ struct KnownCell final : CellContext, PhysicalUnit {
   const CellContext* itsSister = nullptr;
   double onShell = 0, length = 1, volume = 4, pressure = 0, ownSize = 1, bornWith = 1;
   BodyShape shape{};
+  bool hasBody = true;
 };
 
 /// Cells of state 1 count.
@@ -140,6 +141,12 @@ TEST_CASE("A cell perceives its sister and those that it is connected to") {
   CHECK(senses(SenseKind::sister, cell, about("x")));
   // An egg has no sister to lose.
   CHECK_FALSE(senses(SenseKind::sister, KnownCell{}, gone));
+  // Whose sister lives is known without bodies; what is about bodies is not sensed then.
+  KnownCell without = cell;
+  without.hasBody = false;
+  CHECK(senses(SenseKind::sister, without, about("x")));
+  without.connectedTo = {&one};
+  CHECK(senses(SenseKind::neighbours, without) == false);
   CHECK_FALSE(senses(SenseKind::connected, cell));
   cell.connectedTo = {&other};
   CHECK_FALSE(senses(SenseKind::connected, cell));
@@ -152,6 +159,11 @@ TEST_CASE("A cell perceives others from afar: the nearest, and what they release
   one.state = two.state = 1, other.state = 0;
   CHECK(measured(SenseKind::near, cell) == std::numeric_limits<double>::infinity());
   CHECK(measured(SenseKind::diffusion, cell, about("x", 2)) == 0);
+  for (const SenseKind kind : {SenseKind::near, SenseKind::diffusion}) {  // they mean nothing without
+    CHECK(kindOf(kind).of.required);
+    CHECK(kindOf(kind).number.required);
+  }
+  CHECK(kindOf(SenseKind::diffusion).least <= 0.);  // what it may be held against is not above what it can be
   cell.others = {{&one, 3}, {&other, 0.5}, {&two, 1.5}};
   CHECK(measured(SenseKind::near, cell) == 1.5);
   CHECK(senses(SenseKind::near, cell, about("x", 1.5)));

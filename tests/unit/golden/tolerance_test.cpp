@@ -81,6 +81,8 @@ TEST_CASE("ulp") {
   CHECK(t.passes(1, up(up(1))));
   CHECK(t.share(1, up(1)) == 0.5);
   CHECK_FALSE(t.passes(1, up(up(up(1)))));
+  CHECK(t.allowed(1) == up(up(1)) - 1);
+  CHECK(t.allowed(-1024) == up(up(1024)) - 1024);
 }
 
 TEST_CASE("what is not a finite number is within no tolerance") {

@@ -46,12 +46,17 @@ TEST_CASE(
   const auto certain = comparePaired(one, two);
   CHECK(certain.p == 0.25);  // 2^(1 − 3)
   CHECK(std::isinf(certain.t));
+  CHECK(certain.t < 0);
+  CHECK(comparePaired(two, one).t > 0);  // its sign is that of the difference, however small this is
   CHECK(!certain.interval);
   CHECK(comparePaired(std::vector<double>(10, 4.), std::vector<double>(10, 5.)).p == std::ldexp(1, -9));
   const auto same = comparePaired(a, a);
   CHECK(same.p == 1);
   CHECK(same.t == 0);
   CHECK(!effectSizes(a, a).dz);
+  CHECK(effectSizes(a, a).d == 0.);
+  CHECK(!effectSizes(one, two).d);
+  CHECK(!effectSizes(one, two).g);
   CHECK(compareUnpaired(one, one).p == 1);
   CHECK(compareUnpaired(one, two).p == Approx(0.1));  // two of the 20 ways to deal out six values
   CHECK(signsOf(a, b).agree());
@@ -61,6 +66,10 @@ TEST_CASE("Hedges' factor is the closed form of few and tends to 1 − 3/(4 df �
   CHECK(hedgesFactor(2) == Approx(1 / std::sqrt(M_PI)));                         // Γ(1)/(1 · Γ(½))
   CHECK(hedgesFactor(4) == Approx(1 / std::sqrt(2) / (0.5 * std::sqrt(M_PI))));  // Γ(2)/(√2 Γ(3/2))
   CHECK(hedgesFactor(1000) == Approx(1 - 3. / 3999).epsilon(1e-6));
+  // Three pairs have 2 · (3 − 1) = 4 degrees of freedom; means 2 and 5, and the mean of the variances 1 and 4 is 5/2.
+  const auto sizes = effectSizes(std::vector<double>{1, 2, 3}, std::vector<double>{3, 7, 5});
+  CHECK(*sizes.d == Approx(-3 / std::sqrt(2.5)));
+  CHECK(*sizes.g == Approx(*sizes.d * std::sqrt(2 / M_PI)));  // the factor of 4 above
 }
 
 TEST_CASE("Equivalent is what the margin holds, different what lies beyond it, and the rest is not decided") {
@@ -161,4 +170,6 @@ TEST_CASE("Two levels of one factor are a paired t test") {
   CHECK(*analysis.effects[0].f == Approx(paired.t * paired.t));
   CHECK(*analysis.effects[0].p == Approx(paired.p));
   CHECK(analysis.effects[0].epsilon == 1);
+  // Partial η² by t: t²/(t² + df)
+  CHECK(*analysis.effects[0].partial == Approx(paired.t * paired.t / (paired.t * paired.t + 9)));
 }
