@@ -30,6 +30,11 @@ class Reasons {
 
 Part absent(const char* name, const std::string& key) { return {name, false, "", key}; }
 
+/// What slows cells does not matter where none moves.
+const char* ofMotion(const PhysicsParameters& p) {
+  return kindOf(p.integrator).settles ? "without effect on where cells rest" : "";
+}
+
 void addModel(std::vector<Part>& parts, const PhysicsParameters& p, const Reasons& why) {
   if (!kindOf(p.cell.model).hasMembrane) {
     for (const char* name : {"springs", "damping", "pressure"})
@@ -40,8 +45,9 @@ void addModel(std::vector<Part>& parts, const PhysicsParameters& p, const Reason
     return;
   }
   parts.push_back({"springs", true, "", why.of({"physics.membrane.stiffness"})});
-  parts.push_back(p.membrane.damping > 0 ? Part{"damping", true, "", why.of({"physics.membrane.damping"})}
-                                         : absent("damping", "physics.membrane.damping > 0"));
+  parts.push_back(p.membrane.damping > 0
+                      ? Part{"damping", true, ofMotion(p), why.of({"physics.membrane.damping"})}
+                      : absent("damping", "physics.membrane.damping > 0"));
   parts.push_back({"pressure", true, "", why.of({"physics.pressure"})});
   parts.push_back(absent("shape-matching", "physics.cell.model: shape-matching"));
 }
@@ -63,12 +69,14 @@ void addBodies(std::vector<Part>& parts, const Scenario& scenario, const Reasons
                    p.precision == Precision::binary32 ? ", in single precision" : ""),
        spheres ? why.of({"physics.cell.model"}) : why.of({"physics.mesh", "physics"})});
   addModel(parts, p, why);
-  parts.push_back(p.drag > 0 ? Part{"drag", true, "", why.of({"physics.drag"})}
+  parts.push_back(p.drag > 0 ? Part{"drag", true, ofMotion(p), why.of({"physics.drag"})}
                              : absent("drag", "physics.drag > 0"));
   parts.push_back(
       {"integration", true,
        fmt::format("{}, {}{}", kindOf(p.integrator).title,
-                   p.timeStep ? "fixed time step" : "automatic time step",
+                   p.timeStep                     ? "fixed time step"
+                   : kindOf(p.integrator).settles ? "masses have no effect"
+                                                  : "automatic time step",
                    p.substeps.value_or(1) > 1 ? fmt::format(" in {} sub-steps", *p.substeps) : ""),
        why.of({"physics.integrator", "physics.time_step"})});
   parts.push_back(p.motility ? Part{"motility", true, "", why.of({"physics.motility"})}
@@ -103,10 +111,11 @@ void addContact(std::vector<Part>& parts, const Scenario& scenario, const RunAsk
                    : !kindOf(mechanics->physics.cell.model).hasMesh ? "of spheres"
                                                                     : "pair law",
                    why.of({"physics.contact.law", "physics.contact"})});
-  parts.push_back(!thesis && c.friction > 0
-                      ? Part{"friction", true, "", why.of({"physics.contact.friction"})}
-                      : absent("friction", thesis ? "physics.contact.law: pair, and friction > 0"
-                                                  : "physics.contact.friction > 0"));
+  parts.push_back(
+      !thesis && c.friction > 0
+          ? Part{"friction", true, ofMotion(mechanics->physics), why.of({"physics.contact.friction"})}
+          : absent("friction",
+                   thesis ? "physics.contact.law: pair, and friction > 0" : "physics.contact.friction > 0"));
   parts.push_back(c.adhesion ? Part{"adhesion", true,
                                     c.adhesion->pairs.empty() ? "of all cells" : "by pairs of substances",
                                     why.of({"physics.contact.adhesion"})}

@@ -63,6 +63,10 @@ TrialRun tryBeginning(World world, const Life& life, double vertexSteps) {
     const double seconds = timeOf(ClockKind::cpu, [&] { step(w); });
     run.seconds += seconds;
     if (w.settlings && !w.settlings->empty()) evaluations = double(w.settlings->back().evaluations);
+    // A settling comes after its events, of which it may have several.
+    while (w.settlings && run.eras.size() < life.eras.size() &&
+           life.eras[run.eras.size()].from <= w.clock.time)
+      run.eras.emplace_back();
     EraCounts& era = run.eras.back();
     era.steps += evaluations;
     if (w.contacts) {
@@ -74,7 +78,7 @@ TrialRun tryBeginning(World world, const Life& life, double vertexSteps) {
     else run.changeSeconds += seconds, run.changeCells += w.cells.path.size();
     if (w.bodies->count > 0 && !w.settlings) run.timeStepLimit = timeStepLimit(w);
     run.generation = life.eras[std::min(run.eras.size(), life.eras.size() - 1)].generation;
-    if (run.eras.size() < life.eras.size()) run.eras.emplace_back();
+    if (!w.settlings && run.eras.size() < life.eras.size()) run.eras.emplace_back();
   }
   return run;
 }
