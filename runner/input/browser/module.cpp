@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/floating_point.h"
+#include "physics/integrator.h"
 #include "scenario/scenario.h"
 #include "simulation/measures.h"
 #include "simulation/memory.h"
@@ -15,8 +16,9 @@ namespace morula::module {
 
 namespace {
 
-constexpr double memoryLimit = 1.5e9;    // [byte] browsers have less than programs
-constexpr std::size_t mostCells = 4096;  // that are looked at beforehand
+constexpr double memoryLimit = 1.5e9;      // [byte] browsers have less than programs
+constexpr std::size_t mostCells = 4096;    // that are looked at beforehand
+constexpr double evaluationsToRest = 400;  // of the forces, after a division: 100 to 800 with up to 64 cells
 
 std::optional<Scenario> scenario;
 std::size_t entriesTold = 0;
@@ -27,7 +29,8 @@ Json costOf(const Scenario& of) {
   Scene lineage = of.scene;
   const bool hasBodies = lineage.mechanics.has_value();
   const double vertices = hasBodies ? double(lineage.mechanics->mesh.vertices.size()) : 0;
-  double timeStep = 0, vertexSteps = 0, before = 0;
+  const bool settles = hasBodies && kindOf(lineage.mechanics->physics.integrator).settles;
+  double timeStep = 0, vertexSteps = 0, settlingSteps = 0, before = 0, settledUntil = -1;
   if (hasBodies) {
     Execution execution;
     execution.memoryLimit = memoryLimit;
@@ -41,13 +44,20 @@ Json costOf(const Scenario& of) {
     cells = world.cells.path.size();
     step(world);
     if (timeStep > 0) vertexSteps += (world.clock.time - before) / timeStep * double(cells) * vertices;
+    if (settles && world.cells.path.size() != cells && world.clock.time > settledUntil) {
+      settledUntil = world.clock.time + of.scene.mechanics->physics.settle.together;
+      settlingSteps += evaluationsToRest;
+      vertexSteps += evaluationsToRest * double(world.cells.path.size()) * vertices;
+    }
     before = world.clock.time;
   }
   cells = std::max(cells, world.cells.path.size());
   return {{"cells", cells},
           {"isMore", cells > mostCells},
           {"vertexSteps", vertexSteps},
-          {"steps", timeStep > 0 ? before / timeStep : double(world.clock.step)},
+          {"steps", settles        ? settlingSteps
+                    : timeStep > 0 ? before / timeStep
+                                   : double(world.clock.step)},
           {"memory", predictMemory(of.scene, 2.0 * double(cells), vertices * double(cells))}};
 }
 
