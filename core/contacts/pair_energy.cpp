@@ -30,14 +30,11 @@ void add(const Point6& i, const Point6& j, double stiffness, double adhesion, Pa
   const double byDepth = s * stiffness * depth * u * u * (1 + b * (2 * hardening1 + 3 * hardening2 * b));
   const double byFade =
       nearness * s * barrier * u * (2 + b * (3 * hardening1 + 4 * hardening2 * b)) - 0.5 * z * held;
-  const double byTurn =
-      3 / leastFacing * t * (1 - t) * barrier * u * u * hardened - 0.125 * m * (2 - m) * held * v;
   const Vector f = byDepth * h + (2 * curvature * byFade) * a;
   sum.repulsion += 0.25 * s * barrier * u * u * hardened;
   sum.adhesion -= z * held * v / 12;
   sum.deepest = std::max(sum.deepest, b);
   sum.force += f;
-  sum.turn += byTurn * j.n - (0.5 * byDepth) * a;
   if (depth > 0 && dot(h, h) > 0) sum.pressing += std::max(0.0, dot(f, h) / norm(h));
 }
 
@@ -64,8 +61,7 @@ std::vector<PairSum> sumPairs(const Contacts& c, const Bodies& b) {
         const int other = slotOf(j);
         auto sum = std::find_if(own.begin(), own.end(), [&](const PairSum& p) { return p.other == other; });
         if (sum == own.end())
-          sum = own.insert(own.end(),
-                           {.vertex = g, .slot = slotOf(g), .other = other, .force = {}, .turn = {}});
+          sum = own.insert(own.end(), {.vertex = g, .slot = slotOf(g), .other = other, .force = {}});
         add(i, read(c, b, j), c.parameters.stiffness, c.parameters.adhesion ? c.adhesion.ofPairs[at] : 0.0,
             *sum);
       }

@@ -13,7 +13,6 @@ struct PairSum {
   double deepest = 0;    // [1] B u (deepestHeld)
   double pressing = 0;   // [force] along h, where the planes of i and j overlap
   Vector force;          // −∂E/∂y_i
-  Vector turn;           // −∂E/∂n_i
 };
 
 /// Of all vertices that any other cell's are within reach of: by the cells' numbers, the lower one of the two first,

@@ -162,7 +162,7 @@ TEST_CASE("a replayed run is stored where it is asked for") {
 TEST_CASE("the record that is verified is not written over") {
   const Stored stored;
   const std::string before = readWhole(stored.database);
-  for (const std::string out : {stored.database, stored.folder.path() + "/./run.db"}) {
+  for (const std::string& out : {stored.database, stored.folder.path() + "/./run.db"}) {
     const auto run = launch({"replay", stored.database, "--db-out", out});
     CHECK(run.code == 2);
     CHECK_THAT(run.err, ContainsSubstring("needs another file"));

@@ -97,7 +97,7 @@ std::vector<std::string> taskFiles() {
   TaskOutcome outcome;
   outcome.task.id = "0123456789abcdef";
   outcome.record.scenario = "fuzz";
-  outcome.end = {.status = RunStatus::failed, .failure = "numerical failure: too fast"};
+  outcome.end = {.status = RunStatus::failed, .stateHash = {}, .failure = "numerical failure: too fast"};
   outcome.task.reason = outcome.end.failure;
   outcome.timing.started = outcome.timing.ended = "2008-06-17 12:00:00";
   return {emptyTaskFile(), taskFileBytes(std::move(outcome))};

@@ -77,7 +77,7 @@ TEST_CASE("Cells that stick flatten against each other the more, the stronger") 
     return heldBy(scene);
   };
   const HeldBy none = heldWith({0, {}}), little = heldWith({0.25, {}}), some = heldWith({1, {}}),
-              more = heldWith({2, {}});
+               more = heldWith({2, {}});
   // Force over pressure tells no more than that they touch: nothing presses them but what sticks, so there is little of
   // either, and it does not grow with W throughout (3.1 at 1, 2.8 at 2). W per area of flat contact is held.
   CHECK(little.area > none.area + 0.1);
@@ -116,6 +116,35 @@ TEST_CASE("Spheres in contact lie as deep in each other as adhesion and stiffnes
   while (world.clock.time < 9) step(world);
   const double distance = norm(centreOf(world, "A") - centreOf(world, "B"));
   CHECK(2 - distance == Approx(3.141592653589793 * 1.5 / 30).epsilon(1e-3));
+}
+
+TEST_CASE(
+    "Of two spheres that stick the force changes no faster with their distance than limits count with") {
+  for (const double scale : {1.0, 0.6}) {
+    Scene scene = sticking(resting, {2, {}});
+    scene.mechanics->physics.cell = {1, 1, CellModel::sphere};
+    scene.mechanics->contact->stiffness = 0.001;  // what presses hardly counts
+    const auto forceAt = [&](double distance) {
+      scene.cells = {{}, {.at = {distance, 0, 0}, .scale = scale}};
+      const World world = makeWorld(scene);
+      const Bodies& b = *world.bodies;
+      return b.mass(b.slots[0]) * b.read(b.acceleration, b.slots[0], 0).x;
+    };
+    scene.cells = {{}, {.at = {1 + scale, 0, 0}, .scale = scale}};
+    const World world = makeWorld(scene);
+    const double limit = adhesionStiffness(*world.contacts, *world.bodies);
+    constexpr double step = 1e-4;
+    double steepest = 0;
+    for (double gap = -0.1; gap < 1; gap += 0.003) {
+      const double distance = 1 + scale + gap;
+      steepest =
+          std::max(steepest, std::abs(forceAt(distance + step) - forceAt(distance - step)) / (2 * step));
+    }
+    CAPTURE(scale, steepest, limit);
+    CHECK(steepest > 0);
+    CHECK(steepest <= limit);
+    if (scale == 1) CHECK(steepest > 0.95 * limit);  // equal spheres come near it
+  }
 }
 
 TEST_CASE(

@@ -14,7 +14,7 @@ namespace {
 
 Scene settled(Scene scene, double tolerance, std::uint64_t evaluations = 200'000) {
   scene = scenes::settling(std::move(scene));
-  scene.mechanics->physics.settle = {.tolerance = tolerance, .evaluations = evaluations};
+  scene.mechanics->physics.settle = {.tolerance = tolerance, .evaluations = evaluations, .sample = {}};
   return scene;
 }
 
