@@ -76,15 +76,20 @@ std::string ownVerdict(const World& world) {
     meshes.push_back(cellMesh(world, world.cells.path[cell]));
     const Mesh& m = meshes.back();
     const std::string name = "cell " + world.cells.path[cell].text();
-    const double scale = b.restScale[slot], rest = egg * scale * scale * scale, volume = ownVolume(m);
+    const double scale = b.restScale[slot], volume = ownVolume(m);
+    // Membranes can be made for more or less than what is in them (membrane.production).
+    const double contents = b.parameters.pressure.constant;
+    const double rest = egg * (b.model().hasMembrane && contents > 0 ? b.pressureConstant[slot] / contents : scale * scale * scale);
     if (!(volume > 0)) return name + " is inside out";
     if (volume > 10.1 * rest) return fmt::format("{} is blown up to {:.3f}", name, volume / rest);
     if (volume < 0.1 * rest) return fmt::format("{} is crushed to {:.3f}", name, volume / rest);
     if (b.parameters.shell) {
       std::vector<Point> inside;
       // A ball is drawn with a mesh of its volume, and a shell holds the surface that holds a mesh's: vertices stand out of
-      // both, faces lie in the latter, but for what single ones of uneven meshes stand out of the mean around a vertex.
-      const double uneven = sphere ? 0 : 0.005;
+      // both, faces lie in the latter, but for what single ones of uneven meshes stand out of the mean around a vertex: the
+      // more, the longer the shell.
+      const auto [shortest, longest] = std::ranges::minmax(b.parameters.shell->semiAxes);
+      const double uneven = sphere ? 0 : 0.005 * longest / shortest;
       if (sphere) {
         const Point centre = b.vertex(slot, 0);
         for (const Point& p : m.vertices)

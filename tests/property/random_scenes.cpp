@@ -186,8 +186,10 @@ double jitterOf(const Scene& scene) { return scene.mechanics->physics.precision 
 
 /// How far a copy that was moved by so little comes tells how chaotic a scene is.
 Scene jittered(Scene scene) {
-  double shift = jitterOf(scene);
-  for (Point& v : scene.mechanics->mesh.vertices) v.x *= 1 + (shift = -shift), v.y *= 1 + shift / 2;
+  Draw draw(scene.seed);
+  const double most = jitterOf(scene) * scene.mechanics->physics.cell.radius;
+  for (Point& v : scene.mechanics->mesh.vertices)
+    v += Vector{draw.between(-most, most), draw.between(-most, most), draw.between(-most, most)};
   return scene;
 }
 
@@ -242,7 +244,10 @@ std::string wrongWithoutBodies(const Scenario& scenario, const World& end) {
   if (!isOfGenesAlone(scenario.scene)) return "";
   Scene scene = scenario.scene;
   scene.mechanics.reset();
-  scene.stop = {.cycles = {}, .time = end.clock.time, .cells = {}};
+  // A run that has enough cells ends between the events of one step.
+  const auto& enough = scene.stop.cells;
+  if (enough && end.cells.path.size() >= *enough) scene.stop = {.cycles = {}, .time = {}, .cells = enough};
+  else scene.stop = {.cycles = {}, .time = end.clock.time, .cells = {}};
   World world = makeWorld(scene);
   while (!finished(world)) step(world);
   const auto one = familyOf(world), other = familyOf(end);
