@@ -58,9 +58,11 @@ constexpr double samplingError = 0.03;
 
 /// [1] 1 on the shell.
 double reachOf(const ShellParameters& shell, const Point& p) {
-  if (!shell.mesh) return norm(Vector{p.x / shell.semiAxes[0], p.y / shell.semiAxes[1], p.z / shell.semiAxes[2]});
+  if (!shell.mesh)
+    return norm(Vector{p.x / shell.semiAxes[0], p.y / shell.semiAxes[1], p.z / shell.semiAxes[2]});
   double most = 0;
-  for (const ShellPlane& plane : shell.mesh->planes) most = std::max(most, dot(plane.normal, p) / plane.offset);
+  for (const ShellPlane& plane : shell.mesh->planes)
+    most = std::max(most, dot(plane.normal, p) / plane.offset);
   return most;
 }
 
@@ -79,15 +81,16 @@ std::string ownVerdict(const World& world) {
     const double scale = b.restScale[slot], volume = ownVolume(m);
     // Membranes can be made for more or less than what is in them (membrane.production).
     const double contents = b.parameters.pressure.constant;
-    const double rest = egg * (b.model().hasMembrane && contents > 0 ? b.pressureConstant[slot] / contents : scale * scale * scale);
+    const double rest = egg * (b.model().hasMembrane && contents > 0 ? b.pressureConstant[slot] / contents
+                                                                     : scale * scale * scale);
     if (!(volume > 0)) return name + " is inside out";
     if (volume > 10.1 * rest) return fmt::format("{} is blown up to {:.3f}", name, volume / rest);
     if (volume < 0.1 * rest) return fmt::format("{} is crushed to {:.3f}", name, volume / rest);
     if (b.parameters.shell) {
       std::vector<Point> inside;
-      // A ball is drawn with a mesh of its volume, and a shell holds the surface that holds a mesh's: vertices stand out of
-      // both, faces lie in the latter, but for what single ones of uneven meshes stand out of the mean around a vertex: the
-      // more, the longer the shell.
+      // A ball is drawn with a mesh of its volume, and a shell holds the surface that holds a mesh's: vertices stand
+      // out of both, faces lie in the latter, but for what single ones of uneven meshes stand out of the mean around a
+      // vertex: the more, the longer the shell.
       const auto [shortest, longest] = std::ranges::minmax(b.parameters.shell->semiAxes);
       const double uneven = sphere ? 0 : 0.005 * longest / shortest;
       if (sphere) {
@@ -100,7 +103,8 @@ std::string ownVerdict(const World& world) {
       }
       for (const Point& p : inside) {
         const double reach = reachOf(*b.parameters.shell, p);
-        if (!(reach <= 1 + 5e-6 + uneven)) return fmt::format("{} stands out of its shell: {:.6f}", name, reach);
+        if (!(reach <= 1 + 5e-6 + uneven))
+          return fmt::format("{} stands out of its shell: {:.6f}", name, reach);
       }
     }
   }
@@ -129,15 +133,27 @@ bool isClosedBetweenEvents(const World& world) {
   if (!world.bodies || settles(world)) return false;
   const PhysicsParameters& p = world.bodies->parameters;
   const bool boundless = p.pressure.outside == 0 && p.pressure.constant > 0;  // contents without a rest
-  const bool touches = world.contacts && (world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair);
-  return world.bodies->model().hasMembrane && !p.shell && !p.growth && !p.motility && !boundless && !touches &&
-         !world.swirls;
+  const bool touches =
+      world.contacts && (world.bodies->areSpheres() || world.contacts->parameters.law != ContactLaw::pair);
+  return world.bodies->model().hasMembrane && !p.shell && !p.growth && !p.motility && !boundless &&
+         !touches && !world.swirls;
 }
 
 const Turn turns[3] = {
-    {"half a turn about z", [](const Vector& v) { return Vector{-v.x, -v.y, v.z}; }, false, true},
-    {"a third of a turn about (1, 1, 1)", [](const Vector& v) { return Vector{v.y, v.z, v.x}; }},
-    {"a mirror", [](const Vector& v) { return Vector{v.x, v.y, -v.z}; }, true},
+    {"half a turn about z",
+     [](const Vector& v) {
+       return Vector{-v.x, -v.y, v.z};
+     },
+     false, true},
+    {"a third of a turn about (1, 1, 1)",
+     [](const Vector& v) {
+       return Vector{v.y, v.z, v.x};
+     }},
+    {"a mirror",
+     [](const Vector& v) {
+       return Vector{v.x, v.y, -v.z};
+     },
+     true},
 };
 
 Scene turned(Scene scene, const Turn& turn) {

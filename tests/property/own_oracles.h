@@ -1,6 +1,6 @@
 #pragma once
-// Whether a world is fine, by measures that share nothing with those of the program: volumes by a sum over faces, overlap by
-// points in meshes, the shell by its equation.
+// Whether a world is fine, by measures that share nothing with those of the program: volumes by a sum over faces,
+// overlap by points in meshes, the shell by its equation.
 #include <map>
 #include <string>
 
@@ -17,8 +17,8 @@ std::map<std::string, std::string> familyOf(const World& world);
 /// Whether genes alone decide the lineage; where cells perceive bodies, or wait for a size, bodies do, too.
 bool isOfGenesAlone(const Scene& scene);
 
-/// True where nothing but what is measured (measureEnergy) holds energy, and nothing adds any while no cell divides, dies or
-/// connects.
+/// True where nothing but what is measured (measureEnergy) holds energy, and nothing adds any while no cell divides,
+/// dies or connects.
 bool isClosedBetweenEvents(const World& world);
 
 /// A copy of the scene that is turned or mirrored: `place` only changes the order and the signs of coordinates.

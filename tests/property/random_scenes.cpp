@@ -4,10 +4,11 @@
 //   random_scenes FILE.yaml               one scene, as if it had been drawn
 //   random_scenes print SEED              writes what is drawn
 //
-// Of a scene that ends well and is called sane: own measures agree (own_oracles.h); a run without bodies has the same lineage
-// where genes alone decide; with half the step it is fine, too, or says why not; gone on with from a checkpoint, with other
-// instructions, it has the same bits; turned and mirrored copies end turned and mirrored; and while nothing happens that adds
-// energy, none is gained. What is refused says where; what stops is counted by its reason, and the advice that it gives is tried.
+// Of a scene that ends well and is called sane: own measures agree (own_oracles.h); a run without bodies has the same
+// lineage where genes alone decide; with half the step it is fine, too, or says why not; gone on with from a
+// checkpoint, with other instructions, it has the same bits; turned and mirrored copies end turned and mirrored; and
+// while nothing happens that adds energy, none is gained. What is refused says where; what stops is counted by its
+// reason, and the advice that it gives is tried.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,8 +38,9 @@ using namespace morula::chance;
 
 namespace {
 
-constexpr double mostWork = 4e6;  // vertices times evaluations of the forces, of one run: 0.3 s; longer ones end before their end
-constexpr double mostGain = 0.05;      // of the energy: check/sanity.cpp
+constexpr double mostWork =
+    4e6;  // vertices times evaluations of the forces, of one run: 0.3 s; longer ones end before their end
+constexpr double mostGain = 0.05;  // of the energy: check/sanity.cpp
 constexpr std::uint64_t fewSteps = 40;
 
 /// [force·length] Of what is closed between events, since the last one.
@@ -79,11 +81,11 @@ class EnergyWatch {
 
 struct Course {
   std::optional<World> world;
-  std::string group;    // why it did not end well, for people; numbers and names taken out
-  std::string text;     // the same in full
+  std::string group;  // why it did not end well, for people; numbers and names taken out
+  std::string text;   // the same in full
   bool refused = false, stopped = false, sane = false;
-  std::string half;     // a checkpoint somewhere in the middle
-  double gain = 0;      // [1] of energy
+  std::string half;  // a checkpoint somewhere in the middle
+  double gain = 0;   // [1] of energy
 };
 
 std::string groupOf(std::string text) {
@@ -128,7 +130,8 @@ Course run(const Scenario& scenario, bool diagnoses = false, std::optional<std::
     while (!finished(world) && work < mostWork && (!lastStep || world.clock.step < *lastStep)) {
       const std::uint64_t before = world.clock.step;
       takeSteps(world, lastStep ? std::min<std::uint64_t>(16, *lastStep - before) : 16);
-      if (world.bodies) work = settles(world) ? workOf(world, 0) : work + workOf(world, world.clock.step - before);
+      if (world.bodies)
+        work = settles(world) ? workOf(world, 0) : work + workOf(world, world.clock.step - before);
       energy.see(world);
       if (world.clock.step >= keepAt || (settles(world) && world.clock.step == 2))
         course.half = saveState(world), keepAt = world.clock.step * 2;
@@ -170,8 +173,9 @@ double differenceOf(const World& world, const World& copy, const Turn& turn) {
   return most;
 }
 
-/// Directions of divisions are the scene's own: the sign of a line, and of a round cell the line itself; and rounding says to which
-/// side a vertex in the plane belongs. Where a copy was cut in another way, it is another scene from there on.
+/// Directions of divisions are the scene's own: the sign of a line, and of a round cell the line itself; and rounding
+/// says to which side a vertex in the plane belongs. Where a copy was cut in another way, it is another scene from
+/// there on.
 bool dividedAlike(const World& world, const World& copy, const Turn& turn, double tolerance) {
   if (world.divisions.size() != copy.divisions.size()) return false;
   for (std::size_t i = 0; i < world.divisions.size(); ++i)
@@ -182,7 +186,9 @@ bool dividedAlike(const World& world, const World& copy, const Turn& turn, doubl
 }
 
 /// [1] As rounding that has gone on for a while.
-double jitterOf(const Scene& scene) { return scene.mechanics->physics.precision == Precision::binary32 ? 4e-7 : 1e-12; }
+double jitterOf(const Scene& scene) {
+  return scene.mechanics->physics.precision == Precision::binary32 ? 4e-7 : 1e-12;
+}
 
 /// How far a copy that was moved by so little comes tells how chaotic a scene is.
 Scene jittered(Scene scene) {
@@ -211,7 +217,8 @@ std::string wrongWith(const Turn& turn, const Scenario& scenario, const World& e
     const Course near = changed(jittered(scenario.scene));
     const Turn still{"", [](const Vector& v) { return v; }};
     if (own.stopped || near.stopped || !dividedAlike(*own.world, *near.world, still, 1e-3)) return "";
-    bound = 1e3 * jitterOf(scenario.scene) * end.bodies->parameters.cell.radius + 100 * differenceOf(*own.world, *near.world, still);
+    bound = 1e3 * jitterOf(scenario.scene) * end.bodies->parameters.cell.radius +
+            100 * differenceOf(*own.world, *near.world, still);
   }
   const World& world = turn.isExact ? end : *own.world;
   // A copy that divided otherwise is another scene; at the first division that was of its own choice.
@@ -219,7 +226,8 @@ std::string wrongWith(const Turn& turn, const Scenario& scenario, const World& e
   if (!alike) return world.divisions.empty() != copy.world->divisions.empty() ? "divides otherwise" : "";
   if (copy.stopped) return "stops: " + copy.text;
   const double difference = differenceOf(world, *copy.world, turn);
-  return difference <= bound ? "" : fmt::format("is {:.3g} away after {} steps", difference, world.clock.step);
+  return difference <= bound ? ""
+                             : fmt::format("is {:.3g} away after {} steps", difference, world.clock.step);
 }
 
 std::string wrongAfterResuming(const Scenario& scenario, const Course& course, std::uint64_t seed) {
@@ -254,7 +262,8 @@ std::string wrongWithoutBodies(const Scenario& scenario, const World& end) {
   if (one == other) return "";
   for (const auto& [path, state] : one)
     if (!other.contains(path)) return fmt::format("cell /{} does not live", path);
-    else if (other.at(path) != state) return fmt::format("cell /{} holds {}, not {}", path, other.at(path), state);
+    else if (other.at(path) != state)
+      return fmt::format("cell /{} holds {}, not {}", path, other.at(path), state);
   return "more cells live";
 }
 
@@ -289,7 +298,8 @@ Verdict judge(const std::string& text, std::uint64_t seed, bool diagnoses) {
     if (!verdict.course.refused) verdict.course = run(scenario, diagnoses);
     Course& course = verdict.course;
     static const std::regex placed("^(" + sceneFile + R"(|\S+:\d+:\d+): [^\n]+)");
-    if (course.refused && !std::regex_search(course.text, placed)) find("refused without a place", course.text);
+    if (course.refused && !std::regex_search(course.text, placed))
+      find("refused without a place", course.text);
     if (course.refused || course.stopped || !course.world->bodies) return verdict;
     verdict.tooLong = !finished(*course.world);
     if (course.sane) find("called sane and is not", ownVerdict(*course.world));
@@ -311,7 +321,8 @@ Verdict judge(const std::string& text, std::uint64_t seed, bool diagnoses) {
 
 /// What a message says would help: "KEY VALUE helps", or "use KEY: VALUE".
 std::optional<std::pair<std::string, std::string>> adviceIn(const std::string& text) {
-  static const std::regex helps(R"(([a-z_]+(?:[.][a-z_-]+)+) ([^ ,;]+) helps)"), use(R"(use ([a-z_]+(?:[.][a-z_-]+)+): ([^ ,;]+))");
+  static const std::regex helps(R"(([a-z_]+(?:[.][a-z_-]+)+) ([^ ,;]+) helps)"),
+      use(R"(use ([a-z_]+(?:[.][a-z_-]+)+): ([^ ,;]+))");
   std::smatch match;
   if (!std::regex_search(text, match, helps) && !std::regex_search(text, match, use)) return {};
   return std::pair{match[1].str(), match[2].str()};
@@ -330,9 +341,10 @@ struct Tally {
 };
 
 void write(const std::string& folder, std::uint64_t seed, const Verdict& verdict, const Json& smallest) {
-  const std::string text = fmt::format("# seed {}: {}: {}\n", seed, verdict.find, groupOf(verdict.more)) + sceneText(smallest);
-  std::printf("seed %llu: %s: %s\n%s\n", static_cast<unsigned long long>(seed), verdict.find.c_str(), verdict.more.c_str(),
-              text.c_str());
+  const std::string text =
+      fmt::format("# seed {}: {}: {}\n", seed, verdict.find, groupOf(verdict.more)) + sceneText(smallest);
+  std::printf("seed %llu: %s: %s\n%s\n", static_cast<unsigned long long>(seed), verdict.find.c_str(),
+              verdict.more.c_str(), text.c_str());
   if (folder.empty()) return;
   std::filesystem::create_directories(folder);
   std::ofstream(std::filesystem::path(folder) / fmt::format("random-{}.yaml", seed)) << text;
@@ -357,7 +369,8 @@ void see(std::uint64_t seed, const std::string& folder, Tally& tally) {
   }
   auto& groups = course.refused ? tally.refused : course.stopped ? tally.stopped : tally.insane;
   Group& group = groups[course.group];
-  if (group.count++ == 0) group.example = fmt::format("seed {}: {}", seed, course.text.substr(0, course.text.find('\n')));
+  if (group.count++ == 0)
+    group.example = fmt::format("seed {}: {}", seed, course.text.substr(0, course.text.find('\n')));
   if (const auto advice = adviceIn(course.text)) {
     Json better = drawn.scenario;
     const Json value = tryParseJson(advice->second);
@@ -368,7 +381,8 @@ void see(std::uint64_t seed, const std::string& folder, Tally& tally) {
       became = course.sane ? "sane" : course.group;
     } catch (const InputError& e) { became = groupOf(e.what()); }
     ++group.advised[became];
-    if (became != "sane") group.example += "\n        with " + advice->first + " " + advice->second + ": " + became;
+    if (became != "sane")
+      group.example += "\n        with " + advice->first + " " + advice->second + ": " + became;
   }
 }
 
@@ -385,11 +399,20 @@ int print(const char* what, const std::map<std::string, Group>& groups, bool exa
     for (const auto& [became, times] : group.advised) advised += times;
     const auto sane = group.advised.find("sane");
     if (advised > 0)
-      std::printf("; its advice, taken %d times, helped %d", advised, sane == group.advised.end() ? 0 : sane->second);
+      std::printf("; its advice, taken %d times, helped %d", advised,
+                  sane == group.advised.end() ? 0 : sane->second);
     std::printf("\n");
     if (examples) std::printf("        %s\n", group.example.c_str());
   }
   return count;
+}
+
+/// Of what fails for its drag alone nothing else is left.
+bool shrinks() {
+  Json scenario = drawScene(1).scenario;
+  setKey(scenario, "physics.drag", 3.21);
+  const auto fails = [](const Json& s) { return s.value(Json::json_pointer("/physics/drag"), 0.0) > 0.5; };
+  return shrink(scenario, fails) == Json{{"physics", {{"drag", 1.0}}}};
 }
 
 }  // namespace
@@ -406,9 +429,11 @@ int main(int argc, char** argv) {
     std::printf("%s: %s\n%s\n", verdict.find.c_str(), verdict.more.c_str(), verdict.course.text.c_str());
     return verdict.find.empty() ? 0 : 1;
   }
-  if (argc < 3 || argc > 4) return std::fputs("usage: random_scenes FIRST LAST [FOLDER], or FILE.yaml\n", stderr), 2;
+  if (argc < 3 || argc > 4)
+    return std::fputs("usage: random_scenes FIRST LAST [FOLDER], or FILE.yaml\n", stderr), 2;
   const std::uint64_t first = std::strtoull(argv[1], nullptr, 10), last = std::strtoull(argv[2], nullptr, 10);
   const std::string folder = argc > 3 ? argv[3] : "";
+  if (!shrinks()) return std::puts("a scene that fails is not shrunk"), 1;
   Tally tally;
   for (std::uint64_t seed = first; seed <= last; ++seed) see(seed, folder, tally);
   std::printf("sane: %d\n", tally.sane);

@@ -32,29 +32,37 @@ const std::vector<std::string> bases = {
     head + unlike + "stop: {time: 2.5}\nphysics:\n  integrator: thesis-verlet\n" + mesh,
     // Balls in an ellipsoid
     head + divides +
-        "stop: {time: 3.9}\nphysics:\n  drag: 2\n  cell: {model: sphere, radius: 0.9}\n  shell: {ellipsoid: [1.4, 1, "
+        "stop: {time: 3.9}\nphysics:\n  drag: 2\n  cell: {model: sphere, radius: 0.9}\n  shell: {ellipsoid: "
+        "[1.4, 1, "
         "1]}\n  contact: {}\ndivision: {plane: random}\n",
     // From rest to rest
     head + divides +
-        "stop: {time: 2.9}\nphysics:\n  integrator: fire\n  settle: {evaluations: 2000}\n  shell: {sphere: 1.2}\n"
+        "stop: {time: 2.9}\nphysics:\n  integrator: fire\n  settle: {evaluations: 2000}\n  shell: {sphere: "
+        "1.2}\n"
         "  contact: {adhesion: 0.3}\n" +
         mesh,
-    head + divides + "stop: {time: 2.9}\nphysics:\n  drag: 1\n  cell: {model: shape-matching}\n  contact: {}\n" + mesh,
+    head + divides +
+        "stop: {time: 2.9}\nphysics:\n  drag: 1\n  cell: {model: shape-matching}\n  contact: {}\n" + mesh,
     // Rules, names and growth
-    head + "dna: |\n  START: a\n  g1(b|a, A)\n  g2(c|a, B)\n  g3(divide|a)\n  g4(a|b)\n  g5(c|c)\n  g6(grow|c)\n" +
+    head +
+        "dna: |\n  START: a\n  g1(b|a, A)\n  g2(c|a, B)\n  g3(divide|a)\n  g4(a|b)\n  g5(c|c)\n  "
+        "g6(grow|c)\n" +
         "stop: {time: 4.5}\nphysics:\n  drag: 2\n  growth: {rate: 0.2, until: 2}\n  contact: {}\n" + mesh +
         "division: {rules: [{of: a, axis: [1, 0.2, 0], share: 0.6}]}\nnames: {egg: P0, daughters: [l, r]}\n"
         "cycle: {per-substance: {b: 0.5}}\n",
     head + "dna: |\n  START: a, grow\n  g1(a|a)\n  g2(divide|a)\n  g3(grow|a)\n" +
-        "stop: {time: 3}\ncycle: {length: 0.5}\nphysics:\n  drag: 1\n  growth: {rate: 0.5}\n  contact: {}\n" + mesh +
-        "division: {size: {sizer: 1.2}}\n",
+        "stop: {time: 3}\ncycle: {length: 0.5}\nphysics:\n  drag: 1\n  growth: {rate: 0.5}\n  contact: {}\n" +
+        mesh + "division: {size: {sizer: 1.2}}\n",
     // Closed: cells that fly at each other, and nothing is taken from them
     head + "dna: |\n  START: a\n  g1(a|a)\nstop: {time: 1.5}\nphysics:\n" + mesh +
-        "  membrane: {damping: 0}\n  contact: {damping: 0}\ncells:\n  - {at: [-1.3, 0, 0], velocity: [0.8, 0, 0]}\n"
-        "  - {at: [1.3, 0.4, 0], velocity: [-0.8, 0, 0]}\n  - {at: [0, 2, 0.3], scale: 0.7, velocity: [0, -1, 0]}\n",
+        "  membrane: {damping: 0}\n  contact: {damping: 0}\ncells:\n  - {at: [-1.3, 0, 0], velocity: [0.8, "
+        "0, 0]}\n"
+        "  - {at: [1.3, 0.4, 0], velocity: [-0.8, 0, 0]}\n  - {at: [0, 2, 0.3], scale: 0.7, velocity: [0, "
+        "-1, 0]}\n",
     // Cells of two kinds that stick
     head + "dna: |\n  START: a\n  g1(a|a)\n  g2(b|b)\nstop: {time: 2}\nphysics:\n  drag: 2\n" + mesh +
-        "  contact: {adhesion: {default: 0.3, pairs: [{of: [a, b], strength: 1}]}}\ncells:\n  - {at: [-1, 0, 0]}\n"
+        "  contact: {adhesion: {default: 0.3, pairs: [{of: [a, b], strength: 1}]}}\ncells:\n  - {at: [-1, 0, "
+        "0]}\n"
         "  - {at: [1, 0, 0], substances: [b]}\n  - {at: [0, 1.7, 0], substances: [b]}\n",
     // Connections, with springs and without
     head + "dna: |\n  START: a\n  g1(b|a)\n  g2(divide|a)\n  g3(a|b)\n  g4(connect|b)\n  g5(release|a, A)\n" +
@@ -62,25 +70,36 @@ const std::vector<std::string> bases = {
         "connections: {make: both, on-division: both, release-age: 2, spring: {rest: 0.9}}\n",
     head + divides + "stop: {time: 3.5}\nphysics:\n  drag: 1\n  contact: {}\n" + mesh + "connections: {}\n",
     // Cells that crawl, and turn when they divide
-    head + unlike + "stop: {time: 3.5}\nphysics:\n  drag: 5\n  motility: {speed: 0.2}\n  contact: {}\n" + mesh +
-        "division: {plane: {polarity: [1, 2, 0]}, chirality: {angle: 30}}\n",
+    head + unlike + "stop: {time: 3.5}\nphysics:\n  drag: 5\n  motility: {speed: 0.2}\n  contact: {}\n" +
+        mesh + "division: {plane: {polarity: [1, 2, 0]}, chirality: {angle: 30}}\n",
     // Cells that feel
-    head + "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a, !b)\n  g3(c|b)\nstop: {time: 4}\ncycle: {length: 0.5}\n" +
+    head +
+        "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a, !b)\n  g3(c|b)\nstop: {time: 4}\ncycle: {length: "
+        "0.5}\n" +
         "physics:\n  drag: 1\n  shell: {sphere: 1.3}\n  contact: {}\n" + mesh +
         "senses: {b: {neighbours: {at-least: 4}}}\n",
     // Cells that die
-    head + "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a)\n  g3(b|a, A)\n  g4(die|b, B)\nstop: {time: 5}\nphysics:\n"
-           "  drag: 1\n  contact: {}\n" + mesh,
-    head + divides + "stop: {time: 2.5}\nphysics:\n  integrator: xpbd\n  time_step: 0.0078125\n  drag: 1\n  contact: {}\n" +
+    head +
+        "dna: |\n  START: a\n  g1(a|a)\n  g2(divide|a)\n  g3(b|a, A)\n  g4(die|b, B)\nstop: {time: "
+        "5}\nphysics:\n"
+        "  drag: 1\n  contact: {}\n" +
+        mesh,
+    head + divides +
+        "stop: {time: 2.5}\nphysics:\n  integrator: xpbd\n  time_step: 0.0078125\n  drag: 1\n  contact: "
+        "{}\n" +
         mesh,
     // Daughters with coarser meshes
-    head + divides + "stop: {time: 1.2}\nphysics:\n  drag: 2\n  mesh: {icosphere: 3, coarsen: 0.4}\n  contact: {}\n",
+    head + divides +
+        "stop: {time: 1.2}\nphysics:\n  drag: 2\n  mesh: {icosphere: 3, coarsen: 0.4}\n  contact: {}\n",
     // What a seed changes
-    head + unlike + "seed: 5\nstop: {time: 3.2}\nphysics:\n  drag: 5\n  shell: {ellipsoid: [1.3, 1.1, 1.1]}\n  contact: {}\n" +
+    head + unlike +
+        "seed: 5\nstop: {time: 3.2}\nphysics:\n  drag: 5\n  shell: {ellipsoid: [1.3, 1.1, 1.1]}\n  contact: "
+        "{}\n" +
         mesh + "variation: {cycle: 0.1, share: 0.04, start: 0.05, tilt: 8}\n",
     // A closed shell around an egg that fills it, in single precision
     head + divides +
-        "stop: {time: 3}\nphysics:\n  precision: single\n  drag: 2\n  shell: {ellipsoid: [2, 1, 1], fill: 0.7}\n"
+        "stop: {time: 3}\nphysics:\n  precision: single\n  drag: 2\n  shell: {ellipsoid: [2, 1, 1], fill: "
+        "0.7}\n"
         "  contact: {}\n" +
         mesh,
 };
@@ -101,7 +120,8 @@ double drawReal(Draw& draw, const Json& schema, const Json& now) {
   if (schema.contains("maximum") && draw.chance(0.05)) return most;
   double middle = now.is_number() ? std::abs(now.get<double>()) : 1;
   if (middle == 0) middle = 1;
-  if (std::isfinite(least) && std::isfinite(most) && draw.chance(0.5)) return rounded(draw.between(least, most));
+  if (std::isfinite(least) && std::isfinite(most) && draw.chance(0.5))
+    return rounded(draw.between(least, most));
   // Mostly within a factor of four; one in twenty far off.
   const double decades = draw.chance(0.05) ? 6 : draw.chance(0.3) ? 1.5 : 0.6;
   double value = middle * std::pow(10, draw.between(-decades, decades));
@@ -114,7 +134,9 @@ Json drawValue(Draw& draw, const Json& schema, const Json& now);
 Json drawMap(Draw& draw, const Json& schema, const Json& now) {
   Json map = Json::object();
   const Json required = schema.value("required", Json::array());
-  const auto isRequired = [&](const std::string& key) { return std::ranges::find(required, Json(key)) != required.end(); };
+  const auto isRequired = [&](const std::string& key) {
+    return std::ranges::find(required, Json(key)) != required.end();
+  };
   const Json properties = schema.value("properties", Json::object());
   for (const auto& [key, value] : properties.items())
     if (isRequired(key) || draw.chance(0.4))
@@ -139,7 +161,8 @@ Json drawValue(Draw& draw, const Json& schema, const Json& now) {
     return draw.one(words);
   }
   if (type == "array") {
-    const std::uint64_t least = schema.value("minItems", 0), most = std::min(schema.value("maxItems", least + 2), least + 2);
+    const std::uint64_t least = schema.value("minItems", 0),
+                        most = std::min(schema.value("maxItems", least + 2), least + 2);
     Json list = Json::array();
     for (std::uint64_t count = least + draw.bits() % (most - least + 1); count > 0; --count)
       list.push_back(drawValue(draw, schema["items"], now.is_array() && !now.empty() ? now[0] : Json()));
@@ -149,11 +172,13 @@ Json drawValue(Draw& draw, const Json& schema, const Json& now) {
 }
 
 Json drawDna(Draw& draw) {
-  static const std::vector<std::string> makes = {"a", "b", "c", "divide", "divide", "grow", "shrink", "die", "connect", "release"},
+  static const std::vector<std::string> makes = {"a",    "b",      "c",   "divide",  "divide",
+                                                 "grow", "shrink", "die", "connect", "release"},
                                         reads = {"a", "b", "c"}, also = {"", "", ", A", ", B", ", !b"};
   std::string text = "START: a\ng0(a|a)\n";
   for (std::uint64_t gene = 1, genes = 2 + draw.bits() % 6; gene <= genes; ++gene)
-    text += "g" + std::to_string(gene) + "(" + draw.one(makes) + "|" + draw.one(reads) + draw.one(also) + ")\n";
+    text +=
+        "g" + std::to_string(gene) + "(" + draw.one(makes) + "|" + draw.one(reads) + draw.one(also) + ")\n";
   return text;
 }
 
@@ -185,7 +210,8 @@ Json treeOf(const std::string& text) {
     const Json* value = find(tree, p.path);
     if (value && !p.required && *value == p.write(defaults)) setKey(tree, p.path, nullptr);
   }
-  for (auto section = parameterTable().sections.rbegin(); section != parameterTable().sections.rend(); ++section) {
+  for (auto section = parameterTable().sections.rbegin(); section != parameterTable().sections.rend();
+       ++section) {
     const Json* value = find(tree, section->path);
     if (value && value->empty() && !section->make) setKey(tree, section->path, nullptr);
   }
@@ -224,7 +250,8 @@ bool repair(Json& scenario, const std::string& messages) {
 void keepSmall(Json& scenario) {
   constexpr int mostCells = 16, mostLevel = 1;
   const Json* cells = find(scenario, "stop.cells");
-  setKey(scenario, "stop.cells", std::min(cells ? cells->get<std::int64_t>() : mostCells, std::int64_t{mostCells}));
+  setKey(scenario, "stop.cells",
+         std::min(cells ? cells->get<std::int64_t>() : mostCells, std::int64_t{mostCells}));
   if (const Json* level = find(scenario, "physics.mesh.icosphere");
       level && *level > mostLevel && !find(scenario, "physics.mesh.coarsen"))
     setKey(scenario, "physics.mesh.icosphere", mostLevel);
@@ -234,7 +261,8 @@ void keepSmall(Json& scenario) {
 
 void setKey(Json& scenario, const std::string& path, const Json& value) {
   const std::size_t dot = path.rfind('.');
-  const std::string above = dot == path.npos ? "" : path.substr(0, dot), key = path.substr(dot == path.npos ? 0 : dot + 1);
+  const std::string above = dot == path.npos ? "" : path.substr(0, dot),
+                    key = path.substr(dot == path.npos ? 0 : dot + 1);
   Json* at = &scenario;
   for (std::size_t begin = 0; !above.empty() && begin <= above.size();) {
     const std::size_t end = std::min(above.find('.', begin), above.size());

@@ -1,6 +1,6 @@
 #pragma once
-// Scenes by chance: a few small bases, of which keys of the table that the loader reads with are set to values of what its
-// schema allows. A key that joins the table is drawn without being told here.
+// Scenes by chance: a few small bases, of which keys of the table that the loader reads with are set to values of what
+// its schema allows. A key that joins the table is drawn without being told here.
 #include <cstdint>
 #include <functional>
 #include <set>
@@ -14,7 +14,9 @@ namespace morula::chance {
 /// splitmix64 [Steele, Lea, Flood 2014], so that a seed names the same scene wherever this runs.
 class Draw {
  public:
-  explicit Draw(std::uint64_t seed) : state_(seed) { state_ = bits(); }  // or seeds would be one stream, shifted
+  explicit Draw(std::uint64_t seed) : state_(seed) {
+    state_ = bits();
+  }  // or seeds would be one stream, shifted
   std::uint64_t bits() {
     std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;

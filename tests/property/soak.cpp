@@ -1,11 +1,11 @@
-// A scene that goes on for as long as is asked, in one piece and in pieces: 64 cells, of which at every cycle half divide and
-// half die, that grow, stick, and hold each other for a while.
+// A scene that goes on for as long as is asked, in one piece and in pieces: 64 cells, of which at every cycle half
+// divide and half die, that grow, stick, and hold each other for a while.
 //
 //   soak STEPS PIECES
 //
-// Held against: the hash at the end of each piece, of a world that goes on from a checkpoint in a new world; the memory that the
-// process takes after a tenth of the steps; and energy: what is missing after a while without events is what drag, damping and
-// friction took, and the whole does not creep up.
+// Held against: the hash at the end of each piece, of a world that goes on from a checkpoint in a new world; the
+// memory that the process takes after a tenth of the steps; and energy: what is missing after a while without events
+// is what drag, damping and friction took, and the whole does not creep up.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -25,8 +25,8 @@ using namespace morula;
 
 namespace {
 
-// Six rounds make 64 cells. From then on a daughter A divides at her cycle and a daughter B dies at hers; p and q have cycles of
-// different lengths, so that the events of one fall into the rest of the other.
+// Six rounds make 64 cells. From then on a daughter A divides at her cycle and a daughter B dies at hers; p and q have
+// cycles of different lengths, so that the events of one fall into the rest of the other.
 const char* const scene = R"(morula: 1
 name: soak
 seed: 1
@@ -65,9 +65,11 @@ connections: {release-age: 1.2}
 )";
 
 constexpr double mostMissing = 1e-3;  // [1] of the energy, in a while without events
-constexpr double mostCreep = 1.25;    // [1] the mean energy in any tenth, over that in the first one with all cells
-constexpr double mostMemory = 16e6;    // [byte] more than after a tenth: what is kept of 8000 divisions, and more
-constexpr int watched = 128;           // [steps] a while
+constexpr double mostCreep =
+    1.25;  // [1] the mean energy in any tenth, over that in the first one with all cells
+constexpr double mostMemory =
+    16e6;                     // [byte] more than after a tenth: what is kept of 8000 divisions, and more
+constexpr int watched = 128;  // [steps] a while
 
 double memoryTaken() {
   std::ifstream file("/proc/self/statm");
@@ -80,7 +82,8 @@ double memoryTaken() {
 struct Quiet {
   std::size_t lives = 0, ties = 0;
   double sizes = 0, released = 0;
-  explicit Quiet(const World& world) : lives(world.lineage.entries.size()), ties(world.connections->history.size()) {
+  explicit Quiet(const World& world)
+      : lives(world.lineage.entries.size()), ties(world.connections->history.size()) {
     for (const int slot : world.bodies->slots) sizes += world.bodies->restScale[slot];
     for (const ConnectionRecord& tie : world.connections->history) released += tie.released;
   }
@@ -146,18 +149,21 @@ int soak(std::uint64_t steps, std::uint64_t pieces) {
   const double grown = memoryTaken() - memory;
   std::size_t died = 0;
   for (const LineageEntry& cell : world.lineage.entries) died += cell.fate == Fate::died;
-  bool fine = holds(world.clock.step == steps && died > 0 && world.connections->history.size() > 64,
-                    fmt::format("{} steps, {} divisions, {} deaths, {} connections made; {} to {} cells", world.clock.step,
-                                world.divisions.size(), died, world.connections->history.size(), least, most));
+  bool fine = holds(
+      world.clock.step == steps && died > 0 && world.connections->history.size() > 64,
+      fmt::format("{} steps, {} divisions, {} deaths, {} connections made; {} to {} cells", world.clock.step,
+                  world.divisions.size(), died, world.connections->history.size(), least, most));
   fine &= holds(least >= 32 && most <= 128, "cells: as many as were meant");
-  fine &= holds(grown <= mostMemory, fmt::format("memory: {:.1f} MB more than {:.1f} MB", grown / 1e6, memory / 1e6));
+  fine &= holds(grown <= mostMemory,
+                fmt::format("memory: {:.1f} MB more than {:.1f} MB", grown / 1e6, memory / 1e6));
   fine &= holds(balance.whiles > 0 && balance.worst <= mostMissing,
-                fmt::format("energy: {:.2g} of it missing at most, in {} whiles of {} steps without events", balance.worst,
-                            balance.whiles, watched));
+                fmt::format("energy: {:.2g} of it missing at most, in {} whiles of {} steps without events",
+                            balance.worst, balance.whiles, watched));
   double early = 0, late = 0;
   for (const auto& [sum, times] : energies)
     if (times > 0) (early == 0 ? early : late) = std::max(late, sum / times);
-  fine &= holds(late <= mostCreep * early, fmt::format("energy: {:.4g} in the mean of a tenth, at most {:.4g} later", early, late));
+  fine &= holds(late <= mostCreep * early,
+                fmt::format("energy: {:.4g} in the mean of a tenth, at most {:.4g} later", early, late));
 
   std::string state = saveState(makeWorld(scenario.scene, execution));
   for (std::uint64_t piece = 1; piece <= pieces; ++piece) {
