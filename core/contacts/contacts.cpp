@@ -71,6 +71,7 @@ void setInfluenceRadii(Contacts& c, const Bodies& bodies, std::span<const double
 void resetContacts(Contacts& c, const Bodies& bodies) {
   setInfluenceRadii(c, bodies);
   resetAdhesion(c, bodies);
+  if (bodies.count == 0) c.list.slices.clear();  // no step will come that makes the list anew
   const std::size_t vertices = std::size_t(bodies.lineCount()) * blockLanes;
   c.rows.assign(vertices + 1, {});
   const Precision precision = bodies.parameters.precision;

@@ -62,6 +62,17 @@ bool isClosed(const World& start) {
          !p.motility && keepsEnergy(start);
 }
 
+bool sticksBySubstances(const World& world) {
+  return world.contacts && world.contacts->parameters.adhesion && !world.contacts->parameters.adhesion->pairs.empty();
+}
+
+/// [cell] What each holds.
+std::vector<std::string> statesOf(const World& world) {
+  std::vector<std::string> states;
+  for (const StateId state : world.cells.state) states.push_back(world.biology->describe(state));
+  return states;
+}
+
 std::string nameOf(const CellPath& cell) { return cell.isEgg() ? "the egg" : "cell " + cell.text(); }
 std::string nameOf(const std::optional<CellPath>& cell) { return cell ? nameOf(*cell) : "all cells"; }
 
@@ -144,7 +155,7 @@ CheckResult needlessExcuse(const CheckParameters& check) {
 
 }  // namespace
 
-SanityCheck::SanityCheck(const World& start) : cells_(start.cells.path) {
+SanityCheck::SanityCheck(const World& start) : cells_(start.cells.path), states_(statesOf(start)) {
   if (!isClosed(start)) return;
   const Bodies& b = *start.bodies;
   const Energy energy = measureEnergy(start);
@@ -158,7 +169,7 @@ std::vector<CheckResult> SanityCheck::results(const World& end, const CheckParam
                                               bool held) const {
   std::vector<SanityMeasure> measures = measureSanity(end);
   const bool finite = !measures.empty() && measures[0].holds();
-  if (energy_ && finite && end.cells.path == cells_) {
+  if (energy_ && finite && end.cells.path == cells_ && (!sticksBySubstances(end) || statesOf(end) == states_)) {
     const double gain = (measureEnergy(end).total() - *energy_) / energyScale_;
     measures.push_back({"energy", gain, -INFINITY, mostGain, {}, {}});
   }

@@ -1,6 +1,7 @@
 #pragma once
 // Whether a run that came to its end is fine: measured of every run with bodies, without being asked.
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "golden/check_result.h"
@@ -25,6 +26,7 @@ class SanityCheck {
   std::optional<double> energy_;
   double energyScale_ = 0;  // [force·length] what its parts sum up to without their signs
   std::vector<CellPath> cells_;
+  std::vector<std::string> states_;  // what they hold: cells may stick by it
 };
 
 }  // namespace morula
