@@ -35,7 +35,7 @@ std::uint64_t bigEndian(const std::string& bytes, std::size_t at) {
 
 Image readPng(const std::string& bytes, const std::string& name) {
   if (bytes.size() < headEnd || !bytes.starts_with("\x89PNG\r\n\x1a\n"))
-    throw InputError(name + ": not a PNG picture");
+    throw InputError(name + ": not a PNG picture; give a .png");
   const std::uint64_t width = bigEndian(bytes, 16), height = bigEndian(bytes, 20);
   if (width * height > mostPixels)
     throw InputError(name + ": a picture of " + std::to_string(width) + " x " + std::to_string(height) +

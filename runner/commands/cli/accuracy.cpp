@@ -120,6 +120,7 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   if (!words.intoGolden && !words.target && scenario.scene.mechanics &&
       kindOf(scenario.scene.mechanics->physics.integrator).settles)
     return tellSettlings(words, scenario);
+  refuseWithoutError(scenario);
   if (words.intoGolden) refuseIntoGolden(scenario);
   World start =
       makeScenarioWorld(scenario, execution(words.execution));  // its mistakes are told with their places

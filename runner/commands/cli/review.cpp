@@ -158,6 +158,7 @@ void addReview(CLI::App& app, Action& action) {
   verb.onlyWith({"--accept", "--reject"}, {"--why"});
   verb.onlyWith({"--why"}, {"--accept", "--reject"});
   verb.takes("--by", options.by, "NAME", "Who accepts; default: the user's name");
+  verb.onlyWith({"--by"}, {"--accept"});
   add(verb, options.input);
   add(verb, options.execution);
   add(verb, options.output);

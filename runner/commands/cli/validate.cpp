@@ -30,6 +30,8 @@ struct ValidateOptions {
 Json validateStudy(const std::string& file, const ValidateOptions& options, const Execution& how) {
   if (!options.scene.empty())
     throw UsageError("--set and --seed are for scenarios, and '" + file + "' is a study");
+  if (!options.sceneFile.empty())
+    throw UsageError("--scene writes the scene of a scenario, and '" + file + "' is a study");
   const Plan plan =
       makePlan(loadStudy(file, options.input.allowOutside), {.predict = false, .execution = how});
   tellWarnings(plan.warnings, options.output.quiet);

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <system_error>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
@@ -77,6 +78,16 @@ void checkLeftovers(const CLI::App& verb) {
                                  : "did you mean " + near + "?"));
 }
 
+/// What CLI11 says, in a sentence.
+std::string sentenceOf(const CLI::ParseError& error, const CLI::App& verb) {
+  const std::string text = error.what(), option = text.substr(0, text.find(':'));
+  if (text.find(" required but received ") != text.npos) return option + ": given more than once; keep one";
+  if (text.ends_with(" missing")) return option + ": is the last word; needs a value";
+  if (dynamic_cast<const CLI::RequiredError*>(&error))
+    return text + "; morula " + titleOf(verb) + " --help tells what it takes";
+  return text;
+}
+
 Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
   // It lives as long as the action, which asks it what was given.
   const auto owner =
@@ -111,8 +122,9 @@ Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
     return [] { return fine; };
   } catch (const CLI::ParseError& error) {
     const auto* chosen = chosenOf(app);
-    if (chosen != &app) checkLeftovers(*chosen);
-    throw UsageError((chosen == &app ? "" : titleOf(*chosen) + ": ") + error.what());
+    if (chosen == &app) throw UsageError("'" + word + "' is not expected; one of " + join(verbNames(app)) + ", or --help");
+    checkLeftovers(*chosen);
+    throw UsageError(titleOf(*chosen) + ": " + sentenceOf(error, *chosen));
   }
   if (const auto* chosen = chosenOf(app); chosen != &app) checkLeftovers(*chosen);
   if (!action) throw UsageError("no verb; one of " + join(verbNames(*chosenOf(app))) + ", or --help");
@@ -125,10 +137,11 @@ std::string commandLine() { return typed; }
 
 int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   setFloatingPoint();
-  for (int i = 0; i < argc; ++i) typed += i ? ' ' + shellWord(argv[i]) : "morula";
+  endOutOfMemoryWith(numerical);
   std::signal(SIGXFSZ,
               SIG_IGN);  // then a write beyond the limit of file sizes fails, as one to a full disk does
   try {
+    for (int i = 0; i < argc; ++i) typed += i ? ' ' + shellWord(argv[i]) : "morula";
     reserveStandardStreams();
     const int code = parse(argc, argv, addVerbs)();
     flushOutput();
@@ -151,6 +164,9 @@ int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   } catch (const std::bad_alloc&) {
     tellError(std::string("there is no more memory; ") + outOfMemoryRemedy);
     return numerical;
+  } catch (const std::system_error& error) {  // files that the standard library looked at, threads that cannot be had
+    tellError(error.what());
+    return file;
   } catch (const std::exception& error) {
     tellError(std::string("a bug of Morula's, please report it: ") + error.what());
     return bug;

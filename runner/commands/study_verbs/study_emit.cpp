@@ -54,6 +54,7 @@ void addStudyEmit(CLI::App& study, Action& action) {
   verb.takes("-o,--output", command.output, "FILE",
              "Where to; default: study.sbatch, Snakefile or parallel.sh in the study's folder");
   verb.takes("--force", command.force, "Replace the file that -o names");
+  verb.onlyWith({"--force"}, {"--output"});
   verb.takes("--jobs", command.emit.shares, "N", natural(1, 1'000'000),
              "Into how many jobs the runs are packed; default: of about ten minutes each");
   verb.showDefault("--jobs", "");

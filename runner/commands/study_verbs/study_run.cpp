@@ -131,7 +131,8 @@ void addStudyRun(CLI::App& study, Action& action) {
              "Plan anew what the study file says by now, as more seeds or conditions; runs that have a "
              "result already stay");
   verb.oneOf({"--resume", "--update"});
-  verb.takes("--retry-failed", command.retryFailed, "Compute those once more whose result is a failure");
+  verb.takes("--retry-failed", command.retryFailed,
+             "Compute those once more whose result is a failure, or whose picture is missing");
   verb.takes("--no-predict", command.noPredict, "Do not predict what a new study's runs cost");
   verb.takes("--dry-run", command.dryRun, "Tell what would be computed, and write nothing");
   add(verb, command.execution);

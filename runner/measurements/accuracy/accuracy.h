@@ -105,7 +105,9 @@ struct AccuracyReport {
   std::vector<std::string> remarks;
 };
 
-/// Throws InputError for a scene without bodies, or whose own settings cannot run.
+/// Throws InputError for a scene that has no error of a time step.
+void refuseWithoutError(const Scenario& scenario);
+/// Throws InputError for such a scene, or one whose own settings cannot run.
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options);
 
 /// The rows of ours, or of Bullet's, whose error on the scenario's mesh, with the reference's own added, is no more than `target`,

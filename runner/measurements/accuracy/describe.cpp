@@ -76,7 +76,7 @@ void tellOwn(const AccuracyReport& report, Table& facts) {
   else if (report.rival)
     say(fmt::format("the cheapest tried that is as exact on this mesh: {}, {:.4f} s, {:.2f} times as fast",
                     report.rival->series, report.rival->cpuSeconds, report.rival->speed));
-  else if (!report.rows.empty()) say("nothing else that was tried is as exact on this mesh");
+  else if (!report.rows.empty() && own.cpuSeconds > 0) say("nothing else that was tried is as exact on this mesh");
 }
 
 Table speedTable(const std::vector<SpeedAtError>& speeds) {

@@ -39,14 +39,7 @@ class Experiment {
  public:
   Experiment(const ReadScenario& read, const AccuracyOptions& options)
       : read_(read), options_(options), scenario_(read({})) {
-    if (!scenario_.scene.mechanics)
-      throw InputError(scenario_.file +
-                       ": physics: a lineage-only scene has no error; needs a physics block");
-    if (kindOf(scenario_.scene.mechanics->physics.integrator).settles)
-      throw InputError(
-          scenario_.file +
-          ": physics.integrator: fire has no time step whose error could be measured, and no target for it; "
-          "accuracy without --target and --into-golden tells how far from rest settlings end");
+    refuseWithoutError(scenario_);
     radius_ = scenario_.scene.mechanics->physics.cell.radius;
   }
 
@@ -341,6 +334,16 @@ class Experiment {
 };
 
 }  // namespace
+
+void refuseWithoutError(const Scenario& scenario) {
+  if (!scenario.scene.mechanics)
+    throw InputError(scenario.file + ": physics: a lineage-only scene has no error; needs a physics block");
+  if (kindOf(scenario.scene.mechanics->physics.integrator).settles)
+    throw InputError(
+        scenario.file +
+        ": physics.integrator: fire has no time step whose error could be measured, and no target for it; "
+        "accuracy without --target and --into-golden tells how far from rest settlings end");
+}
 
 AccuracyReport measureAccuracy(const ReadScenario& read, const AccuracyOptions& options) {
   return Experiment(read, options).run();

@@ -67,10 +67,10 @@ std::optional<Rival> findRival(const AccuracyRow& own, const std::vector<Accurac
   const auto offer = [&](const std::string& series, double seconds) {
     if (!best || seconds < best->cpuSeconds) best = {series, seconds, own.cpuSeconds / seconds};
   };
-  if (!own.error || own.partedAt) return best;
+  if (!own.error || own.partedAt || !(own.cpuSeconds > 0)) return best;  // too short to be timed
   for (const auto& series : bySeries(rows)) {
     const auto seconds = leastSeconds(series, *own.error);
-    if (seconds && series.front()->engine == "morula") offer(series.front()->series, *seconds);
+    if (seconds && *seconds > 0 && series.front()->engine == "morula") offer(series.front()->series, *seconds);
   }
   return best;
 }
@@ -119,9 +119,9 @@ std::vector<SpeedAtError> findSpeeds(const std::vector<AccuracyRow>& rows, const
     for (const auto& series : groups) {
       const auto seconds = costAtError(work(series, true), error),
                  evaluations = costAtError(work(series, false), error);
-      if (!seconds || !evaluations) continue;
+      if (!seconds || !evaluations || !(*seconds > 0)) continue;
       speeds.push_back({error, series.front()->series, *seconds, *evaluations,
-                        own ? std::optional(*own / *seconds) : std::nullopt});
+                        own && *own > 0 ? std::optional(*own / *seconds) : std::nullopt});
     }
   }
   return speeds;

@@ -118,7 +118,7 @@ void findExplorer(ReportQuestion& question) {
     question.whyNone =
         installation()
             ? "the installation does not have it"
-            : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm), and has not";
+            : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm)";
   if (!question.rerun) return;
   if (!file) throw FileError("report --rerun: there is no explorer that runs again; " + question.whyNone);
   const auto module = sharedFile("wasm/morula.wasm.gz");
