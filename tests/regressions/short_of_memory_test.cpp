@@ -1,6 +1,6 @@
 // Short of memory, a run said of another one that it was a bug or broken hardware; and while it drew, the program broke down
 // in OpenGL: exit 70 or a signal. An end for want of memory is compared with nothing, and a picture is refused with a
-// sentence.
+// sentence. Its checkpoint was thrown away, and with it all that had been computed.
 #include <sys/resource.h>
 
 #include "catch.h"
@@ -52,6 +52,26 @@ TEST_CASE("a run that memory fails says nothing against one that came to its end
   const auto stored = morula::Store::openForReading(folder / "run.db").runs();
   REQUIRE(stored.size() == 1);
   CHECK(stored[0].status == morula::RunStatus::done);
+}
+
+TEST_CASE("a run that memory ends keeps its checkpoint, and goes on from there where there is more") {
+  const TemporaryFolder folder;
+  writeWhole(
+      folder / "tree.yaml",
+      "morula: 1\nname: tree\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cycles: 12}\n");
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{
+        "run",  folder / "tree.yaml", "--no-pictures",      "--no-check", "--out", folder.path(),
+        "--db", folder / "run.db",    "--checkpoint-every", "2"};
+    words.insert(words.end(), more.begin(), more.end());
+    return launch(words);
+  };
+  REQUIRE(run({"--memory-limit", "300k"}).code == 4);
+  const auto resumed = run({"--resume"});
+  CAPTURE(resumed.err);
+  CHECK(resumed.code == 0);
+  CHECK_THAT(resumed.err, ContainsSubstring("tree goes on from step"));
+  CHECK(launch({"replay", folder / "run.db"}).code == 0);
 }
 
 TEST_CASE("a picture for which there is no memory is refused, and the run is kept") {

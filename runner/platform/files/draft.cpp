@@ -8,7 +8,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "files/folders.h"
@@ -25,6 +28,14 @@ constexpr std::string_view beginning = ".morula-", ending = ".part";
   throw FileError("'" + file.string() + "' cannot be written: " + std::strerror(errno));
 }
 
+/// Whether this process is the first time in the folder: each is searched for drafts of processes that died once.
+bool isNewHere(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> known;
+  const std::lock_guard lock(mutex);
+  return known.insert(folder).second;
+}
+
 /// Between its making and its locking a draft looks abandoned: it may be gone once it is locked.
 bool isThere(int descriptor) {
   struct stat status {};
@@ -34,6 +45,8 @@ bool isThere(int descriptor) {
 }  // namespace
 
 Draft::Draft(fs::path file) : file_(std::move(file)), descriptor_(-1) {
+  if (const fs::path folder = file_.has_parent_path() ? file_.parent_path() : "."; isNewHere(folder))
+    removeAbandonedDrafts(folder);
   do {
     draft_ = draftIn(file_.parent_path());
     descriptor_ =
@@ -70,8 +83,12 @@ fs::path draftIn(const fs::path& folder) {
 
 std::size_t removeAbandonedDrafts(const fs::path& folder) {
   std::size_t removed = 0;
-  if (!isFolder(folder)) return removed;
-  for (const fs::path& name : namesIn(folder)) {
+  isNewHere(folder);
+  std::vector<fs::path> names;
+  try {
+    if (isFolder(folder)) names = namesIn(folder);
+  } catch (const FileError&) { return removed; }
+  for (const fs::path& name : names) {
     const std::string text = name.string();
     if (!text.starts_with(beginning) || !text.ends_with(ending)) continue;
     const fs::path file = folder / name;

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <vector>
 
 #include "base/error.h"
 #include "files/draft.h"
@@ -40,10 +41,20 @@ ScratchFolder::ScratchFolder(const fs::path& parent) : lock_(-1) {
   removeAbandonedDrafts(parent.empty() ? fs::path(".") : parent);
   do {
     path_ = draftIn(parent);
-    if (::mkdir(path_.c_str(), 0777) != 0 && errno != EEXIST) refuseFolder(path_);
+    if (::mkdir(path_.c_str(), 0777) != 0) {
+      if (errno == EEXIST) continue;  // of a process of this number on another machine
+      refuseFolder(path_);
+    }
     lock_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+    if (!lock_.isOpen() && errno != ENOENT) {
+      const int reason = errno;
+      ::rmdir(path_.c_str());
+      errno = reason;
+      refuseFolder(path_);
+    }
+    if (lock_.isOpen()) ::flock(lock_.number(), LOCK_EX);
     // Until it is locked it looks abandoned, and may be gone.
-  } while (!lock_.isOpen() || ::flock(lock_.number(), LOCK_EX) != 0 || !fileExists(path_));
+  } while (!lock_.isOpen() || !fileExists(path_));
 }
 
 ScratchFolder::~ScratchFolder() {
@@ -59,8 +70,16 @@ void DraftFolder::takePlace() {
   const fs::path target = isThere ? fs::canonical(folder_) : folder_;
   // The working directory itself stays: a shell in it would be left in a folder that is gone.
   if (isThere && fs::equivalent(target, currentFolder())) {
-    for (const fs::path& name : namesIn(path()))
-      if (::rename((path() / name).c_str(), (target / name).c_str()) != 0) refuseFolder(folder_);
+    std::vector<fs::path> moved;
+    for (const fs::path& name : namesIn(path())) {
+      if (::rename((path() / name).c_str(), (target / name).c_str()) != 0) {
+        const int reason = errno;
+        for (const fs::path& back : moved) ::rename((target / back).c_str(), (path() / back).c_str());
+        errno = reason;
+        refuseFolder(folder_);
+      }
+      moved.push_back(name);
+    }
   } else if (::rename(path().c_str(), target.c_str()) != 0) refuseFolder(folder_);
 }
 

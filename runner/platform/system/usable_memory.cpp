@@ -1,10 +1,15 @@
 #include "system/usable_memory.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <new>
 #include <sstream>
+#include <string_view>
 
 #include "files/read_file.h"
 
@@ -39,7 +44,26 @@ double freeOfGroup() {
   return std::isinf(most) || std::isinf(used) ? INFINITY : std::max(most - used, 0.0);
 }
 
+int endCode = 0;
+std::terminate_handler otherwise = nullptr;
+
+[[noreturn]] void endWithoutMemory() {
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    constexpr std::string_view text = "morula: there is no more memory, and no way on without\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+    ::_exit(endCode);
+  } catch (...) { otherwise(); }
+  std::abort();
+}
+
 }  // namespace
+
+void endOutOfMemoryWith(int code) {
+  endCode = code;
+  if (!otherwise) otherwise = std::set_terminate(endWithoutMemory);
+}
 
 std::uint64_t peakMemory() {
   rusage used{};

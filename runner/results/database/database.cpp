@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <new>
 
 #include "base/error.h"
 #include "base/read_hash.h"
@@ -120,6 +121,7 @@ std::string Database::bytes() {
 }
 
 void Database::fail(int code, const std::string& doing) const {
+  if ((code & 0xff) == SQLITE_NOMEM) throw std::bad_alloc();  // says nothing of the file
   std::string text = file_.string() + ": cannot " + doing + ": ";
   text += db_ ? sqlite3_errmsg(db_.get()) : sqlite3_errstr(code);
   if (const std::string help = remedy(code, db_ ? sqlite3_system_errno(db_.get()) : 0, file_); !help.empty())
@@ -289,7 +291,7 @@ Transaction::~Transaction() {
   if (!open_) return;
   try {
     db_.execute("ROLLBACK");
-  } catch (const StoreError&) {
+  } catch (const std::exception&) {
     // SQLite has rolled back by itself (disk full, for instance);
     // the error that led here is the one to report.
   }

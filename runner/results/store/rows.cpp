@@ -117,8 +117,10 @@ void restartRun(Database& db, const std::string& id, const std::string& started)
 }
 
 void endRun(Database& db, const std::string& id, const RunEnd& end) {
-  Statement(db, "UPDATE run SET status = ?, ended = ?, steps = ?, cells = ?, time = ? WHERE run_id = ?")
-      .run(name(end.status), utcNow(), end.steps, end.cells, end.time, id);
+  Statement(db,
+            "UPDATE run SET status = ?, ended = ?, steps = ?, cells = ?, time = ?, failure = nullif(?, '') "
+            "WHERE run_id = ?")
+      .run(name(end.status), utcNow(), end.steps, end.cells, end.time, end.failure, id);
 }
 
 void deleteRows(Database& db, const std::string& id, bool (*takes)(TablePart)) {

@@ -141,6 +141,12 @@ void Store::finish(const std::string& id, const RunEnd& end, const RunResults& r
       attempts_.erase(attempt);
       return;
     }
+    if (end.want != Want::nothing && checkpointStep(id)) {  // to be gone on from where there is more
+      endRun(db_, id, end);
+      transaction.commit();
+      attempts_.erase(attempt);
+      return;
+    }
     deleteRun(db_, id);
   }
   insertRun(db_, id, attempt->second.record, attempt->second.started, &end);

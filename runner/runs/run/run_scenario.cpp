@@ -6,10 +6,10 @@
 
 #include "base/error.h"
 #include "check/ambiguous.h"
-#include "check/settled.h"
 #include "check/beside_golden.h"
 #include "check/check_run.h"
 #include "check/sanity.h"
+#include "check/settled.h"
 #include "engines/bullet_check.h"
 #include "files/folders.h"
 #include "files/read_file.h"
@@ -140,7 +140,8 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   run.passed = std::move(passed);
 
   outcome.end = run.end;
-  outcome.canBeResumed = outcome.canBeResumed && run.end.status == RunStatus::killed;
+  outcome.canBeResumed = (outcome.canBeResumed || outcome.resumedAt) &&
+                         (run.end.status == RunStatus::killed || run.end.want != Want::nothing);
   const bool done = run.end.status == RunStatus::done;
   if (done && !run.results.samples.empty()) outcome.last = run.results.samples.back();
   if (run.end.status != RunStatus::killed) checkOutcome(scenario, settings, ended, outcome);

@@ -56,6 +56,7 @@ class StudyRun {
     runAll(open);
     progress_->clear();
     std::ranges::sort(report_.failed, {}, &FailedTask::task);
+    std::ranges::sort(report_.undrawn, {}, &FailedTask::task);
     std::ranges::sort(report_.stopped, {}, &FailedTask::task);
     report_.seconds = seconds(ClockKind::wall) - begun;
     return std::move(report_);
@@ -75,7 +76,10 @@ class StudyRun {
     const auto file = fileOf(task);
     if (!fileExists(file) || !looksWhole(file)) return false;
     if (!ownBuild_) requireOwnBuild(file), ownBuild_ = true;
-    return !options_.retryFailed || TaskFile(file).task().status == "done";
+    if (!options_.retryFailed) return true;
+    const bool drawn =
+        !keepsPicture(study_.plan, task) || fileExists(study_.folder.picture(study_.plan.tasks[task].id));
+    return drawn && TaskFile(file).task().status == "done";
   }
 
   std::vector<std::size_t> openTasks() {
@@ -128,14 +132,18 @@ class StudyRun {
     const ForkedAnswer& answer = end.answer;
     if (answer.code == cannotWrite) throw FileError(answer.text);
     if (end.signal == 0 && answer.code == 0) return computed(task, answer.text);
+    if (end.signal == 0 && answer.code == undrawn) {
+      report_.undrawn.push_back({task, std::string(name(FailureKind::memoryLimit)) + ": " + answer.text});
+      return computed(task, "");
+    }
     if (end.signal == SIGXCPU && limits.cpu)
       return fail(task, end, FailureKind::cpuLimit,
                   fmt::format("more than {:g} s of CPU time (limits.cpu-per-run)", *limits.cpu));
     if (end.signal == 0 && answer.code == outOfMemory)
-      return fail(task, end, FailureKind::memoryLimit,
-                  limits.memory
-                      ? fmt::format("{} within {} bytes (limits.memory-per-run)", answer.text, *limits.memory)
-                      : answer.text);
+      return fail(
+          task, end, FailureKind::memoryLimit,
+          "there is no more memory" +
+              (limits.memory ? fmt::format(" within {} bytes (limits.memory-per-run)", *limits.memory) : ""));
     if (isCrash(end.signal)) return fail(task, end, FailureKind::crash, signalName(end.signal));
     if (end.signal == 0 && answer.code < 128)
       return fail(task, end, FailureKind::crash,
@@ -195,6 +203,8 @@ std::string describe(const RunStudyReport& r, const PlannedStudy& study) {
                   formatDuration(r.cpuSeconds), formatDuration(r.seconds));
   for (const FailedTask& f : r.failed)
     text += "  failed   " + nameOfTask(study.plan, f.task) + ": " + f.reason + "\n";
+  for (const FailedTask& f : r.undrawn)
+    text += "  no picture " + nameOfTask(study.plan, f.task) + ": " + f.reason + "\n";
   for (const FailedTask& f : r.stopped)
     text +=
         "  no result  " + nameOfTask(study.plan, f.task) + ": " + f.reason + "; the next run does it again\n";
@@ -210,6 +220,7 @@ Json toJson(const RunStudyReport& r, const PlannedStudy& study) {
           {"already", r.already},
           {"computed", r.computed},
           {"failed", toJson(r.failed, study.plan)},
+          {"undrawn", toJson(r.undrawn, study.plan)},
           {"stopped", toJson(r.stopped, study.plan)},
           {"left", r.left},
           {"complete", r.isComplete()},

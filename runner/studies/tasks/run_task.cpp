@@ -83,9 +83,20 @@ void draw(const World& world, const Scenario& scenario, const std::filesystem::p
   writePicture(drawOrganism(picture), file);
 }
 
-/// Simulates; the signal that stopped it, or 0.
+/// Why there is no picture, "" if there is one. Where there is no memory for it, the run is none the worse.
+std::string drawIfPossible(const World& world, const Scenario& scenario, const std::filesystem::path& file) {
+  try {
+    draw(world, scenario, file);
+  } catch (const NumericalError& error) {
+    if (error.want != Want::memory) throw;
+    return error.what();
+  } catch (const std::bad_alloc&) { return "there is no more memory to draw"; }
+  return "";
+}
+
+/// Simulates; the signal that stopped it, or 0. `notDrawn`: why its picture is missing.
 int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const StudyFolder& folder,
-            const TaskSettings& settings, TaskOutcome& outcome) {
+            const TaskSettings& settings, TaskOutcome& outcome, std::string& notDrawn) {
   const Study& study = plan.study;
   const auto measure = [&](const std::vector<Sample>& samples, const std::map<StateId, std::string>& states) {
     const auto values = valuesOf(samples, states, study.measures);
@@ -113,7 +124,8 @@ int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const 
   } else {
     measure(measuredSamples(study, results.samples), results.stateTexts);
     results.checks = std::move(checked.sanity);
-    if (keepsPicture(plan, task)) draw(run.world, scenario, folder.picture(plan.tasks[task].id));
+    if (keepsPicture(plan, task))
+      notDrawn = drawIfPossible(run.world, scenario, folder.picture(plan.tasks[task].id));
   }
   results.samples.insert(results.samples.begin(), before.samples.begin(), before.samples.end());
   results.chain.insert(results.chain.begin(), before.chain.begin(), before.chain.end());
@@ -135,8 +147,9 @@ void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& fold
     outcome.task.reason = reasonOf(kindOf(want), why);
     outcome.results = {}, outcome.values.clear();
   };
+  std::string notDrawn;
   try {
-    if (const int signal = compute(plan, task, scenario, folder, settings, outcome)) {
+    if (const int signal = compute(plan, task, scenario, folder, settings, outcome, notDrawn)) {
       answer.code = 128 + signal;
       return;
     }
@@ -146,7 +159,8 @@ void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& fold
   liftMemoryLimit();
   outcome.timing.cpuSeconds = seconds(ClockKind::process);
   outcome.timing.maxMemory = peakMemory();
-  answer.text = outcome.task.reason;
+  answer.text = notDrawn.empty() ? outcome.task.reason : notDrawn;
+  if (!notDrawn.empty()) answer.code = undrawn;
   write(std::move(outcome), folder.task(plan.tasks[task].id));
 }
 
@@ -154,6 +168,7 @@ void computeAndWrite(const Plan& plan, std::size_t task, const StudyFolder& fold
 
 ForkedAnswer runTask(const Plan& plan, std::size_t task, const StudyFolder& folder,
                      const TaskSettings& settings) {
+  endOutOfMemoryWith(outOfMemory);
   ForkedAnswer answer;
   try {
     computeAndWrite(plan, task, folder, settings, answer);

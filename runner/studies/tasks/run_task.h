@@ -14,8 +14,9 @@ struct TaskSettings {
   std::string command;  // as typed, for the record
 };
 
-/// Exit codes of a task's process. Others: 0 (its file is written) and 128 + the number of a signal.
-enum TaskCode : int { cannotWrite = 6, brokeDown = 70, outOfMemory = 71 };
+/// Exit codes of a task's process. Others: 0 (its file is written) and 128 + the number of a signal. `undrawn`: its file is
+/// written, and there was no memory for its picture.
+enum TaskCode : int { cannotWrite = 6, brokeDown = 70, outOfMemory = 71, undrawn = 72 };
 
 /// Computes the task and writes its picture, if the study keeps one of it, and its file; the answer's text is then why the run
 /// failed, "" if it did not. Does not throw.

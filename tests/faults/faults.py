@@ -1,0 +1,374 @@
+#!/usr/bin/env python3
+"""Lets every operation of the program fail, one after the other, and looks at what is left.
+
+    faults.py PROGRAM LIBRARY [--every K] [--only WORD] [--kind KIND] [--list]
+
+PROGRAM: morula; LIBRARY: what tests/preload/failing.cpp makes. Each verb below runs in a copy of a folder that is always the
+same, and fails at the n-th operation: for every n that it comes to, in each of the ways below; for memory, of which there are
+many thousands, for the first 100 and then for some evenly to the end. Then must hold:
+
+  - the exit code is one that is documented; never 70, a signal or a hang; with 0 the result is that of a run without a fault
+  - else there is a sentence on standard error
+  - each file is the one that was there, or the whole one of a run without a fault; a database is sound
+  - nothing else lies there; only after a kill, and until the next run
+  - the same command, without a fault, then gives what it gives where nothing ever failed
+"""
+import argparse
+import collections
+import os
+import re
+import shutil
+import signal
+import sqlite3
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+# How each n-th operation on a file fails: by itself; and from it on, as on a disk that stays full.
+FILE_WAYS = [("write", "EIO"), ("write", "short"), ("sync", "EIO"), ("rename", "EIO"), ("make", "EIO"), ("remove", "EIO"),
+             ("read", "EIO"), ("files", "ENOSPC+"), ("files", "kill"), ("files", "killall")]
+MEMORY_WAYS = [("new", "EIO"), ("malloc", "EIO")]
+FIRST, EVENLY = 100, 60  # of memory: so many from the first on, and so many after them
+
+TREE = """morula: 1
+name: tree
+dna: |
+  START: a0
+  g1(a1|a0)
+  g2(divide|a0)
+  g3(divide|a1)
+stop: {cycles: 3}
+record: {every: 1}
+"""
+BODIES = """morula: 1
+name: bodies
+dna: |
+  START: a0
+  g1(a1|a0)
+  g2(divide|a0)
+stop: {time: 1.25}
+cycle: {length: 1}
+physics: {time_step: 0.0078125, mesh: {icosphere: 1}, drag: 10, contact: {}}
+record: {every: 0.5, pictures: 0.625}
+"""
+SETTLED = """morula: 1
+name: settled
+dna: |
+  START: a0
+  g1(a1|a0)
+  g2(divide|a0)
+stop: {time: 1.25}
+cycle: {length: 1}
+physics: {integrator: fire, mesh: {icosphere: 1}, contact: {}}
+record: {every: 0.5, pictures: 1}
+"""
+STUDY = """morula-study: 1
+name: few
+base: bodies.yaml
+vary: {drag: {low: {physics.drag: 8}, high: {physics.drag: 12}}}
+seeds: 1..2
+measures: [neighbours, sphericity]
+keep: {pictures: first-seed, samples: end}
+"""
+
+RUN = ["run", "--quiet"]
+Verb = collections.namedtuple("Verb", "name before command")
+STORED = [RUN + ["scenarios/bodies.yaml", "--no-pictures"]]
+DATABASE = "results/bodies-0/run.db"
+
+
+def exported(name, *words):
+    return Verb(f"export {name}", STORED, ["export", "--quiet", DATABASE, *words])
+
+
+# `before`: commands that make what the verb needs; a first word "FAULT=…" is given to them.
+VERBS = [
+    Verb("run tree", [], RUN + ["scenarios/tree.yaml"]),
+    Verb("run bodies", [], RUN + ["scenarios/bodies.yaml", "--no-pictures"]),
+    Verb("run settled", [], RUN + ["scenarios/settled.yaml", "--no-pictures"]),
+    Verb("run into a database", [RUN + ["scenarios/tree.yaml", "--db", "all.db"]],
+         RUN + ["scenarios/bodies.yaml", "--db", "all.db", "--no-pictures", "--checkpoint-every", "40"]),
+    Verb("resume", [["FAULT=sync:16:kill"] + RUN + ["scenarios/bodies.yaml", "--checkpoint-every", "20", "--no-pictures"]],
+         RUN + ["scenarios/bodies.yaml", "--checkpoint-every", "20", "--no-pictures", "--resume"]),
+    Verb("study run", [], ["study", "run", "scenarios/few.study.yaml", "--quiet", "--no-predict"]),
+    Verb("study merge", [["study", "run", "scenarios/few.study.yaml", "--quiet", "--no-predict", "--shard", f"{i}/2", "--out",
+                          f"shard{i}"] for i in (1, 2)],
+         ["study", "merge", "shard1", "shard2", "--quiet"]),
+    Verb("review", [], ["review", "--quiet", "scenarios/bodies.yaml", "--accept", "--why", "it is new", "--by", "one"]),
+    Verb("review again", [["review", "--quiet", "scenarios/tree.yaml", "--accept", "--why", "first", "--by", "one"],
+                          ["SET=scenarios/tree.yaml:cycles: 3:cycles: 4"], ["check", "--quiet", "scenarios/tree.yaml"]],
+         ["review", "--quiet", "scenarios/tree.yaml", "--accept", "--why", "longer", "--by", "one"]),
+    Verb("check", [["review", "--quiet", "scenarios/tree.yaml", "--accept", "--why", "first", "--by", "one"],
+                   ["SET=scenarios/tree.yaml:cycles: 3:cycles: 4"]],
+         ["check", "--quiet", "scenarios/tree.yaml", "--reports", "reports"]),
+    Verb("report", STORED, ["report", "--quiet", DATABASE, "--frames", "3", "-o", "page.html"]),
+    exported("csv", "--format", "csv", "-o", "out"),
+    exported("table", "--format", "csv", "--table", "cells", "-o", "out.csv"),
+    exported("newick", "--format", "newick", "-o", "out.nwk"),
+    exported("vtk", "--format", "vtk", "-o", "out"),
+    exported("ply", "--format", "ply", "-o", "out"),
+    exported("gltf", "--format", "gltf", "-o", "out"),
+    exported("npz", "--format", "npz", "-o", "out.npz"),
+    exported("crate", "--ro-crate", "out"),
+    Verb("replay", STORED, ["replay", "--quiet", DATABASE, "--db-out", "again.db"]),
+    Verb("film", STORED, ["render", "--quiet", DATABASE, "--turntable", "2", "--size", "64", "-o", "film.gif"]),
+    Verb("render", STORED, ["render", "--quiet", DATABASE, "--turntable", "2", "--size", "64", "-o", "turn.png"]),
+    Verb("chart", STORED, ["chart", "--quiet", DATABASE, "cell.volume", "-o", "chart.pdf"]),
+    Verb("lineage", STORED, ["lineage", "--quiet", DATABASE, "-o", "tree.svg"]),
+]
+
+STARTING = ("study run", "film")  # other processes
+Ended = collections.namedtuple("Ended", "code err count")
+
+
+class Place:
+    """A folder in which the program runs, as often as is asked for, each time from the same files."""
+
+    def __init__(self, program, library, folder):
+        self.program, self.library, self.folder = program, library, folder
+        self.home, self.count, self.work, self.start = (os.path.join(folder, n) for n in ("home", "count", "work", "start"))
+        os.mkdir(self.home)
+        self.environment = {"PATH": os.environ["PATH"], "HOME": self.home, "LANG": "C.UTF-8", "USER": "one",
+                            "TMPDIR": self.work, "FAULT_FOLDER": self.work, "FAULT_COUNT": self.count,
+                            "MESA_SHADER_CACHE_DISABLE": "true", "GIT_CEILING_DIRECTORIES": folder}
+
+    def run(self, words, fault=None):
+        """As often as an operation of the fault's kind came, and how it ended; 124: it did not."""
+        with open(self.count, "wb") as file:
+            file.write(bytes(8))
+        environment = dict(self.environment)
+        if fault:
+            environment.update(FAULT=fault, LD_PRELOAD=self.library)
+        process = subprocess.Popen([self.program, *words], cwd=self.work, env=environment, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
+        try:
+            err = process.communicate(timeout=120)[1].decode(errors="replace")
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
+            return Ended(124, "it did not end", 0)
+        with open(self.count, "rb") as file:
+            count = struct.unpack("<Q", file.read())[0]
+        return Ended(process.returncode if process.returncode >= 0 else 128 - process.returncode, err, count)
+
+    def prepare(self, verb):
+        """The folder as it is before the verb, kept as `start`."""
+        for folder in (self.work, self.start):
+            shutil.rmtree(folder, ignore_errors=True)
+        for name, text in (("scenarios/tree.yaml", TREE), ("scenarios/bodies.yaml", BODIES),
+                           ("scenarios/settled.yaml", SETTLED), ("scenarios/few.study.yaml", STUDY), ("golden/.keep", "")):
+            file = os.path.join(self.work, name)
+            os.makedirs(os.path.dirname(file), exist_ok=True)
+            with open(file, "w") as out:
+                out.write(text)
+        for words in verb.before:
+            if words[0].startswith("SET="):
+                name, what, by = re.fullmatch("SET=([^:]*):(.*):(cycles: 4)", words[0]).groups()
+                file = os.path.join(self.work, name)
+                with open(file) as before:
+                    text = before.read()
+                with open(file, "w") as out:
+                    out.write(text.replace(what, by))
+            elif words[0].startswith("FAULT="):
+                ended = self.run(words[1:], words[0][len("FAULT="):])
+                assert ended.code == 128 + signal.SIGKILL, ended
+            else:
+                ended = self.run(words)
+                assert ended.code in (0, 1), (words, ended)
+        shutil.copytree(self.work, self.start)
+
+    def restore(self):
+        shutil.rmtree(self.work)
+        shutil.copytree(self.start, self.work)
+
+
+def rows_of(file):
+    """What a database holds, by table and column; or what is wrong with it."""
+    with tempfile.TemporaryDirectory() as folder:  # a copy: who opens it undoes what was not finished
+        copy = os.path.join(folder, "copy")
+        for ending in ("", "-journal"):
+            if os.path.exists(file + ending):
+                shutil.copy(file + ending, copy + ending)
+        database = sqlite3.connect(copy)
+        try:
+            sound = database.execute("PRAGMA integrity_check").fetchone()[0]
+            held = {}
+            for (table,) in database.execute("SELECT name FROM sqlite_schema WHERE type = 'table'").fetchall():
+                cursor = database.execute(f'SELECT * FROM "{table}"')
+                columns, rows = [c[0] for c in cursor.description], cursor.fetchall()
+                for place, column in enumerate(columns):
+                    held[table, column] = sorted((repr(row[place]) for row in rows))
+            return held if sound == "ok" else {"damaged": sound}
+        except sqlite3.DatabaseError as error:
+            return {"damaged": str(error)}
+        finally:
+            database.close()
+
+
+def held_in(folder):
+    """Of each file in the folder what it holds: of a database a dictionary, of others their bytes."""
+    held = {}
+    for path, _, names in os.walk(folder):
+        for name in names:
+            file = os.path.join(path, name)
+            with open(file, "rb") as data:
+                content = data.read()
+            if content.startswith(b"SQLite format 3\0"):
+                content = rows_of(file)
+            held[os.path.relpath(file, folder)] = content
+        if not names and path != folder and not os.listdir(path):
+            held[os.path.relpath(path, folder) + "/"] = b""
+    return held
+
+
+def plain(content):
+    """A text without what differs from one run to the next: times and what depends on them."""
+    content = re.sub(rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d(\.\d+)?)?Z?", b"TIME", content)
+    return re.sub(rb"[-+]?\d+(\.\d+)?(e[-+]?\d+)?", b"N", content)
+
+
+class Judge:
+    def __init__(self, verb, before, good, other):
+        self.verb, self.before, self.good = verb, before, good
+        # What two runs without a fault do not have in common says nothing: times, mostly.
+        self.loose = {(name, key) for name, held in good.items() if isinstance(held, dict)
+                      for key in held if other[name].get(key) != held[key]}
+        self.varying = {name for name, held in good.items() if isinstance(held, bytes) and other[name] != held}
+        for name in self.varying:
+            assert self.same(name, other[name], good[name]), f"{verb.name}: {name} differs in more than its times"
+
+    def same(self, name, one, another):
+        if isinstance(one, dict) and isinstance(another, dict):
+            return one.keys() == another.keys() and all(
+                one[key] == another[key] or (name, key) in self.loose for key in one)
+        if isinstance(one, bytes) and isinstance(another, bytes) and name in self.varying:
+            return plain(one) == plain(another)
+        return one == another
+
+    def wrong_files(self, now, after_kill):
+        for name, content in now.items():
+            if after_kill and re.fullmatch(r"\.morula-.*\.part", os.path.basename(name)):
+                continue
+            if isinstance(content, dict) and "damaged" in content:
+                yield f"{name} is damaged: {content['damaged']}"
+            elif name in self.before and self.same(name, content, self.before[name]):
+                continue
+            elif name in self.good and self.same(name, content, self.good[name]):
+                continue
+            elif name.endswith("/") and any(other.startswith(name) for other in self.good):
+                continue  # an empty folder, to be filled
+            elif content == b"" and isinstance(self.good.get(name), dict):
+                continue  # a database in which nothing was ever stored
+            elif isinstance(content, dict) and name in {**self.good, **self.before}:
+                # Not all is stored yet, but what is says so.
+                if "done" in " ".join(content.get(("run", "status"), [])) and not (
+                        self.before.get(name) and set(content["run", "run_id"]) >= set(self.before[name]["run", "run_id"])):
+                    yield f"{name} says that a run is done, and does not hold what it holds"
+            elif not after_kill or name in self.good:
+                yield f"{name} " + ("is not whole" if name in self.good else "is left")
+        for name in self.before:
+            if name not in now and name in self.good and not name.endswith("/"):
+                yield f"{name} is gone"
+
+
+def missing_or_other(judge, now):
+    for name in sorted(judge.good.keys() | now.keys()):
+        if name not in now or name not in judge.good:
+            yield f"after a run without a fault {name} is " + ("left" if name in now else "missing")
+        elif not judge.same(name, now[name], judge.good[name]):
+            one, another = (x if isinstance(x, dict) else {} for x in (now[name], judge.good[name]))
+            places = [".".join(key) for key in one if one[key] != another.get(key) and (name, key) not in judge.loose]
+            yield f"after a run without a fault {name} is another one: {' '.join(places)}"
+
+
+def judged(place, judge, good_code, kind, how, n):
+    """What is wrong after this fault."""
+    place.restore()
+    ended = place.run(judge.verb.command, f"{kind}:{n}:{how}")
+    killed = how.startswith("kill")
+    now = held_in(place.work)
+    wrong = []
+    allowed = {good_code, 6} | ({128 + signal.SIGKILL, 5} if killed else set()) | ({4} if kind in ("new", "malloc") else set())
+    if ended.code not in allowed:
+        wrong.append(f"exit {ended.code}: {ended.err.strip()[-200:]}")
+    if ended.code not in (good_code, 5, 128 + signal.SIGKILL) and "morula" not in ended.err:
+        wrong.append(f"exit {ended.code} without a sentence")
+    # What cannot be removed stays, and what cannot be written may need its journal.
+    stays = killed or kind == "remove" or how.endswith("+")
+    # A run of a study that finds no memory is a failure of its own, which the study keeps and tells.
+    of_a_run = kind in ("new", "malloc") and judge.verb.name == "study run"
+    wrong += (text for text in judge.wrong_files(now, stays) if not (of_a_run and "says that" in text))
+    if ended.code != good_code or killed or of_a_run:
+        again = place.run(judge.verb.command + (["--retry-failed"] if of_a_run else []))
+        if again.code != good_code:
+            wrong.append(f"the next run ends with {again.code}: {again.err.strip()[-200:]}")
+        wrong += missing_or_other(judge, held_in(place.work))
+    elif not stays:
+        wrong += (text.replace("after a run without a fault", "exit 0, but") for text in missing_or_other(judge, now))
+    return wrong, ended
+
+
+def numbers(count, kind, every):
+    if kind in ("new", "malloc"):
+        first, evenly = (FIRST // every, EVENLY // every)
+        step = max(1, (count - first) // max(1, evenly))
+        return [*range(1, min(first, count) + 1), *range(first + step, count + 1, step)]
+    return range(1 + (count // 2) % every, count + 1, every)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("library")
+    parser.add_argument("--every", type=int, default=1, help="only every so manieth of them, and few of memory")
+    parser.add_argument("--only", default="", help="verbs with this in their name")
+    parser.add_argument("--kind", default="", help="only this kind, or only this way: kill")
+    parser.add_argument("--at", type=int, help="only this one")
+    parser.add_argument("--list", action="store_true")
+    options = parser.parse_args()
+    if options.list:
+        return print(*(verb.name for verb in VERBS), sep="\n")
+    injected, kills, defects = 0, 0, 0
+    with tempfile.TemporaryDirectory(prefix="morula-faults-") as folder:
+        place = Place(os.path.abspath(options.program), os.path.abspath(options.library), os.path.realpath(folder))
+        for verb in VERBS:
+            if options.only not in verb.name:
+                continue
+            place.prepare(verb)
+            good = []
+            for _ in range(2):
+                place.restore()
+                begun = time.monotonic()
+                ended = place.run(verb.command)
+                seconds = time.monotonic() - begun
+                assert ended.code in (0, 1), (verb.name, ended)
+                good.append(held_in(place.work))
+                time.sleep(1.1)  # times are told in seconds, and are to differ
+            judge = Judge(verb, held_in(place.start), *good)
+            line = []
+            for kind, how in FILE_WAYS + MEMORY_WAYS:
+                if options.kind not in (kind, how, "") or (how == "killall" and verb.name not in STARTING):
+                    continue
+                place.restore()
+                count = place.run(verb.command, f"{kind}:0:EIO").count
+                tried = 0
+                for n in [options.at] if options.at else numbers(count, kind, options.every):
+                    wrong, fault = judged(place, judge, ended.code, kind, how, n)
+                    tried += 1
+                    kills += how.startswith("kill")
+                    for text in wrong:
+                        print(f"  {verb.name}, {kind}:{n}:{how}: {text}", flush=True)
+                    defects += bool(wrong)
+                    if options.at:
+                        print(fault)
+                injected += tried
+                line.append(f"{kind}:{how} {tried}" + (f" of {count}" if tried < count else ""))
+            print(f"{verb.name} ({seconds:.2f} s): {', '.join(line)}", flush=True)
+    print(f"{injected} faults, {kills} of them kills; {defects} with something wrong")
+    return 1 if defects or not injected else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,273 @@
+// Loaded before a program (LD_PRELOAD), it lets one operation fail: of those on files below FAULT_FOLDER, or of those that
+// ask for memory. Programs that it starts are counted with it.
+//
+//   FAULT=KIND:N:HOW   the N-th of KIND, counted from 1 and in all processes together
+//     KIND  write, sync, rename, make (to open for writing, mkdir, truncate), remove, read (also to open),
+//           files (all but read);
+//           new (operator new), malloc (malloc, calloc and realloc, but not for operator new)
+//     HOW   a name of errno (ENOSPC, EIO); the same with a '+': it and all that follow; short: half is written, the rest
+//           is refused; kill: the process ends by SIGKILL; killall: and so does its whole group. Memory: anything.
+//   FAULT_COUNT=FILE   eight bytes, zero at first: how many there were. Without FAULT's N (0) it only counts.
+//
+// Memory is counted from main() to its end: before that and after it, nobody could tell what is wrong. What Mesa and LLVM
+// themselves ask for is not: they break down where it fails, and the program looks beforehand whether there is enough.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <link.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+extern "C" {
+void* __libc_malloc(size_t);
+void* __libc_calloc(size_t, size_t);
+void* __libc_realloc(void*, size_t);
+void* __libc_memalign(size_t, size_t);
+}
+
+namespace {
+
+using Counter = std::atomic<std::uint64_t>;
+
+enum Kind { none, writes, syncs, renames, makes, removes, reads, files, news, mallocs };
+constexpr const char* kindNames[] = {"",       "write", "sync",  "rename", "make",
+                                     "remove", "read",  "files", "new",    "malloc"};
+
+struct Fault {
+  Kind kind = none;
+  std::uint64_t number = 0;
+  int error = EIO;
+  bool goesOn = false, isShort = false, kills = false, killsAll = false;
+  char folder[PATH_MAX] = {};
+  Counter* count = nullptr;
+} fault;
+bool inMain = false;
+
+void readFault() {
+  const char *what = std::getenv("FAULT"), *folder = std::getenv("FAULT_FOLDER"),
+             *count = std::getenv("FAULT_COUNT");
+  if (!what || !folder || !count) return;
+  const char* const number = std::strchr(what, ':');
+  const char* const how = number ? std::strchr(number + 1, ':') : nullptr;
+  const int file = ::open(count, O_RDWR | O_CLOEXEC);
+  void* const shared = ::mmap(nullptr, sizeof(Counter), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  if (!how || shared == MAP_FAILED || !::realpath(folder, fault.folder)) {
+    std::fprintf(stderr, "failing: FAULT, FAULT_FOLDER and FAULT_COUNT do not go together\n");
+    ::_exit(99);
+  }
+  ::close(file);
+  for (int k = writes; k <= mallocs; ++k)
+    if (std::strncmp(what, kindNames[k], static_cast<std::size_t>(number - what)) == 0 &&
+        kindNames[k][number - what] == 0)
+      fault.kind = static_cast<Kind>(k);
+  fault.number = std::strtoull(number + 1, nullptr, 10);
+  fault.error = std::strncmp(how, ":ENOSPC", 7) == 0 ? ENOSPC : EIO;
+  fault.goesOn = how[std::strlen(how) - 1] == '+';
+  fault.isShort = std::strcmp(how, ":short") == 0;
+  fault.killsAll = std::strcmp(how, ":killall") == 0;
+  fault.kills = fault.killsAll || std::strcmp(how, ":kill") == 0;
+  fault.count = static_cast<Counter*>(shared);
+}
+
+/// Whether this operation, of this kind, is to fail.
+bool isHit() {
+  const std::uint64_t n = ++*fault.count;
+  if (fault.number == 0 || !(n == fault.number || (fault.goesOn && n > fault.number))) return false;
+  if (fault.killsAll) ::kill(0, SIGKILL);
+  if (fault.kills) ::kill(::getpid(), SIGKILL);
+  errno = fault.error;
+  return true;
+}
+
+bool isCounted(Kind kind) {
+  return fault.count && (fault.kind == kind || (fault.kind == files && kind < reads));
+}
+
+bool isOurs(const char* absolute) {
+  const std::size_t length = std::strlen(fault.folder);
+  return std::strncmp(absolute, fault.folder, length) == 0 &&
+         (absolute[length] == '/' || absolute[length] == 0);
+}
+
+bool fails(Kind kind, int descriptor) {
+  if (!isCounted(kind)) return false;
+  char link[64], path[PATH_MAX] = {};
+  std::snprintf(link, sizeof link, "/proc/self/fd/%d", descriptor);
+  const int reason = errno;
+  const bool ours = ::readlink(link, path, sizeof path - 1) > 0 && isOurs(path);
+  errno = reason;
+  return ours && isHit();
+}
+
+bool fails(Kind kind, int folder, const char* path) {
+  if (!isCounted(kind)) return false;
+  if (path[0] == '/') return isOurs(path) && isHit();
+  if (folder != AT_FDCWD) return fails(kind, folder);
+  char here[PATH_MAX];
+  return ::getcwd(here, sizeof here) && isOurs(here) && isHit();
+}
+
+struct Range {
+  std::uintptr_t from, to;
+} drivers[8];
+int driverCount = 0;
+
+int findDrivers(dl_phdr_info* library, size_t, void*) {
+  for (const char* name : {"OSMesa", "LLVM", "gallium"})
+    for (int i = 0; std::strstr(library->dlpi_name, name) && i < library->dlpi_phnum && driverCount < 8; ++i)
+      if (const auto& part = library->dlpi_phdr[i]; part.p_type == PT_LOAD && (part.p_flags & PF_X))
+        drivers[driverCount++] = {library->dlpi_addr + part.p_vaddr,
+                                  library->dlpi_addr + part.p_vaddr + part.p_memsz};
+  return 0;
+}
+
+/// `caller`: where the answer goes.
+bool noMemory(Kind kind, void* caller) {
+  if (!inMain || !isCounted(kind)) return false;
+  const auto place = reinterpret_cast<std::uintptr_t>(caller);
+  for (int i = 0; i < driverCount; ++i)
+    if (place >= drivers[i].from && place < drivers[i].to) return false;
+  if (!isHit()) return false;
+  errno = ENOMEM;
+  return true;
+}
+
+template <class Function>
+Function* next(const char* name) {
+  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+__attribute__((constructor)) void begin() { readFault(); }
+
+}  // namespace
+
+// `name` of the C library; `refuses`: when it fails.
+#define MORULA_FAILING(result, name, refuses, parameters, arguments) \
+  result name parameters {                                           \
+    static auto* const real = next<result parameters>(#name);        \
+    return (refuses) ? static_cast<result>(-1) : real arguments;     \
+  }
+// Where half may be written before the rest is refused.
+#define MORULA_WRITING(name, parameters, arguments, halfOfThem) \
+  ssize_t name parameters {                                     \
+    static auto* const real = next<ssize_t parameters>(#name);  \
+    if (!fails(writes, to)) return real arguments;              \
+    return fault.isShort && count > 1 ? real halfOfThem : -1;   \
+  }
+#define MORULA_OPENING(name, before, beforeArguments, folder)                                    \
+  int name(before const char* path, int flags, ...) {                                            \
+    va_list list;                                                                                \
+    va_start(list, flags);                                                                       \
+    const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) ? va_arg(list, mode_t) : 0;              \
+    va_end(list);                                                                                \
+    static auto* const real = next<int(before const char*, int, ...)>(#name);                    \
+    if (fails((flags & (O_WRONLY | O_RDWR | O_CREAT)) ? makes : reads, folder, path)) return -1; \
+    return real(beforeArguments path, flags, mode);                                              \
+  }
+#define MORULA_NOTHING
+#define MORULA_COMMA(text) text,
+
+extern "C" {
+
+MORULA_WRITING(write, (int to, const void* bytes, size_t count), (to, bytes, count), (to, bytes, count / 2))
+MORULA_WRITING(writev, (int to, const iovec* bytes, int count), (to, bytes, count), (to, bytes, count / 2))
+MORULA_WRITING(pwrite, (int to, const void* bytes, size_t count, off_t at), (to, bytes, count, at),
+               (to, bytes, count / 2, at))
+MORULA_WRITING(pwrite64, (int to, const void* bytes, size_t count, off64_t at), (to, bytes, count, at),
+               (to, bytes, count / 2, at))
+MORULA_FAILING(ssize_t, read, fails(reads, from), (int from, void* bytes, size_t count), (from, bytes, count))
+MORULA_FAILING(ssize_t, pread, fails(reads, from), (int from, void* bytes, size_t count, off_t at),
+               (from, bytes, count, at))
+MORULA_FAILING(ssize_t, pread64, fails(reads, from), (int from, void* bytes, size_t count, off64_t at),
+               (from, bytes, count, at))
+MORULA_FAILING(int, fsync, fails(syncs, file), (int file), (file))
+MORULA_FAILING(int, fdatasync, fails(syncs, file), (int file), (file))
+MORULA_FAILING(int, ftruncate, fails(makes, file), (int file, off_t size), (file, size))
+MORULA_FAILING(int, ftruncate64, fails(makes, file), (int file, off64_t size), (file, size))
+MORULA_FAILING(int, mkdir, fails(makes, AT_FDCWD, path), (const char* path, mode_t mode), (path, mode))
+MORULA_FAILING(int, rename, fails(renames, AT_FDCWD, to), (const char* from, const char* to), (from, to))
+MORULA_FAILING(int, link, fails(renames, AT_FDCWD, to), (const char* from, const char* to), (from, to))
+MORULA_FAILING(int, unlink, fails(removes, AT_FDCWD, path), (const char* path), (path))
+MORULA_FAILING(int, unlinkat, fails(removes, folder, path), (int folder, const char* path, int flags),
+               (folder, path, flags))
+MORULA_FAILING(int, rmdir, fails(removes, AT_FDCWD, path), (const char* path), (path))
+MORULA_FAILING(int, remove, fails(removes, AT_FDCWD, path), (const char* path), (path))
+MORULA_OPENING(open, MORULA_NOTHING, MORULA_NOTHING, AT_FDCWD)
+MORULA_OPENING(open64, MORULA_NOTHING, MORULA_NOTHING, AT_FDCWD)
+MORULA_OPENING(openat, MORULA_COMMA(int folder), MORULA_COMMA(folder), folder)
+MORULA_OPENING(openat64, MORULA_COMMA(int folder), MORULA_COMMA(folder), folder)
+
+#define MORULA_CALLER __builtin_return_address(0)
+void* malloc(size_t size) { return noMemory(mallocs, MORULA_CALLER) ? nullptr : __libc_malloc(size); }
+void* calloc(size_t count, size_t size) {
+  return noMemory(mallocs, MORULA_CALLER) ? nullptr : __libc_calloc(count, size);
+}
+void* realloc(void* memory, size_t size) {
+  return noMemory(mallocs, MORULA_CALLER) ? nullptr : __libc_realloc(memory, size);
+}
+
+int __libc_start_main(int (*program)(int, char**, char**), int argc, char** argv, void (*init)(),
+                      void (*fini)(), void (*linkerFini)(), void* stackEnd) {
+  static decltype(program) real;
+  real = program;
+  auto* const start = next<decltype(__libc_start_main)>("__libc_start_main");
+  return start(
+      [](int count, char** words, char** environment) {
+        ::dl_iterate_phdr(findDrivers, nullptr);
+        inMain = true;
+        const int code = real(count, words, environment);
+        inMain = false;
+        return code;
+      },
+      argc, argv, init, fini, linkerFini, stackEnd);
+}
+
+}  // extern "C"
+
+namespace {
+
+void* newMemory(std::size_t size, std::size_t alignment, void* caller) {
+  return noMemory(news, caller) ? nullptr : __libc_memalign(alignment, size ? size : 1);
+}
+void* orThrow(void* memory) {
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+constexpr std::size_t usual = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
+
+}  // namespace
+
+void* operator new(std::size_t size) { return orThrow(newMemory(size, usual, MORULA_CALLER)); }
+void* operator new[](std::size_t size) { return orThrow(newMemory(size, usual, MORULA_CALLER)); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return newMemory(size, usual, MORULA_CALLER);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return newMemory(size, usual, MORULA_CALLER);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return orThrow(newMemory(size, static_cast<std::size_t>(alignment), MORULA_CALLER));
+}
+void* operator new[](std::size_t size, std::align_val_t alignment) {
+  return orThrow(newMemory(size, static_cast<std::size_t>(alignment), MORULA_CALLER));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }

@@ -1,0 +1,33 @@
+// A study that keeps pictures, under a limit of memory in which nothing can be drawn: the run for which a picture was to be
+// drawn was thrown away with it. It is kept, and what is said is the memory.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "hostile.h"
+
+using namespace morula::test;
+
+#if !defined(__SANITIZE_ADDRESS__)  // which takes all of the address space
+TEST_CASE("a task that finds no memory for its picture keeps its run") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "body.yaml", smallBody);
+  writeWhole(
+      folder / "few.study.yaml",
+      "morula-study: 1\nname: few\nbase: body.yaml\nvary: {drag: {low: {}, high: {physics.drag: 12}}}\n"
+      "seeds: 1..2\nmeasures: [sphericity]\nkeep: {pictures: first-seed}\nlimits: {memory-per-run: 260M}\n");
+  const auto run =
+      launch({"study", "run", folder / "few.study.yaml", "--no-predict", "--json", "--out", folder / "out"});
+  CAPTURE(run.out, run.err);
+  CHECK(run.code == 0);
+  const auto said = nlohmann::json::parse(run.out);
+  CHECK(said["failed"].empty());
+  REQUIRE(said["undrawn"].size() == 2);
+  for (const auto& task : said["undrawn"]) {
+    CHECK_THAT(task["reason"].get<std::string>(), ContainsSubstring("memory limit: "));
+    const std::string file = folder / "out/tasks/" + task["task_id"].get<std::string>();
+    CHECK(std::filesystem::exists(file + ".db"));
+    CHECK_FALSE(std::filesystem::exists(file + ".png"));
+  }
+}
+#endif
