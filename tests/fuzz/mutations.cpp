@@ -1,7 +1,8 @@
 // In every test run: each reader reads its seeds, what earlier findings were (corpus/READER), and a fixed number of inputs that are
 // made of them by chance, the same ones everywhere.
 //
-//   fuzz_mutations COUNT [READER]     COUNT inputs of each; exit 1 and the input in a file for a finding
+//   fuzz_mutations COUNT [READER [FOLDER]]   COUNT inputs of each; exit 1 and the input in a file for a finding; what inputs are
+//                                            made of goes into FOLDER
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -95,7 +96,7 @@ std::vector<std::string> seedsOf(const Reader& reader) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) return std::fputs("usage: fuzz_mutations COUNT [READER]\n", stderr), 2;
+  if (argc < 2) return std::fputs("usage: fuzz_mutations COUNT [READER [FOLDER]]\n", stderr), 2;
   const std::size_t count = std::strtoull(argv[1], nullptr, 10);
   bool fine = true;
   for (const Reader& reader : readers()) {
@@ -104,6 +105,8 @@ int main(int argc, char** argv) {
     std::size_t taken = 0, read = seeds.size();
     bool isClean = true;
     for (const std::string& seed : seeds) isClean = isFine(reader, seed, taken) && isClean;
+    for (std::size_t i = 0; argc > 3 && i < seeds.size(); ++i)
+      std::ofstream(std::filesystem::path(argv[3]) / std::to_string(i), std::ios::binary) << seeds[i];
     for (std::size_t i = 0; i < count && isClean; ++i, ++read) {
       Chance draw(i);
       isClean = isFine(reader, mutated(seeds, draw), taken);

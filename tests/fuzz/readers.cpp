@@ -11,9 +11,13 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "biology/dna.h"
+#include "drawing/drawing.h"
+#include "drawing/read_png.h"
+#include "explain/hash_trace_json.h"
 #include "golden/golden.h"
 #include "mesh/convex_shell.h"
 #include "mesh/mesh.h"
+#include "report/parts.h"
 #include "scenario/scenario.h"
 #include "simulation/checkpoint.h"
 #include "study/cell_selection.h"
@@ -57,6 +61,12 @@ const Scene& smallScene() {
                                           "small.yaml", "", {parseOverride("physics.mesh.icosphere=0")})
                                  .scene;
   return scene;
+}
+
+/// The bytes as a file that a scenario names.
+void readNamed(const char* role, const std::string& path, std::string_view bytes) {
+  readScenario("morula: 1\nname: fuzz\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {cycles: 3}\n" + path,
+               "fuzz.yaml", "", {}, {{role, "fuzz.txt", text(bytes)}});
 }
 
 /// A checkpoint's fields begin behind its head, and its hash follows them [core/simulation/checkpoint.cpp]: bytes are taken as
@@ -115,10 +125,23 @@ std::vector<std::string> mergedStudies() {
   return {contentOf(folder / "study.db")};
 }
 
-/// As a file, for what reads databases.
-fs::path fileOf(std::string_view bytes) {
+std::vector<std::string> pictures() {
+  Image image(17, 9, paper);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = {std::uint8_t(i * 37), 1, std::uint8_t(i)};
+  std::vector<std::string> files{pngFile(image)};
+  image.opacity.assign(image.pixels.size(), 100);
+  files.push_back(pngFile(image));
+  return files;
+}
+
+/// What is not made here lies in the corpus.
+std::vector<std::string> justEmpty() { return {"{}"}; }
+
+/// As a file, for what reads files.
+std::string fileOf(std::string_view bytes) {
   static const TemporaryFolder folder;
-  const fs::path file = folder / "bytes.db";
+  const fs::path file = folder / "bytes";
   std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return file;
 }
@@ -153,15 +176,24 @@ const Reader all[] = {
      [] { return filesIn({"golden"}, ".golden"); }},
     {"checkpoint",
      [](std::string_view b) {
-       World world = makeWorld(smallScene());
+       static World world = makeWorld(smallScene());
        restoreState(world, sealed(b));
+       if (!finished(world)) step(world);
      },
      checkpoints},
     {"plan", [](std::string_view b) { readPlan(text(b), "plan.json"); }, plans},
-    {"accuracy", [](std::string_view b) { accuracyFrom(parseJson(b)); },
-     [] {
-       return std::vector<std::string>{"{}", "{\"scenario\": \"x\", \"levels\": [], \"entries\": [{}]}"};
-     }},
+    {"accuracy",
+     [](std::string_view b) {
+       accuracyFrom(parseJson(b));
+       accuracyPart(fileOf(b));  // the page of it
+     },
+     justEmpty},
+    {"check", [](std::string_view b) { checkPart(readChecked(fileOf(b)), "report.json"); }, justEmpty},
+    {"trail", [](std::string_view b) { readHashTrace(text(b)); }, justEmpty},
+    {"names", [](std::string_view b) { readNamed("names", "names: {file: x}\n", b); }, justEmpty},
+    {"reference", [](std::string_view b) { readNamed("reference", "check: {reference: {file: x}}\n", b); },
+     justEmpty},
+    {"png", [](std::string_view b) { readPng(text(b), "fuzz.png"); }, pictures},
     {"words",
      [](std::string_view b) {
        const std::string word = text(b);

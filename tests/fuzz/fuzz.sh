@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Reads inputs made by chance and guided by coverage, with address and undefined-behaviour sanitizers (clang, libFuzzer).
+#
+#   fuzz.sh SECONDS [READER…]    each of the readers so long (fuzz_mutations 0 lists them); nothing is ended before its time
+#
+# What is found is left in build/fuzz/findings; put it into tests/fuzz/corpus/READER with its mending. Exit 1: a finding.
+set -euo pipefail
+[ $# -ge 1 ] || { sed -n '2,7p' "$0"; exit 2; }
+root=$(readlink -f "$(dirname "$0")/../..")
+seconds=$1
+shift
+cd "$root"
+cmake --preset fuzz >/dev/null
+cmake --build build/fuzz --target fuzz_readers fuzz_mutations
+if [ $# = 0 ]; then read -ra readers < <(build/fuzz/tests/fuzz/fuzz_mutations 0 | awk '{printf "%s ", $1}'); else readers=("$@"); fi
+mkdir -p build/fuzz/findings
+code=0
+for reader in "${readers[@]}"; do
+  corpus=build/fuzz/corpus/$reader
+  mkdir -p "$corpus"
+  build/fuzz/tests/fuzz/fuzz_mutations 0 "$reader" "$corpus" >/dev/null # writes the seeds there
+  if [ -d "tests/fuzz/corpus/$reader" ]; then cp -n "tests/fuzz/corpus/$reader"/* "$corpus"; fi
+  MORULA_FUZZ=$reader build/fuzz/tests/fuzz/fuzz_readers -max_total_time="$seconds" -timeout=1 -max_len=20000 \
+    -artifact_prefix="build/fuzz/findings/$reader-" -print_final_stats=1 "$corpus" 2>"build/fuzz/$reader.log" || code=1
+  echo "$reader: $(sed -n 's/^stat::number_of_executed_units: *//p' "build/fuzz/$reader.log") executions," \
+    "$(find build/fuzz/findings -name "$reader-*" | wc -l) findings"
+done
+exit $code
