@@ -3,12 +3,14 @@
 
     bad_commands.py MORULA [--accept] [TABLE...]
 
-A table (*.txt beside this script) is a list of commands as a shell takes them. Beneath each stand its exit code and what
-it says on standard error; on standard output it says nothing, or the lines after >. Lines that begin with ! make files
-that the commands after them are given; `(a|b)` means a command each, \\1 beneath it which of them. Whatever is refused
-leaves every file as it was, makes none, and sends a terminal nothing that it would obey. --accept writes what is said
-now into the tables, to be read before it is kept; without it, that is a difference. A mistake is a command here, or a
-line of a message in bad_scenarios, bad_dna and bad_studies: the last line counts both.
+A table (*.txt beside this script) is a list of commands as a shell takes them. Beneath each, or beneath the last of several
+that are answered alike, stand its exit code and what it says on standard error, and after > what it says on standard
+output; what differs from run to run is left out (ID, HASH, PENDING, SIZE, CPU), and so is what goes beyond twelve lines. Lines that begin
+with ! make files that the commands after them are given; `(a|b)` means a command each, \\1 beneath it which of them.
+What is refused leaves every file as it was and makes none, unless standard output says what was done all the same, and
+sends a terminal nothing that it would obey. --accept writes what is said now into the tables, to be read before it is
+kept, and leaves out what is not refused; without it, either is a fault. A mistake is a command here, or a line of a
+message in bad_scenarios, bad_dna and bad_studies: the last line counts both.
 
 Exit codes: 0 so it is, 1 not so.
 """
@@ -59,10 +61,44 @@ def shell(command, folder):
                           env={"PATH": f"{folder}/../bin:/usr/local/bin:/usr/bin:/bin", "HOME": folder, "LC_ALL": "C"})
 
 
+# What differs from one build, machine or day to another.
+VARIES = ((r"\b[0-9a-f]{16}\b", "ID"), (r"\S*/pending/\S+", "PENDING"), (r"\d+\.\d+ MB", "SIZE MB"),
+          (r"\d+:\d\d of CPU time", "CPU of CPU time"),
+          (r"hash is \w+, and \w+ was", "hash is HASH, and HASH was"))
+MOST = 12  # lines
+
+
 def said(run):
-    text = (run.stderr.decode(errors="replace") + "".join("> " + line for line in
-            run.stdout.decode(errors="replace").splitlines(keepends=True))).rstrip("\n").split("\n")
-    return [f"{run.returncode} {text[0]}".rstrip()] + text[1:]
+    lines = (run.stderr.decode(errors="replace") + "".join("> " + line for line in
+             run.stdout.decode(errors="replace").splitlines(keepends=True))).rstrip("\n").split("\n")
+    if len(lines) > MOST:
+        lines = lines[:MOST - 1] + [f"and {len(lines) - MOST + 1} more lines"]
+    text = "\n".join(line.rstrip() for line in lines)
+    for pattern, word in VARIES:
+        text = re.sub(pattern, word, text)
+    return f"{run.returncode} {text}".rstrip()
+
+
+def try_one(command, folder):
+    """What the command says, and the faults that no table could excuse."""
+    before = files(folder)
+    run = shell("morula " + command, folder)
+    faults = []
+    if run.returncode not in (1, 2, 3, 4, 5, 6):
+        faults.append(f"exit {run.returncode}")
+    if obeyed.search((run.stderr + run.stdout).decode(errors="replace")):
+        faults.append("sends the terminal what it obeys")
+    changed = sorted({path for path, _ in set(before.items()) ^ set(files(folder).items())})
+    if changed and not run.stdout:
+        faults.append(f"changed {changed}")
+    return said(run), faults
+
+
+def as_written(line, tried):
+    """The line with what it says, or a line for each of its alternatives where they say different things."""
+    texts = {text if not chosen else re.sub(rf"(morula:?( study)? |study ){re.escape(chosen)}\b", r"\1\\1", text)
+             for _, chosen, text in tried}
+    return [(line, texts.pop())] if len(texts) == 1 else [("$ " + command, text) for command, _, text in tried]
 
 
 def judge(table, work):
@@ -76,41 +112,33 @@ def judge(table, work):
     blocks = re.split(r"^(?=[$!#\n])", table.read_text(), flags=re.MULTILINE)
     asked = []  # commands that share what stands beneath the last of them
     for number, block in enumerate(blocks):
-        first, *expected = block.rstrip("\n").split("\n")
+        first, _, expected = block.rstrip("\n").partition("\n")
         if first.startswith("! "):
             made = shell(first[2:], folder)
             if made.returncode:
                 faults.append(f"{table.name}: {first}\n{made.stderr.decode()}")
         if not first.startswith("$ "):
-            now.append(block)
+            now.append((block, None))
             continue
         asked.append(first)
         if not expected and number + 1 < len(blocks) and blocks[number + 1].startswith("$ "):
             continue
-        told = {}  # what is said, and by which of the lines
-        for line, (command, chosen) in [(line, each) for line in asked for each in commands(line[2:])]:
-            count += 1
-            before = files(folder)
-            run = shell("morula " + command, folder)
-            found = said(run)
-            if chosen:
-                found = [re.sub(rf"(morula:?( study)? |study ){re.escape(chosen)}\b", r"\1\\1", text) for text in found]
-            what = f"{table.name}: morula {command}\n"
-            told.setdefault("\n".join(found), []).append((line, command, chosen))
-            if not accept and found != expected:
-                faults.append(what + "\n".join(["says"] + found + ["not"] + expected))
-            if run.returncode not in (1, 2, 3, 4, 5, 6):
-                faults.append(what + f"exit {run.returncode}")
-            if obeyed.search((run.stderr + run.stdout).decode(errors="replace")):
-                faults.append(what + "sends the terminal what it obeys")
-            changed = sorted(set(before.items()) ^ set(files(folder).items()))
-            if changed:
-                faults.append(what + f"changed {sorted({path for path, _ in changed})}")
-        for text, said_by in told.items():
-            lines = [line for line, _, _ in said_by] if len(told) == 1 else ["$ " + command for _, command, _ in said_by]
-            now.append("\n".join([*dict.fromkeys(lines), text.replace("\\1", said_by[0][2]) if len(told) > 1 else text, ""]))
+        for line in asked:
+            tried = []
+            for command, chosen in commands(line[2:]):
+                count += 1
+                text, wrong = try_one(command, folder)
+                faults += [f"{table.name}: morula {command}\n{each}" for each in wrong]
+                if not accept and text != expected.replace("\\1", chosen):
+                    faults.append(f"{table.name}: morula {command}\nsays\n{text}\nnot\n{expected}")
+                if not text.startswith("0"):
+                    tried.append((command, chosen, text))
+            now += as_written(line, tried) if tried else []
         asked = []
-    return "".join(now), count, faults
+    # Neighbours that are answered alike share the answer.
+    text = "".join(line + "\n" + ("" if i + 1 < len(now) and now[i + 1][1] == answer else answer + "\n")
+                   if answer is not None else line for i, (line, answer) in enumerate(now))
+    return text, count, faults
 
 
 total, faults = 0, []

@@ -9,8 +9,9 @@
 //           is refused; kill: the process ends by SIGKILL; killall: and so does its whole group. Memory: anything.
 //   FAULT_COUNT=FILE   eight bytes, zero at first: how many there were. Without FAULT's N (0) it only counts.
 //
-// Memory is counted from main() to its end: before that and after it, nobody could tell what is wrong. What Mesa and LLVM
-// themselves ask for is not: they break down where it fails, and the program looks beforehand whether there is enough.
+// Memory is counted from main() to its end: before that and after it, nobody could tell what is wrong. What Mesa and LLVM,
+// cairo and the libraries of its fonts themselves ask for is not: they break down where it fails, and the program looks
+// beforehand whether there is enough.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <link.h>
@@ -121,12 +122,12 @@ bool fails(Kind kind, int folder, const char* path) {
 
 struct Range {
   std::uintptr_t from, to;
-} drivers[8];
+} drivers[16];
 int driverCount = 0;
 
 int findDrivers(dl_phdr_info* library, size_t, void*) {
-  for (const char* name : {"OSMesa", "LLVM", "gallium"})
-    for (int i = 0; std::strstr(library->dlpi_name, name) && i < library->dlpi_phnum && driverCount < 8; ++i)
+  for (const char* name : {"OSMesa", "LLVM", "gallium", "cairo", "pixman", "fontconfig", "freetype", "expat"})
+    for (int i = 0; std::strstr(library->dlpi_name, name) && i < library->dlpi_phnum && driverCount < 16; ++i)
       if (const auto& part = library->dlpi_phdr[i]; part.p_type == PT_LOAD && (part.p_flags & PF_X))
         drivers[driverCount++] = {library->dlpi_addr + part.p_vaddr,
                                   library->dlpi_addr + part.p_vaddr + part.p_memsz};
@@ -217,6 +218,12 @@ void* calloc(size_t count, size_t size) {
 void* realloc(void* memory, size_t size) {
   return noMemory(mallocs, MORULA_CALLER) ? nullptr : __libc_realloc(memory, size);
 }
+char* strdup(const char* text) {  // or the caller would be the C library
+  const size_t size = std::strlen(text) + 1;
+  void* const copy = noMemory(mallocs, MORULA_CALLER) ? nullptr : __libc_malloc(size);
+  return copy ? static_cast<char*>(std::memcpy(copy, text, size)) : nullptr;
+}
+char* __strdup(const char* text) { return strdup(text); }
 
 int __libc_start_main(int (*program)(int, char**, char**), int argc, char** argv, void (*init)(),
                       void (*fini)(), void (*linkerFini)(), void* stackEnd) {

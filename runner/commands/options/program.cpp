@@ -122,7 +122,8 @@ Action parse(int argc, char** argv, const AddVerbs& addVerbs) {
     return [] { return fine; };
   } catch (const CLI::ParseError& error) {
     const auto* chosen = chosenOf(app);
-    if (chosen == &app) throw UsageError("'" + word + "' is not expected; one of " + join(verbNames(app)) + ", or --help");
+    if (chosen == &app)
+      throw UsageError("'" + word + "' is not expected; one of " + join(verbNames(app)) + ", or --help");
     checkLeftovers(*chosen);
     throw UsageError(titleOf(*chosen) + ": " + sentenceOf(error, *chosen));
   }
@@ -164,7 +165,7 @@ int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   } catch (const std::bad_alloc&) {
     tellError(std::string("there is no more memory; ") + outOfMemoryRemedy);
     return numerical;
-  } catch (const std::system_error& error) {  // files that the standard library looked at, threads that cannot be had
+  } catch (const std::system_error& error) {  // of files that the standard library looked at, or of threads
     tellError(error.what());
     return file;
   } catch (const std::exception& error) {

@@ -1,5 +1,6 @@
 // morula study emit: what a cluster, a workflow or GNU parallel runs a study with.
 
+#include "files/folders.h"
 #include "files/write_file.h"
 #include "options/exit_codes.h"
 #include "options/options.h"
@@ -28,6 +29,7 @@ int act(const EmitCommand& command) {
   const std::filesystem::path out =
       command.output.empty() ? siteFile(study, command.emit.site) : std::filesystem::path(command.output);
   const std::string text = emit(study, command.emit);
+  if (!command.output.empty() && !(command.force && fileExists(out))) requireNewFile(out);
   keepPlan(study);
   // In the study's own folder stands what an earlier call has written.
   if (command.output.empty() || command.force) overwriteFile(out, text);

@@ -66,9 +66,13 @@ std::string readFile(const std::filesystem::path& file, std::uint64_t maxBytes) 
   return bytes;
 }
 
+std::string readBeginning(const std::filesystem::path& file, std::size_t count) {
+  return readUpTo(openRegular(file), count, file);
+}
+
 std::string readHead(const std::filesystem::path& file, std::size_t count) {
   try {
-    return readUpTo(openRegular(file), count, file);
+    return readBeginning(file, count);
   } catch (const FileError&) { return ""; }
 }
 

@@ -13,7 +13,10 @@ inline constexpr std::uint64_t maxInputBytes = std::uint64_t{64} << 20;  // of a
 /// cannot be read, or holds more than `maxBytes`. Never waits.
 std::string readFile(const std::filesystem::path& file, std::uint64_t maxBytes = maxInputBytes);
 
-/// The first `count` bytes, or as many as there are; "" if it is no regular file that can be read.
+/// The first `count` bytes, or as many as there are. Throws FileError if it is no regular file, or cannot be read.
+std::string readBeginning(const std::filesystem::path& file, std::size_t count);
+
+/// The same; "" if it is no regular file that can be read.
 std::string readHead(const std::filesystem::path& file, std::size_t count);
 
 /// Throws FileError if there is something else than a regular file.

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "files/descriptor.h"
 #include "files/draft.h"
+#include "files/folders.h"
 
 namespace morula {
 
@@ -56,9 +57,14 @@ void writeFile(const fs::path& file, std::string_view bytes, Content kind) {
   replace(file, bytes);
 }
 
-void writeNewFile(const fs::path& file, std::string_view bytes) {
+void requireNewFile(const fs::path& file) {
   if (typeOf(file))
     refuseToWrite(file, std::string("it is there already and is ") + name(contentOfFile(file)));
+  if (file.has_parent_path() && !isFolder(file.parent_path())) refuseToWrite(file, std::strerror(ENOENT));
+}
+
+void writeNewFile(const fs::path& file, std::string_view bytes) {
+  requireNewFile(file);
   replace(file, bytes);
 }
 

@@ -13,6 +13,9 @@ namespace morula {
 /// Replaces a file that holds `kind` or nothing.
 void writeFile(const std::filesystem::path& file, std::string_view bytes, Content kind);
 
+/// Before there are bytes to write: throws if there is something at the place, or no folder to hold it.
+void requireNewFile(const std::filesystem::path& file);
+
 /// Replaces nothing.
 void writeNewFile(const std::filesystem::path& file, std::string_view bytes);
 

@@ -17,10 +17,10 @@ namespace {
 
 /// By what a file holds, not by its name. Whether it is one.
 bool addSource(const std::string& file, Sources& sources) {
-  if (isDatabase(file))
+  const std::string head = readBeginning(file, 16);
+  if (contentOf(head) == Content::database)
     return (isMergedStudy(file) ? sources.studies : sources.databases).push_back(file), true;
-  const auto first = readHead(file, 1);
-  if (first != "{") return false;
+  if (!head.starts_with('{')) return false;
   const Json json = tryParseJson(readFile(file));
   if (!json.is_object() || !json.contains("morula")) return false;
   if (json.contains("rows") && json.contains("scenario")) return sources.accuracies.push_back(file), true;
@@ -35,13 +35,11 @@ Sources sourcesOf(const std::vector<std::string>& what) {
   for (const std::string& name : what) {
     if (!fileExists(name)) throw FileError("'" + name + "': no such file or folder");
     if (!isFolder(name)) {
-      if (!addSource(name, sources)) {
-        requireRegularFile(name);
+      if (!addSource(name, sources))
         throw UsageError("'" + name + "' is " + std::string(morula::name(contentOfFile(name))) +
                          "; report needs a database that morula run has written, a report.json of morula "
                          "check --reports, what "
                          "morula accuracy --json has printed, or a folder of these");
-      }
       continue;
     }
     bool any = false;

@@ -285,10 +285,20 @@ void Statement::bind(int place, Blob value) {
                             value.bytes.size(), copyValues_ ? SQLITE_TRANSIENT : SQLITE_STATIC));
 }
 
-Transaction::Transaction(Database& db) : db_(db) { db_.execute("BEGIN IMMEDIATE"); }
+Transaction::Transaction(Database& db) : db_(db) {
+  try {
+    db_.execute("BEGIN IMMEDIATE");
+  } catch (...) {
+    rollBack();  // it may have begun, and memory ended before it was told
+    throw;
+  }
+}
 
 Transaction::~Transaction() {
-  if (!open_) return;
+  if (open_) rollBack();
+}
+
+void Transaction::rollBack() {
   try {
     db_.execute("ROLLBACK");
   } catch (const std::exception&) {

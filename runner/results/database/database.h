@@ -273,6 +273,8 @@ class Transaction {
   void commit();
 
  private:
+  void rollBack();
+
   Database& db_;
   bool open_ = true;
 };

@@ -50,7 +50,7 @@ bool isFilmName(const fs::path& file) {
 bool hasFfmpeg() {
   ChildOptions options;
   options.silent = true;
-  return runChild({"ffmpeg", "-hide_banner", "-version"}, options).well();
+  return !runChild({"ffmpeg", "-hide_banner", "-version"}, options).notStarted();
 }
 
 void writeFilm(std::size_t count, const std::function<Image(std::size_t)>& draw, double perSecond,
@@ -64,6 +64,7 @@ void writeFilm(std::size_t count, const std::function<Image(std::size_t)>& draw,
   const fs::path film = folder.path() / ("film" + endingOf(file));
   std::vector<std::string> command{
       "ffmpeg",     "-nostdin",           "-v", "error",
+      "-xerror",  // a write that fails is an error
       "-framerate", exactText(perSecond), "-i", (folder.path() / "%06d.png").string()};
   for (const std::string& word : wayTo(endingOf(file))) command.push_back(word);
   // No date and no version in the file.

@@ -95,9 +95,9 @@ RunOutcome runScenario(const Scenario& scenario, const RunSettings& settings) {
   const bool checked = settings.check && !settings.changed;
   RunChecks checks(scenario, world, checked);
   // Whatever could go wrong with files goes wrong before the first step.
-  if (settings.draw) makeFolder(settings.folder);
   makeFolder(settings.database.parent_path());
   auto store = Store::openForWriting(settings.database);
+  if (settings.draw) makeFolder(settings.folder);
 
   const auto record = recordOf(scenario, settings.execution, settings.command);
   RunOutcome outcome;

@@ -28,21 +28,34 @@ TEST_CASE("a draft is nothing to a reader until it takes its place, and then all
   CHECK_THROWS_AS(Draft(folder / "none/a.txt"), FileError);
 }
 
-TEST_CASE("what a dead process has left is removed, and what a living one writes stays") {
-  const TemporaryFolder folder;
+namespace {
+
+/// Leaves a draft as a process does that is killed: nothing is cleaned up.
+void dieWriting(const std::filesystem::path& file) {
   const pid_t child = fork();
   if (child == 0) {
-    Draft draft(folder / "a.txt");
+    Draft draft(file);
     draft.write("half");
-    _exit(0);  // as if it were killed: nothing is cleaned up
+    _exit(0);
   }
   int status = 0;
   waitpid(child, &status, 0);
+}
+
+}  // namespace
+
+TEST_CASE("what a dead process has left is removed, and what a living one writes stays") {
+  const TemporaryFolder folder;
+  dieWriting(folder / "a.txt");
   writeText(folder / ".morula-mine", "");
   writeText(folder / "theirs.part", "");
   REQUIRE(namesIn(folder.path()).size() == 3);
-  Draft living(folder / "b.txt");
+  Draft living(folder / "b.txt");  // the first of this process in the folder: it looks for what is left there
+  CHECK(namesIn(folder.path()).size() == 3);
   living.write("not yet");
+  CHECK(removeAbandonedDrafts(folder.path()) == 0);
+  dieWriting(folder / "c.txt");
+  CHECK(namesIn(folder.path()).size() == 4);
   CHECK(removeAbandonedDrafts(folder.path()) == 1);
   CHECK(namesIn(folder.path()).size() == 3);
   living.takePlace();
