@@ -59,12 +59,30 @@ void limit(const ForkedLimits& limits) {
   if (limits.memory) lower(RLIMIT_AS, addressSpace() + *limits.memory);
 }
 
+/// Signals wait while this lives, or until `let`.
+class SignalsWait {
+ public:
+  SignalsWait() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsWait() { let(); }
+  SignalsWait(const SignalsWait&) = delete;
+  SignalsWait& operator=(const SignalsWait&) = delete;
+  void let() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_;
+};
+
 [[noreturn]] void work(const ForkedLimits& limits, const std::function<ForkedAnswer()>& what, pid_t parent,
-                       int answerTo) {
+                       int answerTo, SignalsWait& signals) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(128 + SIGKILL);  // it died before
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
-    std::signal(signal, SIG_DFL);  // whatever this process had to do at them
+    std::signal(signal, SIG_DFL);  // whatever its parent does at them
+  signals.let();
   limit(limits);
   const ForkedAnswer answer = what();
   const std::string text = answer.text.substr(0, mostText);
@@ -82,8 +100,10 @@ Forked::Forked(const ForkedLimits& limits, const std::function<ForkedAnswer()>& 
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw processError("no pipe");
   const pid_t parent = ::getpid();
+  // A signal to the new process must not meet the handlers of this one, which would take it for its own.
+  SignalsWait signals;
   process_ = ::fork();
-  if (process_ == 0) work(limits, what, parent, ends[1]);
+  if (process_ == 0) work(limits, what, parent, ends[1], signals);
   ::close(ends[1]);
   answer_ = ends[0];
   if (process_ > 0) return;

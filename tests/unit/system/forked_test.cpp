@@ -40,6 +40,22 @@ TEST_CASE("a process is not forked while others of its threads run") {
   other.join();
 }
 
+TEST_CASE("a signal that comes as soon as a process is made ends it as if it came later") {
+  // What this process does at a signal is not for the new one: it would end with 99.
+  struct sigaction before {
+  }, here{};
+  here.sa_handler = [](int) { ::_exit(99); };
+  ::sigaction(SIGTERM, &here, &before);
+  int ended = 0;
+  for (int i = 0; i < 200; ++i) {
+    Forked process({}, []() -> ForkedAnswer { loopForEver(); });
+    process.stop(SIGTERM);
+    ended += process.wait().signal == SIGTERM;
+  }
+  ::sigaction(SIGTERM, &before, nullptr);
+  CHECK(ended == 200);
+}
+
 TEST_CASE("memory is its own") {
   int number = 1;
   Forked process({}, [&] { return ForkedAnswer{++number, ""}; });
