@@ -71,9 +71,11 @@ std::string readBeginning(const std::filesystem::path& file, std::size_t count) 
 }
 
 std::string readHead(const std::filesystem::path& file, std::size_t count) {
+  Descriptor opened(-1);
   try {
-    return readBeginning(file, count);
+    opened = openRegular(file);
   } catch (const FileError&) { return ""; }
+  return readUpTo(opened, count, file);
 }
 
 void requireRegularFile(const std::filesystem::path& file) {

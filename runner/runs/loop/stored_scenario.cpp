@@ -2,16 +2,11 @@
 
 #include "base/error.h"
 #include "files/content.h"
-#include "files/read_file.h"
 #include "system/usage_error.h"
 
 namespace morula {
 
-bool isDatabase(const std::string& file) {
-  std::error_code unknown;  // whoever opens the file says what it is
-  return std::filesystem::is_regular_file(file, unknown) &&
-         contentOf(readBeginning(file, 16)) == Content::database;
-}
+bool isDatabase(const std::string& file) { return contentOfFile(file) == Content::database; }
 
 namespace {
 

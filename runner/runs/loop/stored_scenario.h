@@ -7,7 +7,7 @@
 
 namespace morula {
 
-/// True if there is a regular file that begins as SQLite's do. Throws FileError if it cannot be read.
+/// True if the file begins as SQLite's do. Throws FileError if reading it fails.
 bool isDatabase(const std::string& file);
 
 /// The scenario of a stored run, as it was run. `run`: its id or the beginning of it; "": the only or latest

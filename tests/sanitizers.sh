@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Builds everything with a sanitizer and runs the tests with it.
+#
+#   sanitizers.sh address|thread [CTEST OPTIONS…]    address: and undefined behaviour; -R NAME, -j N, --rerun-failed
+#
+# Left out is what a sanitizer says nothing new of, or cannot stand: other builds (determinism, install, lint, cost and
+# mutation), pages and other programs (browser, scipy, studies), and libraries that replace malloc (faults, regressions/*
+# with a preloaded one). With thread, what runs in one thread only is tried all the same.
+# Exit 1: a report, or another test that fails; the reports are in build/dev or build/thread, Testing/Temporary/LastTest.log.
+set -euo pipefail
+case "${1:-}" in
+  address) preset=dev ;;
+  thread) preset=thread ;;
+  *) sed -n '2,9p' "$0"; exit 2 ;;
+esac
+shift
+cd "$(dirname "$(readlink -f "$0")")/.."
+cmake --preset "$preset" >/dev/null
+cmake --build "build/$preset"
+# A report ends the process with a code that none of the program's is.
+export ASAN_OPTIONS=exitcode=99:detect_stack_use_after_return=1:allocator_may_return_null=1
+export UBSAN_OPTIONS=print_stacktrace=1
+export TSAN_OPTIONS=exitcode=99:halt_on_error=1
+ctest --test-dir "build/$preset" --output-on-failure --timeout 7200 -j 2 \
+  -E '^(cost|determinism|install|lint|mutation|browser|scipy|studies|faults|bench)' "$@"
