@@ -6,11 +6,10 @@
 # Left out is what a sanitizer says nothing new of, or cannot stand: other builds (determinism, install, lint, cost and
 # mutation), pages and other programs (browser, scipy, studies), and libraries that replace malloc (faults, regressions/*
 # with a preloaded one). With thread, what runs in one thread only is tried all the same.
-# Exit 1: a report, or another test that fails; the reports are in build/dev or build/thread, Testing/Temporary/LastTest.log.
+# Exit 1: a report, or another test that fails; the reports are in build/address or build/thread, Testing/Temporary/LastTest.log.
 set -euo pipefail
 case "${1:-}" in
-  address) preset=dev ;;
-  thread) preset=thread ;;
+  address | thread) preset=$1 ;;
   *) sed -n '2,9p' "$0"; exit 2 ;;
 esac
 shift

@@ -12,7 +12,7 @@ shift
 cd "$root"
 cmake --preset fuzz >/dev/null
 cmake --build build/fuzz --target fuzz_readers fuzz_mutations
-if [ $# = 0 ]; then read -ra readers < <(build/fuzz/tests/fuzz/fuzz_mutations 0 | awk '{printf "%s ", $1}'); else readers=("$@"); fi
+if [ $# = 0 ]; then mapfile -t readers < <(build/fuzz/tests/fuzz/fuzz_mutations 0 | awk '{print $1}'); else readers=("$@"); fi
 mkdir -p build/fuzz/findings
 code=0
 for reader in "${readers[@]}"; do

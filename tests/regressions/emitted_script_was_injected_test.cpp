@@ -58,3 +58,16 @@ TEST_CASE("no script is emitted for a folder whose name would be lines of it") {
     CHECK_FALSE(fs::exists(folder / "script"));
   }
 }
+
+TEST_CASE("no script is emitted for a folder with braces, where Snakemake and GNU parallel put in words of their own") {
+  const TemporaryFolder folder;
+  REQUIRE(launch({"init", folder / "my-organism.yaml"}).code == 0);
+  REQUIRE(launch({"init", "--study", "s", folder / "s.study.yaml"}).code == 0);
+  for (const std::string site : {"slurm", "snakemake", "parallel"}) {
+    const auto emitted =
+        launch({"study", "emit", site, folder / "s.study.yaml", "--out", folder / "a{1}", "-o", folder / site});
+    CHECK(emitted.code == (site == "slurm" ? 0 : 3));
+    CHECK((emitted.err.find("has a brace in its name") == std::string::npos) == (site == "slurm"));
+    CHECK(fs::exists(folder / site) == (site == "slurm"));
+  }
+}

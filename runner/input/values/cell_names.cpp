@@ -41,10 +41,11 @@ void findBelow(const CellNames& names, const CellPath& cell, std::string_view re
 }  // namespace
 
 const char* const nameAllowed =
-    "1 to 40 characters without blanks and control characters, the first of them no '/'";
+    "1 to 40 characters without blanks and control characters, the first of them none of / = + - @";
 
 bool isCellName(std::string_view text) {
-  if (text.starts_with('/')) return false;
+  // A path begins with the one; a spreadsheet that opens a table takes what begins with the others for a formula.
+  if (!text.empty() && std::string_view("/=+-@").find(text.front()) != std::string_view::npos) return false;
   int characters = 0;
   while (!text.empty()) {
     const int length = utf8Length(text);

@@ -43,7 +43,7 @@ std::string cellWords(const NameOf& nameOf, const CellPath& path);
 std::string withNames(std::string_view message, const NameOf& nameOf);
 
 /// Whether a text may be the name of a cell: 1 to 40 characters, none of them a blank or a control character, the
-/// first no '/'. In words: nameAllowed.
+/// first none of / = + - @. In words: nameAllowed.
 bool isCellName(std::string_view text);
 extern const char* const nameAllowed;
 

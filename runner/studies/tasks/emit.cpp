@@ -157,6 +157,10 @@ std::string emit(const PlannedStudy& study, const EmitOptions& options) {
     if (c < 0x20 || c == 0x7F)  // a line of it would be a line of the script
       throw InputError("the study's folder '" + study.folder.path().string() +
                        "' has a line end or another control character in its name; rename it");
+  if (options.site != Site::slurm && study.folder.path().string().find_first_of("{}") != std::string::npos)
+    throw InputError(
+        "the study's folder '" + study.folder.path().string() +
+        "' has a brace in its name, where Snakemake and GNU parallel put in words of their own; rename it");
   const std::size_t tasks = std::max<std::size_t>(study.plan.tasks.size(), 1);
   const std::size_t shares = options.shares ? std::min(options.shares, tasks) : sharesFor(study.plan);
   if (options.site == Site::slurm) return slurm(study, shares);

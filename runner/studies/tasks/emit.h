@@ -22,8 +22,9 @@ struct EmitOptions {
   std::size_t shares = 0;  // into how many jobs; 0: of about ten minutes each, and no more than tasks
 };
 
-/// The text of the file. Throws InputError for a folder whose name has control characters. It names the study's folder as it was given, and finds the program under the name `morula` in PATH, or
-/// where the variable MORULA says.
+/// The text of the file. It names the study's folder as it was given, and finds the program under the name `morula` in
+/// PATH, or where the variable MORULA says. Throws InputError for a folder whose name has control characters or, but for
+/// Slurm, braces.
 std::string emit(const PlannedStudy& study, const EmitOptions& options);
 
 /// Where it lies unless told otherwise: study.sbatch, Snakefile or parallel.sh in the study's folder.

@@ -90,7 +90,8 @@ TEST_CASE("messages tell the names of the cells that they are about") {
 
 TEST_CASE("what names may be made of") {
   for (const char* good : {"P0", "ABalaaa", "köpf", "a.b-c_d", "MS#2"}) CHECK(isCellName(good));
-  for (const std::string bad : {"", " ", "a b", "a\tb", "/a", "a\x7f", "a\xe2\x80\xae", "\xff", "a\xc2\xa0z"})
+  for (const std::string bad : {"", " ", "a b", "a\tb", "/a", "a\x7f", "a\xe2\x80\xae", "\xff", "a\xc2\xa0z",
+                                "=A1", "+1", "-1", "@x"})
     CHECK_FALSE(isCellName(bad));
   CHECK(isCellName(std::string(40, 'a')));
   CHECK_FALSE(isCellName(std::string(41, 'a')));
