@@ -141,6 +141,22 @@ TEST_CASE("Energies that are measured are those of the equations, and their halv
     }
 }
 
+TEST_CASE("How deep the deepest overlap of each block is, is that of the equations") {
+  for (const auto& [name, law] : cases) {
+    const Mesh ball = makeIcosphere(1);
+    Crowd crowd(limp(), law, ball, heapOf(ball, 9, 1.6, 0.03, 3));
+    crowd.evaluateForces();
+    const PairOracle oracle(crowd.lab.bodies, law);
+    CAPTURE(name);
+    CHECK(crowd.lab.bodies.blockCount() == 2);
+    for (int block = 0; block < crowd.lab.bodies.blockCount(); ++block) {
+      const double expected = oracle.deepest(block * blockLanes, blockLanes);
+      CHECK(expected > 0.001);
+      CHECK(crowd.contacts.deepest[block] == Approx(expected).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("Any two cells keep momentum and angular momentum, with damping, friction and adhesion") {
   for (const auto& [name, law] : cases)
     for (const Mesh& mesh : {makeIcosphere(1), ring, box})

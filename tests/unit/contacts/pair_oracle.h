@@ -60,6 +60,20 @@ struct PairOracle {
     return sum;
   }
 
+  /// [1] B of the pairs of so many slots from this one on, the largest.
+  double deepest(int firstSlot, int count) const {
+    double most = 0;
+    for (const SeenVertex& i : all)
+      for (const SeenVertex& j : all) {
+        if (i.slot < firstSlot || i.slot >= firstSlot + count || j.slot == i.slot) continue;
+        const Vector a = i.x - j.x;
+        const double k = kappa(i, j), q = k * dot(a, a);
+        const double depth = std::max(0.0, -dot(a, j.normal - i.normal) / 2);
+        if (q < 1) most = std::max(most, k * depth * depth * (1 - q * q));
+      }
+    return most;
+  }
+
   /// f and q of j on i, with damping and friction.
   struct Push {
     Vector force, turn;
