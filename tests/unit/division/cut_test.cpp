@@ -75,6 +75,21 @@ TEST_CASE("Volumes, masses, gas and momentum add up to the mother's, whatever th
     }
 }
 
+TEST_CASE("A tenth of the volume is enough for a daughter, and less is not") {
+  const Mesh mesh = zoo::box({0, 0, 0}, {6, 1, 10});  // whose volumes are exact
+  const Body mother = moving(mesh);
+  for (const double sign : {1.0, -1.0}) {
+    const auto cutAt = [&](double height) {
+      return cutBody(mother, mesh.faces, {.point = {0, 0, height}, .normal = {0, 0, sign}, .share = {}}, 1.26)
+          .failure;
+    };
+    CHECK(cutAt(1) == "");
+    CHECK(cutAt(9) == "");
+    CHECK(cutAt(0.999) != "");
+    CHECK(cutAt(9.001) != "");
+  }
+}
+
 TEST_CASE("Of a sphere each daughter gets half") {
   const Mesh mesh = makeIcosphere(2);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
