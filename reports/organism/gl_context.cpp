@@ -51,19 +51,20 @@ constexpr double ofContext = 450e6;
 
 }  // namespace
 
-void requireMemoryToDraw(double bytes) {
+void requireMemoryToDraw(double bytes, const std::string& remedy) {
   const auto all = static_cast<std::size_t>(bytes);
   void* const place = ::mmap(nullptr, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (place == MAP_FAILED)
-    throw NumericalError("there is not enough memory to draw: it takes " + std::to_string(all / 1'000'000) +
-                             " MB; draw a smaller picture, with less --supersample, or where there is more",
-                         Want::memory);
+    throw NumericalError(
+        "there is not enough memory to draw: it takes " + std::to_string(all / 1'000'000) + " MB" + remedy,
+        Want::memory);
   ::munmap(place, all);
 }
 
 OffscreenContext::OffscreenContext() {
   settleDriver();
-  requireMemoryToDraw(ofContext);
+  requireMemoryToDraw(ofContext,
+                      ", however small the picture; draw where there is more, or run with --no-pictures");
   handle_ = new Handle;
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_RGBA,

@@ -5,11 +5,13 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <string>
+
 namespace morula {
 
 /// OpenGL breaks down where memory fails it. Throws a NumericalError that wants memory, with a sentence, if there are not so
-/// many bytes.
-void requireMemoryToDraw(double bytes);
+/// many bytes; `remedy` ends it.
+void requireMemoryToDraw(double bytes, const std::string& remedy);
 
 /// An OpenGL 4.3 core context without a window, current on the thread that made it. It draws into framebuffer
 /// objects only. Throws BugError if the library cannot give one.

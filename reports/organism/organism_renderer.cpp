@@ -136,8 +136,9 @@ Image OrganismRenderer::draw(const OrganismPicture& picture, Style style, const 
     targets_.reset();
     // As Targets has textures, and once more for what is translucent and for what is read back.
     constexpr double ofSample = 64, ofPixel = 24, ofThreads = 100e6;
-    requireMemoryToDraw(double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) +
-                        ofThreads);
+    requireMemoryToDraw(
+        double(width) * height * (ofSample * picture.samples * picture.samples + ofPixel) + ofThreads,
+        "; draw a smaller picture, with less --supersample, or where there is more");
     targets_ = std::make_unique<Targets>(width, height, picture.samples, picture.clip.has_value());
   }
   drawSolid(frame);

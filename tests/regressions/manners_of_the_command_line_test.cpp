@@ -18,6 +18,15 @@ TEST_CASE("a chart of a time after the end is refused, as a picture is") {
   refuses({"chart", four, "contacts", "--time", "1e9"}, 2, "--time: 1e+09 is after the end of the run");
 }
 
+TEST_CASE("what comes after the end of a scene that stops at a number of cells is not compared") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "two.yaml",
+             "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(a0|a0)\n  g2(divide|a0)\nstop: {cells: 2}\n"
+             "physics: {mesh: {icosphere: 0}, drag: 10}\n");
+  refuses({"accuracy", folder / "two.yaml", "--until", "3", "--quick", "--out", folder.path()}, 2,
+          "--until: 3 is after the scene's end; needs at most 1");
+}
+
 TEST_CASE("what cannot be rejected is not said to be") {
   refuses({"review", "--reject"}, 2, "--reject: only with --why");
   const TemporaryFolder folder;

@@ -42,10 +42,19 @@ struct AccuracyWords {
   OutputOptions output;
 };
 
-/// [time] That 32 of the scene's first steps take, or all of them. A scene may stop at a number of cells.
-double quickTime(World world) {
-  for (int i = 0; i < 32 && !finished(world); ++i) step(world);
+/// [time] Where the scene is after so many steps, at its end or at `latest`. It may stop at a number of cells.
+double timeReached(World world, std::uint64_t steps, double latest) {
+  for (; steps > 0 && world.clock.time < latest && !finished(world); --steps) step(world);
   return world.clock.time;
+}
+
+/// [time] The scene's end if it comes before `time`; of one that fails on the way nothing is known.
+std::optional<double> endBefore(World world, double time) {
+  try {
+    const double end = plannedEnd(world.model).value_or(0);
+    const double reached = end > 0 ? end : timeReached(std::move(world), UINT64_MAX, time);
+    return reached < time * (1 - 1e-9) ? std::optional(reached) : std::nullopt;
+  } catch (const NumericalError&) { return {}; }
 }
 
 /// What is to be tried beside what was asked for.
@@ -53,7 +62,7 @@ AccuracyOptions optionsOf(const AccuracyWords& words, const Scenario& scenario, 
   AccuracyOptions options = words.options;
   const bool only = words.only || words.quick;
   if (words.quick) options.halvings = options.rounds = 1;
-  if (words.quick && !options.until) options.until = quickTime(std::move(start));
+  if (words.quick && !options.until) options.until = timeReached(std::move(start), 32, INFINITY);
   if (options.integrators.empty())
     for (const auto integrator : valuesOf<Integrator>())
       if (!kindOf(integrator).settles) options.integrators.push_back(integrator);  // others have no time step
@@ -125,9 +134,10 @@ int actOn(const AccuracyWords& words, const std::string& file) {
   World start =
       makeScenarioWorld(scenario, execution(words.execution));  // its mistakes are told with their places
   const auto options = optionsOf(words, scenario, std::move(start));
-  if (const auto end = plannedEnd(scenario.scene); options.until && end && *options.until > *end)
-    throw UsageError(fmt::format("--until: {} is after the scene's end; needs at most {}",
-                                 exactText(*options.until), numberText(*end)));
+  if (words.options.until)
+    if (const auto end = endBefore(makeScenarioWorld(scenario, execution(words.execution)), *options.until))
+      throw UsageError(fmt::format("--until: {} is after the scene's end; needs at most {}",
+                                   exactText(*options.until), numberText(*end)));
   const auto folder = std::filesystem::path(words.out) / "accuracy";
   makeFolder(folder);
   const auto report = measureAccuracy(read, options);

@@ -141,6 +141,7 @@ int runProgram(int argc, char** argv, const AddVerbs& addVerbs) {
   endOutOfMemoryWith(numerical);
   std::signal(SIGXFSZ,
               SIG_IGN);  // then a write beyond the limit of file sizes fails, as one to a full disk does
+  std::signal(SIGCHLD, SIG_DFL);  // who started us may ignore it, and then no process could be waited for
   try {
     for (int i = 0; i < argc; ++i) typed += i ? ' ' + shellWord(argv[i]) : "morula";
     reserveStandardStreams();

@@ -41,13 +41,14 @@ std::uint64_t addressSpace() {
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Of this process.
+/// Of this process; 1 where the system does not tell.
 int threadsNow() {
   const std::string stat = readHead("/proc/self/stat", 1024);
   std::istringstream words(stat.substr(stat.rfind(')') + 1));  // behind the program's name
   std::string word;
-  for (int i = 0; i < 18; ++i) words >> word;  // its 20th field
-  return std::stoi(word);
+  for (int i = 0; i < 17; ++i) words >> word;
+  int threads = 1;  // its 20th field
+  return words >> threads ? threads : 1;
 }
 
 void limit(const ForkedLimits& limits) {

@@ -1,0 +1,34 @@
+// What a program inherits from who starts it, or is not given. Where SIGCHLD was ignored no process of its own could be waited
+// for: a study and a film ended with "No child processes". Without /proc a study ended as a bug of ours: "stoi".
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "catch.h"
+#include "hostile.h"
+
+using namespace morula::test;
+
+TEST_CASE("a study runs where its parent ignores the ends of others, and where there is no /proc") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "small.yaml", smallScene);
+  writeWhole(folder / "few.study.yaml",
+             "morula-study: 1\nname: few\nbase: small.yaml\nseeds: 1\nmeasures: [cells]\n"
+             "vary: {cycles: {two: {stop.cycles: 2}, three: {stop.cycles: 3}}}\n");
+  const std::string noProc = "unshare -m sh -c 'mount -t tmpfs none /proc && exec \"$@\"' x ";
+  for (const std::string& as : {std::string("env --ignore-signal=CHLD "), noProc}) {
+    const auto ended = [&](const std::string& program) {
+      const int status =
+          std::system(("cd '" + folder.path() + "' && " + as + program + " >said 2>&1").c_str());
+      return WEXITSTATUS(status);
+    };
+    if (ended("true") != 0) {
+      WARN("skipped: this system does not allow " + as);
+      continue;
+    }
+    const int code =
+        ended("'" + programFile() + "' study run few.study.yaml --no-predict --out out && rm -r out");
+    INFO(as << readWhole(folder / "said"));
+    CHECK(code == 0);
+  }
+}
