@@ -149,13 +149,11 @@ void Recorder::keepSurfaces(const World& world, Sample& sample) {
     const int slot = bodies.slots[i],
               level = bodies.blocks[static_cast<std::size_t>(slot / blockLanes)].meshLevel;
     Mesh surface = takeSurface(bodies, slot);
-    if (bodies
-            .areSpheres())  // on the ball, not of its volume: so it stands out of nothing that the ball does not
-      for (Point& p : surface.vertices) {
-        const Vector way = p - bodies.vertex(slot, 0);
-        p = bodies.vertex(slot, 0) +
-            (bodies.parameters.cell.radius * bodies.restScale[slot] / norm(way)) * way;
-      }
+    // On the ball, where the surface has its volume: else it would stand out of the shell that holds the ball.
+    const Point centre = bodies.vertex(slot, 0);
+    const double radius = bodies.parameters.cell.radius * bodies.restScale[slot];
+    if (bodies.areSpheres())
+      for (Point& p : surface.vertices) p = centre + (radius / norm(p - centre)) * (p - centre);
     sample.surfaces.push_back(quantise(world.cells.path[i], level, surface.vertices));
     keepFaces(results_.meshes, {{level, surface.vertices.size(), std::move(surface.faces)}}, level);
   }
