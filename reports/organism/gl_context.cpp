@@ -5,7 +5,11 @@
 
 #include <array>
 #include <cstdlib>
+#include <latch>
 #include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "base/error.h"
 
@@ -32,6 +36,19 @@ struct OffscreenContext::Handle {
 
 namespace {
 
+/// Whether the system gives as many threads as llvmpipe takes, and some.
+bool threadsAreToBeHad() {
+  std::latch over(1);
+  std::vector<std::jthread> threads;
+  bool enough = true;
+  try {
+    for (unsigned i = 0; i < std::thread::hardware_concurrency() + 2; ++i)
+      threads.emplace_back([&] { over.wait(); });
+  } catch (const std::system_error&) { enough = false; }
+  over.count_down();
+  return enough;
+}
+
 /// llvmpipe compiles shaders for the CPU it finds. At a width of 128 bits it still fuses multiplications with
 /// additions where the CPU can, which moves a pixel in ten thousand by one level; told that there is nothing
 /// beyond SSE 4.1 it does not, and gives the same pixels on every x86-64. The disk cache would write into the
@@ -42,6 +59,7 @@ void settleDriver() {
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
     setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    if (!threadsAreToBeHad()) setenv("LP_NUM_THREADS", "0", 1);  // else it waits for them without end
   });
 }
 

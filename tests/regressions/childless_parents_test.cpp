@@ -1,6 +1,8 @@
 // What a program inherits from who starts it, or is not given. Where SIGCHLD was ignored no process of its own could be waited
-// for: a study and a film ended with "No child processes". Without /proc a study ended as a bug of ours: "stoi".
+// for: a study and a film ended with "No child processes". Without /proc a study ended as a bug of ours: "stoi". Where the system
+// gave no threads, who drew waited for those of OpenGL without end.
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -31,4 +33,26 @@ TEST_CASE("a study runs where its parent ignores the ends of others, and where t
     INFO(as << readWhole(folder / "said"));
     CHECK(code == 0);
   }
+}
+
+TEST_CASE("a picture is drawn where no threads are to be had") {
+  const TemporaryFolder folder;
+  writeWhole(folder / "body.yaml", smallBody);
+  const auto drawn = [&](const std::string& as, const std::string& picture) {
+    return std::system(("cd '" + folder.path() + "' && chmod 777 . && " + as + " '" + programFile() +
+                        "' render body.yaml -o " + picture + " >said 2>&1")
+                           .c_str());
+  };
+  const std::string alone = "timeout 600 " +
+                            std::string(::geteuid() == 0 ? "setpriv --reuid 65533 --clear-groups " : "") +
+                            "prlimit --nproc=1";
+  if (std::system((alone + " '" + programFile() + "' --version >/dev/null 2>&1").c_str()) != 0) {
+    WARN("skipped: this system does not allow " + alone);
+    return;
+  }
+  REQUIRE(drawn("", "usual.png") == 0);
+  const int status = drawn(alone, "alone.png");
+  INFO(readWhole(folder / "said"));
+  CHECK(status == 0);
+  CHECK(readWhole(folder / "alone.png") == readWhole(folder / "usual.png"));
 }

@@ -260,6 +260,28 @@ TEST_CASE("A settling that ends early is kept as it is, and one far off ends the
   CHECK(std::ranges::any_of(*ended.settlings, [](const SettlingRecord& s) { return s.residual > 0.05; }));
 }
 
+TEST_CASE("Ten times the tolerance is not too far off to go on from") {
+  const auto stepped = [](double tolerance) {
+    World world = makeWorld(settled(four(), 1e-9), {Isa::scalar, 1});
+    while (world.cells.path.size() < 4) step(world);
+    world.bodies->parameters.settle = {.tolerance = tolerance, .evaluations = 20, .sample = {}};
+    const bool goesOn = [&] {
+      try {
+        step(world);
+        return true;
+      } catch (const NumericalError&) { return false; }
+    }();
+    return std::pair(goesOn, world.settlings->back().residual);
+  };
+  const auto [goesOn, left] = stepped(1e-9);
+  CHECK_FALSE(goesOn);
+  double tolerance = left / 10;
+  while (10 * tolerance < left) tolerance = std::nextafter(tolerance, 1.0);
+  REQUIRE(10 * tolerance == left);
+  CHECK(stepped(tolerance) == std::pair(true, left));
+  CHECK(stepped(tolerance * (1 - 1e-9)) == std::pair(false, left));
+}
+
 TEST_CASE("The cell that is told where a settling ends far from rest is the one with the largest forces") {
   Scene scene = settled(four(), 1e-9);
   scene.mechanics->division.rules = {{.of = {"a*"}, .share = 0.8}};  // so that masses differ
