@@ -1,5 +1,5 @@
-// Every sentence of scenarios/policies/README.md is what its command says. The command is put to the values of all runs of
-// a study: some of these the test makes again, and they must be to the last bit what golden/policies keeps; the others are
+// Every sentence of scenarios/policies/README.md and scenarios/worm/README.md is what its command says. The command is put to the values of all runs of
+// a study: some of these the test makes again, and they must be to the last bit what golden/FAMILY keeps; the others are
 // taken from there. With MORULA_WHOLE_STUDIES=1 in the environment all are made again, which takes a quarter of an hour of CPU time.
 #include <algorithm>
 #include <cstdio>
@@ -21,15 +21,13 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::string folder = "scenarios/policies/";
+/// Of `scenarios/` and `golden/`: where a study lies.
+std::string familyOf(const std::string& study) { return study == "worm-placement" ? "worm/" : "policies/"; }
 
 /// Runs that the test makes again, by their number in the plan: of each study a few that take little time.
-const std::map<std::string, std::vector<std::size_t>> madeAgain{{"policies", {0, 249, 499}},
-                                                                {"placement", {0, 139}},
-                                                                {"settings", {0}},
-                                                                {"models", {0}},
-                                                                {"settling", {0, 60, 119}},
-                                                                {"elegans-128", {20}}};
+const std::map<std::string, std::vector<std::size_t>> madeAgain{
+    {"policies", {0, 249, 499}}, {"placement", {0, 139}}, {"settings", {0}},           {"models", {0}},
+    {"settling", {0, 60, 119}},  {"elegans-128", {20}},   {"worm-placement", {0, 863}}};
 
 std::string sourceFile(const std::string& name) { return std::string(MORULA_SOURCE_DIR) + "/" + name; }
 
@@ -115,7 +113,7 @@ std::string rounded(double value, const std::string& like) {
   return text.find_first_not_of("-0.") == text.npos && text.front() == '-' ? text.substr(1) : text;
 }
 
-/// A run's values as golden/policies/NAME.csv keeps them (tests/studies/values.py).
+/// A run's values as golden/FAMILY/NAME.csv keeps them (tests/studies/values.py).
 struct KeptRun {
   std::string task, state, reason;                              // reason: of a run that failed
   std::vector<std::tuple<double, std::string, double>> values;  // time, measure, value
@@ -130,7 +128,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
 }
 
 std::vector<KeptRun> keptRuns(const std::string& study) {
-  std::istringstream lines(readWhole(sourceFile("golden/policies/" + study + ".csv")));
+  std::istringstream lines(readWhole(sourceFile("golden/" + familyOf(study) + study + ".csv")));
   std::string line;
   std::getline(lines, line);
   const auto head = cellsOf(line);
@@ -162,8 +160,9 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
   if (std::filesystem::exists(file)) return file;
   INFO(study);
   const auto kept = keptRuns(study);
-  std::vector<std::string> command{"study",        "run",    folder + study + ".study.yaml", "--out", to,
-                                   "--no-predict", "--quiet"};
+  std::vector<std::string> command{"study",  "run", "scenarios/" + familyOf(study) + study + ".study.yaml",
+                                   "--out",  to,    "--no-predict",
+                                   "--quiet"};
   const bool whole = std::getenv("MORULA_WHOLE_STUDIES");
   std::vector<std::size_t> made = madeAgain.at(study);
   if (whole)
@@ -217,8 +216,9 @@ std::string databaseOf(const TemporaryFolder& temporary, const std::string& stud
 
 TEST_CASE("every answer of the shipped studies is what its command says") {
   const TemporaryFolder temporary;
-  const auto answers = answersOf(readWhole(sourceFile(folder + "README.md")));
-  CHECK(answers.size() >= 10);
+  const auto family = GENERATE(std::string("policies"), std::string("worm"));
+  const auto answers = answersOf(readWhole(sourceFile("scenarios/" + family + "/README.md")));
+  CHECK(answers.size() >= (family == "worm" ? 4 : 10));
   std::map<std::vector<std::string>, Json> said;  // by command
   for (const Answer& answer : answers) {
     INFO(answer.text);

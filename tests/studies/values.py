@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The values of all runs of a study, as golden/policies/NAME.csv keeps them.
+"""The values of all runs of a study, as golden/FAMILY/NAME.csv keeps them.
 
-   values.py results/studies/NAME/study.db >golden/policies/NAME.csv
+   values.py results/studies/NAME/study.db >golden/FAMILY/NAME.csv
 
 A line for each run and time, in the plan's order: the task's id, the hash of its final state, the time, and the measures;
 nothing stands for what was not there to be measured. Of a run that failed: its id, `failed` and the reason.
