@@ -88,7 +88,8 @@ std::vector<Cause> causesOf(const CheckReport& report);
 /// Those that follow, in a line: "bits; step_hashes from step 0 on; costs 518 → 502". "" if there are none.
 std::string followingInWords(const Cause& cause);
 
-/// For people: the changes in words, then one entry per cause with what differs, and one line per check that passed.
-std::string describe(const CheckReport& report);
+/// For people: the changes in words, then one entry per cause with what differs, and one line per check that passed,
+/// unless only what differs is wanted.
+std::string describe(const CheckReport& report, bool differingOnly = false);
 
 }  // namespace morula

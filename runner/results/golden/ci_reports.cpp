@@ -78,8 +78,8 @@ std::string annotation(const CheckReport& report, const Cause& cause) {
 std::string nextInWords(const CheckReport& report) {
   if (report.file.empty()) return {};
   const std::string file = ' ' + shellWord(report.file);
-  return programWord() + " explain" + file + " tells where it began; " + programWord() + " review" + file +
-         " shows all of it, and with --accept --why \"…\" accepts it";
+  return '`' + programWord() + " explain" + file + "` tells where it began; `" + programWord() + " review" +
+         file + "` shows all of it, and with `--accept --why \"…\"` accepts it";
 }
 
 std::string failureOf(const CheckReport& report, const Cause& cause) {
@@ -98,7 +98,8 @@ Table detailsOf(const CheckReport& report, const Cause& cause) {
   if (first.kind == "golden")
     for (const ChangeLine& line : linesOfChange(report.change))
       table.rows.push_back({line.heading, line.text});
-  table.rows.push_back({"check", first.check + ": " + firstLine(first.message)});
+  if (first.check != "scenario" || report.change.empty())  // whose changed keys stand there already
+    table.rows.push_back({"check", first.check + ": " + firstLine(first.message)});
   if (cause.size() > 1) table.rows.push_back({"follow", followingInWords(cause)});
   return table;
 }

@@ -1,5 +1,6 @@
 // A report for people.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -53,7 +54,9 @@ std::string followingInWords(const CheckResult& r) {
   if (!expected || !actual || r.field == "hash") return text;
   if (r.field != "count") text += ": " + r.field + (r.cell ? " of " + cellName(*r.cell) : "");
   const bool isSmall = numberText(*expected, 3) == numberText(*actual, 3);
-  const auto number = [&](double x) { return isSmall ? exactText(x) : numberText(x, 3); };
+  const auto number = [&](double x) {
+    return isSmall || x == std::round(x) ? exactText(x) : numberText(x, 3);
+  };
   return text + ' ' + number(*expected) + " → " + number(*actual);
 }
 
@@ -65,6 +68,7 @@ std::string failedInWords(const CheckResult& failed) {
   if (failed.kind == "sanity") return "its end is not sane";
   if (failed.kind == "invariant") return "what must always hold does not";
   if (failed.kind == "bullet") return "Bullet comes to something else";
+  if (failed.check == "scenario") return "the scenario changed";
   static const std::map<std::string, std::string> words{
       {"INPUT_CHANGED", "the scenario or its golden changed"},
       {"SETUP", "it starts otherwise"},
@@ -102,7 +106,7 @@ std::string followingInWords(const Cause& cause) {
   return text;
 }
 
-std::string describe(const CheckReport& report) {
+std::string describe(const CheckReport& report, bool differingOnly) {
   std::size_t failed = 0;
   for (const CheckResult& r : report.results) failed += r.passed ? 0 : 1;
   const std::string all = std::to_string(report.results.size());
@@ -117,7 +121,7 @@ std::string describe(const CheckReport& report) {
     if (cause.size() > 1) text += "        from it follow: " + followingInWords(cause) + '\n';
   }
   for (const CheckResult& r : report.results)
-    if (r.passed) text += "  ok    " + oneLine(r) + '\n';
+    if (r.passed && !(differingOnly && failed)) text += "  ok    " + oneLine(r) + '\n';
   return text;
 }
 
