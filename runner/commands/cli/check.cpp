@@ -1,6 +1,5 @@
 // morula check: run scenarios again and hold them against their golden files.
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 
 #include "base/error.h"
@@ -149,14 +148,6 @@ void writeReports(const std::filesystem::path& folder, const std::vector<CheckRe
   writeFile(folder / "report.json", printable(jsonText(report, 2)) + '\n', Content::report);
   writeFile(folder / "summary.md", summaryPage(told) + (table.empty() ? "" : "\n" + printable(table)),
             Content::report);
-}
-
-/// What a workflow's own page shows, where this runs in one.
-void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
-  const char *inWorkflow = std::getenv("GITHUB_ACTIONS"), *page = std::getenv("GITHUB_STEP_SUMMARY");
-  if (!inWorkflow || std::string(inWorkflow) != "true") return;
-  if (!json) print(annotations(reports));
-  if (page) appendToFile(page, summaryPage(reports));
 }
 
 int act(const CheckOptions& options) {

@@ -1,5 +1,6 @@
 #include "golden/ci_reports.h"
 
+#include <cstdlib>
 #include <map>
 
 #include "document/table.h"
@@ -7,7 +8,9 @@
 #include "files/printable.h"
 #include "files/quote.h"
 #include "files/text.h"
+#include "files/write_file.h"
 #include "golden/change.h"
+#include "system/console.h"
 #include "system/installation.h"
 
 namespace morula {
@@ -160,6 +163,13 @@ std::string summaryPage(const std::vector<CheckReport>& reports) {
       details += "\n" + printableLine(next) + "\n";
   }
   return std::string(summaryBeginning) + "\n" + markdownOf(scenarios) + details;
+}
+
+void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
+  const char *inWorkflow = std::getenv("GITHUB_ACTIONS"), *page = std::getenv("GITHUB_STEP_SUMMARY");
+  if (!inWorkflow || std::string(inWorkflow) != "true") return;
+  if (!json) print(annotations(reports));
+  if (page) appendToFile(page, summaryPage(reports));
 }
 
 }  // namespace morula

@@ -65,6 +65,7 @@ std::string followingInWords(const CheckResult& r) {
 std::string failedInWords(const CheckResult& failed) {
   if (failed.check == "golden" && failed.failureClass == "SETUP") return "there is no golden";
   if (failed.check == "run") return "the run failed";
+  if (failed.kind == "claim") return "the results say otherwise";
   if (failed.kind == "sanity") return "its end is not sane";
   if (failed.kind == "invariant") return "what must always hold does not";
   if (failed.kind == "bullet") return "Bullet comes to something else";
