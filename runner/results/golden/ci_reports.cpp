@@ -73,7 +73,10 @@ std::string annotation(const CheckReport& report, const Cause& cause) {
   if (!place.file.empty()) line += "file=" + command(place.file, true) + ',';
   if (!place.line.empty()) line += "line=" + place.line + ',';
   line += "title=" + command(cause[0]->failureClass + ": " + report.scenario, true);
-  return line + "::" + command(inOneLine(report, *cause[0], cause[0]->check + ": " + place.rest), false) +
+  return line + "::" +
+         command(inOneLine(report, *cause[0],
+                           (cause[0]->check == "golden" ? "" : cause[0]->check + ": ") + place.rest),
+                 false) +
          '\n';
 }
 
@@ -154,7 +157,9 @@ std::string summaryPage(const std::vector<CheckReport>& reports) {
   for (const CheckReport& report : reports) {
     const auto causes = causesOf(report);
     std::string words;
-    for (const Cause& cause : causes) words += (words.empty() ? "" : "; ") + failedInWords(*cause[0]);
+    for (const Cause& cause : causes)
+      if (const std::string what = failedInWords(*cause[0]); words.find(what) == words.npos)
+        words += (words.empty() ? "" : "; ") + what;
     scenarios.rows.push_back(
         {report.scenario, report.results.size(), causes.empty() ? Words("pass") : bold(words)});
     if (!causes.empty()) details += "\n#### " + printableLine(report.scenario) + "\n";

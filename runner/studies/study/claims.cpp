@@ -155,7 +155,9 @@ class ClaimReader {
     std::size_t several = 0;
     for (const StudyAxis& axis : study_.axes) several += axis.levels.size() > 1;
     if (differing != 1 || named != claim_.a.size())
-      problems_.add(b->place, path_ + ".b", "differs from a in " + std::to_string(differing) + " axes",
+      problems_.add(b->place, path_ + ".b",
+                    named != claim_.a.size() ? "names other axes than a"
+                                             : "differs from a in " + std::to_string(differing) + " axes",
                     "name the same axes in both, with different labels of one of them");
     else if (!open.empty() && open.size() + 1 != several)
       problems_.add(a->place, path_ + ".a", "names some of the other axes",
