@@ -66,12 +66,28 @@ TEST_CASE("explain names the kind of difference, and where it begins") {
     writeWhole(golden, replaced(readWhole(golden), "count cells 2", "count cells 3"));
     CHECK(explained({scenario}, 1)["class"] == "INPUT_CHANGED");
   }
+  SECTION("another scenario than the accepted one") {
+    writeWhole(scenario, replaced(divides, "drag: 1", "drag: 1.5"));
+    const auto json = explained({scenario}, 1);
+    CHECK(json["class"] == "INPUT_CHANGED");
+    CHECK(json["first_step"] == 1);
+    CHECK(json["last_equal_step"] == 0);
+    CHECK(json["field"] == "velocity");
+    CHECK(json["cell"] == "");
+    CHECK_THAT(json["text"].get<std::string>(),
+               ContainsSubstring("where it began: the same up to step 0, different at step 1\n") &&
+                   ContainsSubstring("expected  the accepted scenario, made again") &&
+                   ContainsSubstring("  moves     first at step ") && !ContainsSubstring("  ok    "));
+    // A program that computes otherwise, too, would not come to the golden's bits.
+    CHECK_THAT(json["text"].get<std::string>(), !ContainsSubstring("what it computes has changed, too"));
+  }
   SECTION("another scenario than the stored one") {
     writeWhole(scenario, replaced(divides, "drag: 1", "drag: 1.5"));
     const auto json = explained({scenario, "--db", folder / "run.db"}, 1);
     CHECK(json["class"] == "INPUT_CHANGED");
     CHECK_THAT(json["text"].get<std::string>(), ContainsSubstring("changed   physics.drag: 1 → 1.5\n") &&
-                                                    ContainsSubstring("lineage   the same\n"));
+                                                    ContainsSubstring("lineage   the same\n") &&
+                                                    ContainsSubstring("where it began: "));
   }
   SECTION("another program that computes with another constant") {
     const auto other = folder / "other.yaml";
@@ -108,13 +124,13 @@ TEST_CASE("explain's bad questions") {
   CHECK_THAT(without.err, ContainsSubstring("kept no chain"));
 }
 
-TEST_CASE("what differs waits for a review, beside the program, and is rejected or accepted with a reason") {
+TEST_CASE("what differs waits for a review, beside the goldens, and is rejected or accepted with a reason") {
   const TemporaryFolder folder;
   const std::string name = fs::path(folder.path()).filename().string();  // nobody else's
   const auto scenario = folder / (name + ".yaml"), golden = folder / (name + ".golden");
   writeWhole(scenario, divides);
   accept(scenario);
-  const auto pending = fs::path(MORULA_PROGRAM).parent_path() / "pending";
+  const fs::path pending = folder / ".pending";
   const auto waits = [&](const char* extension) {  // behind the name follows a hash of the place
     if (!fs::exists(pending)) return false;
     for (const auto& entry : fs::directory_iterator(pending))
@@ -130,23 +146,30 @@ TEST_CASE("what differs waits for a review, beside the program, and is rejected 
   const auto shown = launch({"review", scenario});
   CHECK(shown.code == 1);
   CHECK_THAT(shown.out, ContainsSubstring("INPUT_CHANGED") && ContainsSubstring("changed bits") &&
-                            ContainsSubstring("changed values") && ContainsSubstring("picture  "));
+                            ContainsSubstring("changed values") && ContainsSubstring("picture  ") &&
+                            ContainsSubstring(scenario + ": "));
   CHECK(launch({"review", scenario, "--reject"}).code == 2);
   CHECK(launch({"review", scenario, "--reject", "--accept", "--why", "both"}).code == 2);
   CHECK(launch({"review", scenario, "--reject", "--why", "the drag was a slip"}).code == 0);
   CHECK_FALSE((waits(".golden") || waits(".png")));
   CHECK_THAT(readWhole(golden), ContainsSubstring("why the first one"));
 
-  // Without a scenario's name what waits is found, wherever its scenario lies; what waits for none is not.
+  // Without a scenario's name what waits in the folder is found; what waits for a scenario that is gone is not.
+  const auto reviewHere = [&] {
+    return std::system(("cd '" + folder.path() + "' && '" MORULA_PROGRAM "' review >said 2>&1").c_str());
+  };
   CHECK(launch({"check", scenario}).code == 1);
-  CHECK_THAT(launch({"review"}).out, ContainsSubstring(name + ": "));
-  writeWhole(scenario, divides);  // as it was accepted: nothing waits any more
+  CHECK(reviewHere() != 0);
+  CHECK_THAT(readWhole(folder / "said"), ContainsSubstring(name + ".yaml: "));
+  CHECK_THAT(launch({"review"}).out, !ContainsSubstring(name));  // of another project
+  writeWhole(scenario, divides);                                 // as it was accepted: nothing waits any more
   CHECK(launch({"check", scenario}).code == 0);
   CHECK_FALSE((waits(".golden") || waits(".png") || waits(".from")));
   writeWhole(scenario, replaced(divides, "drag: 1", "drag: 1.5"));
   CHECK(launch({"check", scenario}).code == 1);
   fs::rename(scenario, scenario + ".gone");
-  CHECK_THAT(launch({"review"}).err, !ContainsSubstring("cannot be read"));
+  CHECK(reviewHere() == 0);
+  CHECK_THAT(readWhole(folder / "said"), !ContainsSubstring("cannot be read"));
   CHECK_FALSE((waits(".golden") || waits(".png") || waits(".from")));
   fs::rename(scenario + ".gone", scenario);
 

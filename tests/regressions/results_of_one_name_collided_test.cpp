@@ -41,13 +41,17 @@ TEST_CASE("scenarios of one file name keep their waiting results and their JUnit
     writeWhole(files.back(), scene(std::string("2.5")));
   }
   CHECK(launch({"check", files[0], files[1], "--reports", folder / "reports"}).code == 1);
-  const auto waiting = launch({"review"});
-  CHECK(count(waiting.out, stem + ": ") == 2);
+  const auto waits = [&](std::size_t i) {
+    const auto pending = fs::path(files[i]).parent_path() / ".pending";
+    return fs::exists(pending) &&
+           count(launch({"review", files[i]}).out, "waits    " + pending.string()) == 1;
+  };
+  CHECK((waits(0) && waits(1)));
   const std::string junit = readWhole(folder / "reports/junit.xml");
   for (const char* inside : {"/a/", "/b/"})
     CHECK(count(junit, std::string("<testsuite name=\"") + folder.path() + inside + stem + "\"") == 1);
   CHECK(launch({"review", files[0], "--reject", "--why", "a test"}).code == 0);
-  CHECK(count(launch({"review"}).out, stem + ": ") == 1);  // the other one still waits
+  CHECK(waits(1));  // the other one still waits
   CHECK(launch({"review", files[1], "--reject", "--why", "a test"}).code == 0);
 }
 
@@ -76,6 +80,16 @@ TEST_CASE("each variant of a scenario has a folder of its own, the plain one tha
   CHECK(all[1] == folder / "out/twin-7/run.db");
   CHECK_THAT(all[2], Catch::Matchers::StartsWith(folder / "out/twin-0-"));
   CHECK(dbOf({a, "--set", "stop.time=1"})[0] == all[2]);  // the same variant, the same folder
+  // Pictures lie in that folder, too, where the database lies elsewhere.
+  const auto dbElsewhere = [&](const std::string& file, const std::string& db) {
+    const auto run = launch({"run", file, "--out", folder / "pictures", "--db", folder / db});
+    INFO(run.err);
+    CHECK(run.code == 0);
+    return count(run.out, folder / "pictures/twin-0/");
+  };
+  CHECK(dbElsewhere(a, "a.db") > 0);
+  CHECK(dbElsewhere(b, "b.db") == 0);
+  CHECK(dbElsewhere(a, "a.db") > 0);
   for (const auto& db : dbOf({a, b})) all.push_back(db);  // two files of one name at once
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());

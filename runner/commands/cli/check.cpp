@@ -1,6 +1,5 @@
 // morula check: run scenarios again and hold them against their golden files.
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 
 #include "base/error.h"
@@ -110,14 +109,13 @@ bool hasUnusableGolden(const CheckReport& report) {
 }
 
 /// What `morula report` needs beyond the contract: what differs in words, and where the scenarios are.
-void addForPage(Json& report, const std::vector<CheckReport>& reports,
-                const std::vector<Scenario>& scenarios) {
+void addForPage(Json& report, const std::vector<CheckReport>& reports) {
   std::size_t i = 0;
   report["changes"] = report["files"] = Json::object();
-  for (std::size_t k = 0; k < reports.size(); ++k) {
-    if (!reports[k].change.empty()) report["changes"][reports[k].scenario] = reports[k].change;
-    if (k < scenarios.size()) report["files"][reports[k].scenario] = scenarios[k].file;
-    for (const CheckResult& result : reports[k].results) report["results"][i++]["message"] = result.message;
+  for (const CheckReport& r : reports) {
+    if (!r.change.empty()) report["changes"][r.scenario] = r.change;
+    if (!r.file.empty()) report["files"][r.scenario] = r.file;
+    for (const CheckResult& result : r.results) report["results"][i++]["message"] = result.message;
   }
 }
 
@@ -132,25 +130,24 @@ int writePage(const std::filesystem::path& folder, const Execution& how, bool qu
   return page.signal;
 }
 
-/// `table`: what stands beside, or "".
-void writeReports(const std::filesystem::path& folder, const std::vector<CheckReport>& reports,
-                  const std::vector<Scenario>& scenarios, const Json& found, const std::string& table) {
-  makeFolder(folder);
-  writeFile(folder / "junit.xml", junitXml(reports), Content::report);
-  Json report{{"morula", 1}};
-  report.update(found);
-  addForPage(report, reports, scenarios);
-  writeFile(folder / "report.json", printable(jsonText(report, 2)) + '\n', Content::report);
-  writeFile(folder / "summary.md", summaryPage(reports) + (table.empty() ? "" : "\n" + printable(table)),
-            Content::report);
+/// With the names that the scenario gives its cells.
+CheckReport withNames(CheckReport report, const CellNames& names) {
+  report.change = morula::withNames(report.change, names.function());
+  for (CheckResult& r : report.results) r.message = morula::withNames(r.message, names.function());
+  return report;
 }
 
-/// What a workflow's own page shows, where this runs in one.
-void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
-  const char *inWorkflow = std::getenv("GITHUB_ACTIONS"), *page = std::getenv("GITHUB_STEP_SUMMARY");
-  if (!inWorkflow || std::string(inWorkflow) != "true") return;
-  if (!json) print(annotations(reports));
-  if (page) appendToFile(page, summaryPage(reports));
+/// `told`: the reports as people read them. `table`: what stands beside, or "".
+void writeReports(const std::filesystem::path& folder, const std::vector<CheckReport>& reports,
+                  const std::vector<CheckReport>& told, const Json& found, const std::string& table) {
+  makeFolder(folder);
+  writeFile(folder / "junit.xml", junitXml(told), Content::report);
+  Json report{{"morula", 1}};
+  report.update(found);
+  addForPage(report, reports);
+  writeFile(folder / "report.json", printable(jsonText(report, 2)) + '\n', Content::report);
+  writeFile(folder / "summary.md", summaryPage(told) + (table.empty() ? "" : "\n" + printable(table)),
+            Content::report);
 }
 
 int act(const CheckOptions& options) {
@@ -161,7 +158,7 @@ int act(const CheckOptions& options) {
     scenarios.push_back(loadScenario(file, {}, options.input.allowOutside));
 
   Json results = Json::array();
-  std::vector<CheckReport> reports;
+  std::vector<CheckReport> reports, told;
   std::vector<Verdict> own;
   int code = fine;
   const auto names = reportNames(scenarios);
@@ -169,22 +166,22 @@ int act(const CheckOptions& options) {
     const Scenario& scenario = scenarios[i];
     int signal = 0;
     CheckReport report = checkOne(scenario, how, options.output.quiet, signal);
-    report.scenario = names[i];
+    report.scenario = names[i], report.file = scenario.file;
     if (signal) return signalled + signal;
     if (hasUnusableGolden(report)) code = input;
     else if (!report.passed() && code == fine) code = differs;
     for (const auto& result : report.results) results.push_back(toJson(report, result));
-    const std::string words = withNames(describe(report), scenario.names.function());
+    const std::string words = morula::withNames(describe(report), scenario.names.function());
     if (!options.output.json && beside.engines.empty()) print(words);
     else if (!report.passed()) tell(words, options.output.quiet);
-    reports.push_back(report);
+    reports.push_back(report), told.push_back(withNames(report, scenario.names));
     if (!beside.engines.empty()) own.push_back(judge(scenario.check, report));
   }
   if (options.scenarios.empty()) {
     for (const auto& file : goldensWithoutScenario("golden", "scenarios")) {
       const std::string why = file.string() + ": there is no scenario to this golden file";
       tellError(why);
-      reports.push_back(unusableGolden(file.string(), why));
+      reports.push_back(unusableGolden(file.string(), why)), told.push_back(reports.back());
       results.push_back(toJson(reports.back(), reports.back().results[0]));
       if (code == fine) code = differs;
     }
@@ -198,8 +195,8 @@ int act(const CheckOptions& options) {
   }
   if (options.output.json) printJson(found);
   else if (!table.empty()) print(table);
-  if (!options.reports.empty()) writeReports(options.reports, reports, scenarios, found, table);
-  tellWorkflow(reports, options.output.json);
+  if (!options.reports.empty()) writeReports(options.reports, reports, told, found, table);
+  tellWorkflow(told, options.output.json);
   if (!options.reports.empty())
     if (const int signal = writePage(options.reports, how, options.output.quiet)) return signalled + signal;
   return code;

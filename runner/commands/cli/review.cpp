@@ -8,6 +8,7 @@
 #include "cli/verbs.h"
 #include "explain/explain.h"
 #include "files/folders.h"
+#include "files/quote.h"
 #include "golden/accept.h"
 #include "golden/golden_diff.h"
 #include "options/exit_codes.h"
@@ -15,6 +16,7 @@
 #include "options/verb.h"
 #include "system/console.h"
 #include "system/git_text.h"
+#include "system/installation.h"
 
 namespace morula::cli {
 
@@ -34,11 +36,19 @@ struct ReviewOptions {
   std::string why, by = usersName();
 };
 
-/// What is to be looked at: the named scenarios, or those whose results wait.
+/// What is to be looked at: the named scenarios, or those whose results wait. What is accepted or rejected must be named.
 std::vector<std::string> scenarioFiles(const ReviewOptions& options) {
   if (!options.scenarios.empty()) return options.scenarios;
-  const auto waiting = pendingScenarios();
-  return {waiting.begin(), waiting.end()};
+  std::vector<std::string> waiting;
+  for (const auto& file : pendingScenarios()) waiting.push_back(file.string());
+  if (!options.accept && !options.reject) return waiting;
+  std::string command = programWord() + " review";
+  for (const auto& file : waiting) command += ' ' + shellWord(file);
+  command += std::string(options.accept ? " --accept" : " --reject") + " --why " + shellWord(options.why);
+  throw UsageError(
+      std::string(options.accept ? "--accept" : "--reject") + ": name the scenarios that are meant; " +
+      (waiting.empty() ? "no result waits for a review here"
+                       : "results of " + std::to_string(waiting.size()) + " wait here: " + command));
 }
 
 /// The result that waits, or else that of a run made for the purpose, which then waits if it differs. Nothing
@@ -82,18 +92,20 @@ int show(const Scenario& scenario, const GoldenData& observed, const OutputOptio
   int code = fine;
   if (!fileExists(file)) {
     code = differs;
-    text = goldenName(scenario.file) + ": there is no golden yet; " + std::to_string(observed.items.size()) +
-           " items\n";
+    text = scenario.file + ": there is no golden yet; " + std::to_string(observed.items.size()) + " items\n";
   } else {
     const Golden golden = readAccepted(scenario, file);
-    const CheckReport report = compareGolden(golden, observed);
+    CheckReport report = compareGolden(golden, observed);
+    report.scenario = scenario.file;
     const std::string changes = describeGoldenDiff(golden, observed), looser = describeLoosened(golden, file);
     if (!report.passed() || !looser.empty()) code = differs;
     text = describe(report) + changes + looser;
     json["changes"] = changes, json["loosened"] = looser;
   }
-  if (code == differs && fileExists(pendingPicture(scenario)))
-    text += "  picture  " + pendingPicture(scenario).string() + '\n';
+  if (code == differs)
+    for (const auto& [what, path] : {std::pair{"  waits    ", pendingFile(scenario)},
+                                     std::pair{"  picture  ", pendingPicture(scenario)}})
+      if (fileExists(path)) text += what + path.string() + '\n';
   json["passed"] = code == fine;
   results.push_back(json);
   if (!output.json) print(text);
@@ -118,7 +130,7 @@ int act(const ReviewOptions& options) {
     if (options.reject) {
       removePending(scenario);
       results.push_back({{"scenario", goldenName(scenario.file)}, {"rejected", options.why}});
-      if (!options.output.json) print("rejected: " + goldenName(scenario.file) + ": " + options.why + "\n");
+      if (!options.output.json) print("rejected: " + scenario.file + ": " + options.why + "\n");
       continue;
     }
     if (!options.accept) {
@@ -150,7 +162,8 @@ void addReview(CLI::App& app, Action& action) {
   Verb verb(app, action, "review",
             "Show what golden files would change, and accept or reject it with a reason");
   auto& options = verb.does<ReviewOptions>(act);
-  verb.takes("scenario", options.scenarios, "FILE", "Scenario files; default: those whose results wait");
+  verb.takes("scenario", options.scenarios, "FILE",
+             "Scenario files; default: those whose results wait in this project, to look at");
   verb.takes("--accept", options.accept, "Run twice more and write the golden files");
   verb.takes("--reject", options.reject, "Throw the waiting results away");
   verb.takes("--why", options.why, "TEXT", "What changed and why the new result is right, or is not");

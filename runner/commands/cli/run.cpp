@@ -40,10 +40,10 @@ std::string digits(const Scenario& scenario) {
   return Hasher().add(scenario.resolved).digest().text().substr(0, 8);
 }
 
-/// Whether the last run of this name and seed in the database is of another file, which says something else. Of runs that
-/// began in the same second any may be the last.
-bool isOfOther(const std::filesystem::path& database, const Scenario& scenario) {
-  if (!fileExists(database)) return false;
+/// Whether the last run of this name and seed in the database is of another file, which says something else; absent: there is
+/// none. Of runs that began in the same second any may be the last.
+std::optional<bool> isOfOther(const std::filesystem::path& database, const Scenario& scenario) {
+  if (database.empty() || !fileExists(database)) return {};
   try {
     auto store = Store::openForReading(database);
     std::vector<StoredRun> last;
@@ -52,13 +52,23 @@ bool isOfOther(const std::filesystem::path& database, const Scenario& scenario) 
       if (!last.empty() && run.started > last[0].started) last.clear();
       last.push_back(run);
     }
+    if (last.empty()) return {};
     for (const StoredRun& run : last)
       for (const SourceText& d : store.documents(run.id))
         if ((d.role == "scenario" && absolutePath(d.path) == absolutePath(scenario.file)) ||
             (d.role == "resolved" && d.content == scenario.resolved))
           return false;
-    return !last.empty();
-  } catch (const FileError&) { return false; }  // who writes to it says what is wrong
+    return true;
+  } catch (const FileError&) { return {}; }  // who writes to it says what is wrong
+}
+
+/// Whether the folder may hold results of another file of this name and seed. Where its pictures were drawn by a run that is
+/// stored elsewhere, only the database that is given can tell.
+bool isTaken(const std::filesystem::path& folder, const std::filesystem::path& database,
+             const Scenario& scenario) {
+  const auto inside = isOfOther(folder / "run.db", scenario), given = isOfOther(database, scenario);
+  return inside.value_or(false) || given.value_or(false) ||
+         (!database.empty() && !inside && !given && fileExists(folder));
 }
 
 /// results/unique-four-20080617, name and seed. Eight digits follow where values were changed by --set, and
@@ -100,9 +110,7 @@ std::vector<Planned> plan(const RunOptions& options) {
       return std::filesystem::path(options.out) / folderName(run.scenario, options.scene, twin);
     };
     const bool twin =
-        places[key(run.scenario)].size() > 1 ||
-        isOfOther(options.database.empty() ? folder(false) / "run.db" : std::filesystem::path(options.database),
-                  run.scenario);
+        places[key(run.scenario)].size() > 1 || isTaken(folder(false), options.database, run.scenario);
     run.settings.folder = folder(twin);
     if (options.database.empty()) run.settings.database = run.settings.folder / "run.db";
   }

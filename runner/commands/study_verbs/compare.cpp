@@ -36,16 +36,6 @@ struct CompareCommand {
   OutputOptions output;
 };
 
-/// A database, the folder of a study, or a study file.
-std::filesystem::path databaseOf(const std::string& named) {
-  std::filesystem::path file = named;
-  if (file.extension() == ".yaml" || file.extension() == ".yml") file = studyFolder(loadStudy(file));
-  else if (!isFolder(file)) return file;
-  if (!fileExists(file / "study.db"))
-    throw FileError((file / "study.db").string() + ": not there; morula study merge " + named + " makes it");
-  return file / "study.db";
-}
-
 /// Two pictures that should look the same. Nothing of a study is asked for.
 int actOnPictures(const CompareCommand& command) {
   const CompareOptions& options = command.options;
@@ -126,6 +116,15 @@ int act(const CompareCommand& command) {
 }
 
 }  // namespace
+
+std::filesystem::path databaseOf(const std::string& named, bool allowOutside) {
+  std::filesystem::path file = named;
+  if (isStudyFile(named)) file = studyFolder(loadStudy(file, allowOutside));
+  else if (!isFolder(file)) return file;
+  if (!fileExists(file / "study.db"))
+    throw FileError((file / "study.db").string() + ": not there; morula study merge " + named + " makes it");
+  return file / "study.db";
+}
 
 /// To the program or to `study`: the same verb.
 void addCompare(CLI::App& above, Action& action) {

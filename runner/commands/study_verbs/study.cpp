@@ -7,7 +7,8 @@ void addStudy(CLI::App& app, Action& action) {
   auto& study =
       addGroup(app, "study", "Vary scenarios by policies and seeds, run them all, compare what comes of it");
   // In the order in which they are used.
-  for (AddVerb* add : {addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addCompare, addStudyEmit})
+  for (AddVerb* add :
+       {addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addCompare, addStudyCheck, addStudyEmit})
     add(study, action);
 }
 

@@ -8,7 +8,7 @@ namespace morula::cli {
 AddVerb addStudy, addCompare;
 
 // Below `study`.
-AddVerb addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addStudyEmit;
+AddVerb addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addStudyEmit, addStudyCheck;
 
 /// What all verbs that work on a study's folder are told.
 struct StudyOptions {
@@ -20,5 +20,11 @@ struct StudyOptions {
 void add(Verb& verb, StudyOptions& options);
 /// `--out` alone, of `study plan`, which takes no folder of a study.
 void addStudyFolder(Verb& verb, std::string& out);
+
+/// Of a database, the folder of a study, or a study file.
+std::filesystem::path databaseOf(const std::string& named, bool allowOutside = false);
+inline bool isStudyFile(const std::string& named) {
+  return named.ends_with(".yaml") || named.ends_with(".yml");
+}
 
 }  // namespace morula::cli

@@ -6,6 +6,7 @@
 #include "check/check_run.h"
 #include "files/folders.h"
 #include "files/read_file.h"
+#include "golden/change.h"
 #include "pictures/pictures.h"
 #include "report/check_tables.h"
 #include "report/golden_pictures.h"
@@ -153,7 +154,7 @@ PagePart checkPart(const std::vector<CheckedScenario>& checked, const std::strin
                             (differ == 1 ? " differs: " : " differ: ") + classesOf(c.report) +
                             (c.report.change.empty()
                                  ? Words()
-                                 : ". " + Words(changeSentence(c.report.change, names), Emphasis::italic))});
+                                 : ". " + Words(changeSentence(withNames(c.report.change, names.function())), Emphasis::italic))});
     if (++told > mostTold) continue;
     part.sections.push_back({"check-" + std::to_string(told), c.report.scenario, bodyOf(c)});
     if (!c.file.empty())

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/number_text.h"
-#include "files/text.h"
+#include "golden/change.h"
 
 namespace morula {
 
@@ -32,33 +32,6 @@ std::vector<Cell> rowOf(const CheckResult& r, const CellNames& names) {
           placeOf(r, names)};
 }
 
-struct ChangeLine {
-  std::string heading, text;
-};
-
-/// "  moved     cell AB …": a heading of up to eight letters, then the text; a line without one belongs to that above.
-std::vector<ChangeLine> linesOfChange(const std::string& change, const CellNames& names) {
-  std::vector<ChangeLine> lines;
-  for (const std::string& line : linesOf(withNames(change, names.function()))) {
-    const auto begin = line.find_first_not_of(' ');
-    if (begin == line.npos) continue;
-    const auto gap = begin == 2 ? line.find("  ", begin) : line.npos;
-    const auto text = begin == 2 ? line.find_first_not_of(' ', std::min(gap, line.size())) : begin;
-    if (text == line.npos) lines.push_back({"", line.substr(begin)});
-    else lines.push_back({begin == 2 ? line.substr(2, gap - 2) : "", line.substr(text)});
-  }
-  return lines;
-}
-
-std::string sentencePart(const ChangeLine& line) {
-  if (line.heading == "changed") return line.text;
-  if (line.heading == "lineage" && line.text == "the same") return "same lineage";
-  std::string text = line.text;
-  if (const auto at = text.find(" the farthest: "); line.heading == "moved" && at != text.npos)
-    return text.replace(at, std::string(" the farthest: ").size(), " moved farthest, by ");
-  return line.heading + ": " + text;
-}
-
 }  // namespace
 
 std::string shareText(const std::optional<double>& share) {
@@ -85,30 +58,11 @@ Document checksOf(const std::vector<CheckResult>& checks, const CellNames& names
 
 Table changeTable(const std::string& change, const CellNames& names) {
   Table table{"What changed", {}};
-  for (const ChangeLine& line : linesOfChange(change, names))
+  for (const ChangeLine& line : linesOfChange(withNames(change, names.function())))
     if (line.heading.empty() && !table.rows.empty())
       table.rows.back()[1].words += Words("", Emphasis::lineBreak) + line.text;
     else table.rows.push_back({line.heading, line.text});
   return table;
-}
-
-std::string changeSentence(const std::string& change, const CellNames& names) {
-  std::string sentence;
-  std::size_t more = 0;  // lines of the last heading that are left out
-  const auto endHeading = [&] {
-    if (more) sentence += " and " + std::to_string(more) + " more";
-    more = 0;
-  };
-  for (const ChangeLine& line : linesOfChange(change, names)) {
-    if (line.heading.empty()) {
-      ++more;
-      continue;
-    }
-    endHeading();
-    sentence += (sentence.empty() ? "" : "; ") + sentencePart(line);
-  }
-  endHeading();
-  return sentence;
 }
 
 }  // namespace morula

@@ -13,7 +13,4 @@ std::string shareText(const std::optional<double>& share);
 /// The lines of `change`, which changeInWords (golden/change.h) has made.
 Table changeTable(const std::string& change, const CellNames& names);
 
-/// The same in one sentence without a full stop, plain text: "physics.pressure.constant: 155 → 155.5; same lineage; …".
-std::string changeSentence(const std::string& change, const CellNames& names);
-
 }  // namespace morula

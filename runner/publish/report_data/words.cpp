@@ -1,7 +1,5 @@
 #include "report_data/words.h"
 
-#include <map>
-
 #include "system/installation.h"
 
 namespace morula {
@@ -14,24 +12,6 @@ Finding failedBecause(Finding::Kind kind, const std::string& before, const std::
     finding.why.push_back(failure.substr(from + 2, to == failure.npos ? to : to - from - 2));
   }
   return finding;
-}
-
-std::string failedInWords(const CheckResult& failed) {
-  if (failed.check == "run") return "the run failed";
-  if (failed.kind == "sanity") return "its end is not sane";
-  if (failed.kind == "invariant") return "what must always hold does not";
-  if (failed.kind == "bullet") return "Bullet comes to something else";
-  static const std::map<std::string, std::string> words{
-      {"INPUT_CHANGED", "the scenario or its golden changed"},
-      {"SETUP", "it starts otherwise"},
-      {"LINEAGE", "the lineage differs"},
-      {"COMPUTATION", "computed values differ"},
-      {"CHAOS", "a last place has grown"},
-      {"IMAGE", "the picture differs"},
-      {"COST", "the cost differs"},
-      {"NONDETERMINISM", "it gives different bits each time"}};
-  const auto found = words.find(failed.failureClass);
-  return found == words.end() ? failed.failureClass : found->second;
 }
 
 const std::string& titleOf(const RunFacts& run) { return run.title; }

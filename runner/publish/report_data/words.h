@@ -13,9 +13,6 @@ namespace morula {
 /// Why a run failed: what happened, and below it what was found out about it.
 Finding failedBecause(Finding::Kind kind, const std::string& before, const std::string& failure);
 
-/// What a failed check means, in words: "the lineage differs". Classes that are not known stand as they are.
-std::string failedInWords(const CheckResult& failed);
-
 /// How the run is called on its page (nameRuns).
 const std::string& titleOf(const RunFacts& run);
 

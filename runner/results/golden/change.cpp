@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "files/text.h"
 #include "golden/number_text.h"
 
 namespace morula {
@@ -181,6 +182,15 @@ std::string movementInWords(const GoldenData& before, const GoldenData& after) {
   return text;
 }
 
+std::string sentencePart(const ChangeLine& line) {
+  if (line.heading == "changed") return line.text;
+  if (line.heading == "lineage" && line.text == "the same") return "same lineage";
+  std::string text = line.text;
+  if (const auto at = text.find(" the farthest: "); line.heading == "moved" && at != text.npos)
+    return text.replace(at, std::string(" the farthest: ").size(), " moved farthest, by ");
+  return line.heading + ": " + text;
+}
+
 }  // namespace
 
 std::vector<KeyChange> changedKeys(const GoldenData& before, const GoldenData& after) {
@@ -204,6 +214,38 @@ std::string changeInWords(const GoldenData& before, const GoldenData& after) {
   if (keys.empty() && movement.empty() && lineage.empty()) return {};
   return keys + (lineage.empty() ? line("lineage", "the same") : lines("lineage", lineage, "cells")) +
          movement;
+}
+
+std::vector<ChangeLine> linesOfChange(const std::string& change) {
+  std::vector<ChangeLine> lines;
+  for (const std::string& line : linesOf(change)) {
+    const auto begin = line.find_first_not_of(' ');
+    if (begin == line.npos) continue;
+    const auto gap = begin == 2 ? line.find("  ", begin) : line.npos;
+    const auto text = begin == 2 ? line.find_first_not_of(' ', std::min(gap, line.size())) : begin;
+    if (text == line.npos) lines.push_back({"", line.substr(begin)});
+    else lines.push_back({begin == 2 ? line.substr(2, gap - 2) : "", line.substr(text)});
+  }
+  return lines;
+}
+
+std::string changeSentence(const std::string& change) {
+  std::string sentence;
+  std::size_t more = 0;  // lines of the last heading that are left out
+  const auto endHeading = [&] {
+    if (more) sentence += " and " + std::to_string(more) + " more";
+    more = 0;
+  };
+  for (const ChangeLine& line : linesOfChange(change)) {
+    if (line.heading.empty()) {
+      ++more;
+      continue;
+    }
+    endHeading();
+    sentence += (sentence.empty() ? "" : "; ") + sentencePart(line);
+  }
+  endHeading();
+  return sentence;
 }
 
 }  // namespace morula

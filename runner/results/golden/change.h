@@ -20,4 +20,14 @@ std::vector<KeyChange> changedKeys(const GoldenData& before, const GoldenData& a
 /// pressure [per cent]: the organism's, and the largest of a cell. "" where none of it differs.
 std::string changeInWords(const GoldenData& before, const GoldenData& after);
 
+/// Its lines: a heading of up to eight letters and a text. A line without a heading belongs to the one above it.
+struct ChangeLine {
+  std::string heading, text;
+};
+std::vector<ChangeLine> linesOfChange(const std::string& change);
+
+/// The same in one sentence without a full stop: "physics.pressure.constant: 155 → 155.5; same lineage; …". Of several lines
+/// under one heading the first, and how many more there are.
+std::string changeSentence(const std::string& change);
+
 }  // namespace morula

@@ -30,7 +30,8 @@ struct CheckResult {
 
 template <IsA<CheckResult> T>
 void listFields(T& r, auto&& field) {
-  auto& [check, kind, expected, actual, tolerance, passed, failureClass, firstStep, cell, at, share, message] = r;
+  auto& [check, kind, expected, actual, tolerance, passed, failureClass, firstStep, cell, at, share,
+         message] = r;
   field({.name = "check", .anyCharacters = true}, check);
   field({.name = "kind", .oneOf = "golden bullet invariant sanity"}, kind);
   field({.name = "expected", .anyCharacters = true}, expected);
@@ -67,6 +68,7 @@ struct CheckReport {
   std::string scenario;  // "thesis/unique-four"
   std::vector<CheckResult> results;
   std::string change = {};  // for people: how the result differs from the golden, in words; "" if it does not
+  std::string file = {};    // the scenario's, where its name alone does not lead there
 
   bool passed() const {
     for (const CheckResult& r : results)
@@ -75,7 +77,19 @@ struct CheckReport {
   }
 };
 
-/// For people: one line per check, and under each failed one what differs.
-std::string describe(const CheckReport& report);
+/// What a failed check means, in words: "the lineage differs". Classes that are not known stand as they are.
+std::string failedInWords(const CheckResult& failed);
+
+/// Failed checks that have one reason: first the one that tells it, then those that only follow from it, as bits do from a
+/// changed key.
+using Cause = std::vector<const CheckResult*>;
+/// In the order of their first checks.
+std::vector<Cause> causesOf(const CheckReport& report);
+/// Those that follow, in a line: "bits; step_hashes from step 0 on; costs 518 → 502". "" if there are none.
+std::string followingInWords(const Cause& cause);
+
+/// For people: the changes in words, then one entry per cause with what differs, and one line per check that passed,
+/// unless only what differs is wanted.
+std::string describe(const CheckReport& report, bool differingOnly = false);
 
 }  // namespace morula

@@ -1,20 +1,21 @@
 #include "golden/ci_reports.h"
 
-#include <algorithm>
+#include <cstdlib>
+#include <map>
 
 #include "document/table.h"
 #include "files/content.h"
 #include "files/printable.h"
+#include "files/quote.h"
 #include "files/text.h"
+#include "files/write_file.h"
+#include "golden/change.h"
+#include "system/console.h"
+#include "system/installation.h"
 
 namespace morula {
 
 namespace {
-
-std::size_t failures(const CheckReport& report) {
-  return static_cast<std::size_t>(std::count_if(report.results.begin(), report.results.end(),
-                                                [](const CheckResult& r) { return !r.passed; }));
-}
 
 /// What XML cannot hold, not even escaped, becomes visible.
 std::string xml(const std::string& text) {
@@ -60,13 +61,53 @@ Place placeOf(const std::string& message) {
   return {text.substr(0, colon), "", text.substr(colon + 1 + (text.compare(colon, 2, ": ") == 0))};
 }
 
-std::string annotation(const CheckReport& report, const CheckResult& r) {
-  const Place place = placeOf(r.message);
+/// "the lineage differs: physics.drag: 1 → 1.5; AB: born at time 1 → 1.5; …": in one line what happened. `rest`: of the message.
+std::string inOneLine(const CheckReport& report, const CheckResult& first, const std::string& rest) {
+  const bool isTold = first.kind == "golden" && first.check != "tolerances" && !report.change.empty();
+  return failedInWords(first) + ": " + (isTold ? changeSentence(report.change) : rest);
+}
+
+std::string annotation(const CheckReport& report, const Cause& cause) {
+  const Place place = placeOf(cause[0]->message);
   std::string line = "::error ";
   if (!place.file.empty()) line += "file=" + command(place.file, true) + ',';
   if (!place.line.empty()) line += "line=" + place.line + ',';
-  line += "title=" + command(r.failureClass + ": " + report.scenario, true);
-  return line + "::" + command(r.check + ": " + place.rest, false) + '\n';
+  line += "title=" + command(cause[0]->failureClass + ": " + report.scenario, true);
+  return line + "::" +
+         command(inOneLine(report, *cause[0],
+                           (cause[0]->check == "golden" ? "" : cause[0]->check + ": ") + place.rest),
+                 false) +
+         '\n';
+}
+
+/// What to type next; "" where the file is not known.
+std::string nextInWords(const CheckReport& report) {
+  if (report.file.empty()) return {};
+  const std::string file = ' ' + shellWord(report.file);
+  return '`' + programWord() + " explain" + file + "` tells where it began; `" + programWord() + " review" +
+         file + "` shows all of it, and with `--accept --why \"…\"` accepts it";
+}
+
+std::string failureOf(const CheckReport& report, const Cause& cause) {
+  const CheckResult& first = *cause[0];
+  std::string text = (first.kind == "golden" ? report.change : "") + first.message;
+  if (cause.size() > 1) text += "\nfrom it follow: " + followingInWords(cause);
+  if (const std::string next = nextInWords(report); !next.empty()) text += '\n' + next;
+  return "      <failure type=\"" + xml(first.failureClass) + "\" message=\"" +
+         xml(inOneLine(report, first, firstLine(first.message))) + "\">" + xml(text) + "</failure>\n";
+}
+
+/// A row for each line of what changed, then what follows from it.
+Table detailsOf(const CheckReport& report, const Cause& cause) {
+  const CheckResult& first = *cause[0];
+  Table table{"What differs", {first.failureClass, failedInWords(first)}};
+  if (first.kind == "golden")
+    for (const ChangeLine& line : linesOfChange(report.change))
+      table.rows.push_back({line.heading, line.text});
+  if (first.check != "scenario" || report.change.empty())  // whose changed keys stand there already
+    table.rows.push_back({"check", first.check + ": " + firstLine(first.message)});
+  if (cause.size() > 1) table.rows.push_back({"follow", followingInWords(cause)});
+  return table;
 }
 
 }  // namespace
@@ -75,16 +116,23 @@ std::string junitXml(const std::vector<CheckReport>& reports) {
   std::size_t all = 0, failed = 0;
   std::string suites;
   for (const CheckReport& report : reports) {
-    all += report.results.size(), failed += failures(report);
+    std::map<const CheckResult*, std::string> told;  // of failed ones
+    const auto causes = causesOf(report);
+    std::size_t skipped = 0;
+    for (const Cause& cause : causes) {
+      told[cause[0]] = failureOf(report, cause);
+      skipped += cause.size() - 1;
+      for (std::size_t i = 1; i < cause.size(); ++i)
+        told[cause[i]] =
+            "      <skipped message=\"differs, which follows from " + xml(cause[0]->check) + "\"/>\n";
+    }
+    all += report.results.size(), failed += causes.size();
     suites += "  <testsuite name=\"" + xml(report.scenario) + "\" tests=\"" +
-              std::to_string(report.results.size()) + "\" failures=\"" + std::to_string(failures(report)) +
-              "\">\n";
+              std::to_string(report.results.size()) + "\" failures=\"" + std::to_string(causes.size()) +
+              "\" skipped=\"" + std::to_string(skipped) + "\">\n";
     for (const CheckResult& r : report.results) {
       suites += "    <testcase classname=\"" + xml(report.scenario) + "\" name=\"" + xml(r.check) + '"';
-      if (r.passed) suites += "/>\n";
-      else
-        suites += ">\n      <failure type=\"" + xml(r.failureClass) + "\" message=\"" +
-                  xml(firstLine(r.message)) + "\">" + xml(r.message) + "</failure>\n    </testcase>\n";
+      suites += r.passed ? "/>\n" : ">\n" + told.at(&r) + "    </testcase>\n";
     }
     suites += "  </testsuite>\n";
   }
@@ -96,26 +144,37 @@ std::string annotations(const std::vector<CheckReport>& reports, std::size_t mos
   std::string text;
   std::size_t count = 0;
   for (const CheckReport& report : reports)
-    for (const CheckResult& r : report.results)
-      if (!r.passed && ++count <= most) text += annotation(report, r);
+    for (const Cause& cause : causesOf(report))
+      if (++count <= most) text += annotation(report, cause);
   if (count > most)
-    text +=
-        "::error title=morula check::" + std::to_string(count - most) + " more checks differ; see the log\n";
+    text += "::error title=morula check::" + std::to_string(count - most) + " more; see the log\n";
   return text;
 }
 
 std::string summaryPage(const std::vector<CheckReport>& reports) {
-  Table scenarios{"Scenarios", {"scenario", "checks", ""}},
-      details{"What differs", {"scenario", "check", "class", "what differs first"}};
+  Table scenarios{"Scenarios", {"scenario", "checks", ""}};
+  std::string details;
   for (const CheckReport& report : reports) {
-    const std::size_t failed = failures(report);
+    const auto causes = causesOf(report);
+    std::string words;
+    for (const Cause& cause : causes)
+      if (const std::string what = failedInWords(*cause[0]); words.find(what) == words.npos)
+        words += (words.empty() ? "" : "; ") + what;
     scenarios.rows.push_back(
-        {report.scenario, report.results.size(), failed ? bold(std::to_string(failed) + " differ") : "pass"});
-    for (const CheckResult& r : report.results)
-      if (!r.passed) details.rows.push_back({report.scenario, r.check, r.failureClass, firstLine(r.message)});
+        {report.scenario, report.results.size(), causes.empty() ? Words("pass") : bold(words)});
+    if (!causes.empty()) details += "\n#### " + printableLine(report.scenario) + "\n";
+    for (const Cause& cause : causes) details += "\n" + markdownOf(detailsOf(report, cause));
+    if (const std::string next = nextInWords(report); !causes.empty() && !next.empty())
+      details += "\n" + printableLine(next) + "\n";
   }
-  return std::string(summaryBeginning) + "\n" + markdownOf(scenarios) +
-         (details.rows.empty() ? "" : "\n" + markdownOf(details));
+  return std::string(summaryBeginning) + "\n" + markdownOf(scenarios) + details;
+}
+
+void tellWorkflow(const std::vector<CheckReport>& reports, bool json) {
+  const char *inWorkflow = std::getenv("GITHUB_ACTIONS"), *page = std::getenv("GITHUB_STEP_SUMMARY");
+  if (!inWorkflow || std::string(inWorkflow) != "true") return;
+  if (!json) print(annotations(reports));
+  if (page) appendToFile(page, summaryPage(reports));
 }
 
 }  // namespace morula

@@ -1,4 +1,9 @@
 // A report for people.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
 #include "base/cell_path.h"
 #include "files/text.h"
 #include "golden/check_result.h"
@@ -8,20 +13,17 @@ namespace morula {
 
 namespace {
 
-std::string inPercent(double share) {
-  if (share == 0) return "0 %";
-  char text[32];
-  return std::string(
-             text, std::to_chars(text, text + sizeof text, 100 * share, std::chars_format::general, 2).ptr) +
-         " %";
+std::string shareInWords(double share) {
+  return share < 10 ? numberText(100 * share, 2) + " % of the tolerance used"
+                    : numberText(share, 2) + " times the tolerance";
 }
 
 std::string oneLine(const CheckResult& r) {
   std::string line = r.check;
   if (r.tolerance != "exact") line += ": " + r.tolerance;
   if (r.passed) line += " (" + r.expected + ')';
-  else line += ": " + r.failureClass;
-  if (r.share) line += ", " + inPercent(*r.share) + " of the tolerance used";
+  else line += ": " + r.failureClass + ", " + failedInWords(r);
+  if (r.share) line += ", " + shareInWords(*r.share);
   if (r.share && *r.share > 0 && r.passed) {
     line += " by " + r.field;
     if (r.cell) line += " of " + cellName(*r.cell);
@@ -29,9 +31,83 @@ std::string oneLine(const CheckResult& r) {
   return line;
 }
 
+/// Checks of one reason have one text here.
+std::string reasonOf(const CheckResult& r) {
+  if (r.kind == "sanity" || r.kind == "bullet") return r.kind;
+  if (r.kind != "golden" || r.check == "tolerances") return r.kind + ' ' + r.check;
+  return r.failureClass == "CHAOS" ? "COMPUTATION" : r.failureClass;
+}
+
+/// A changed scenario tells more than anything that follows from it, then the lineage, then what differs first.
+std::pair<int, std::uint64_t> rankOf(const CheckResult& r) {
+  return {r.check == "scenario"  ? 0
+          : r.check == "lineage" ? 1
+                                 : 2,
+          r.firstStep.value_or(std::numeric_limits<std::uint64_t>::max())};
+}
+
+/// "values * from step 64 on: volume of cell AB 1.04 → 1.07".
+std::string followingInWords(const CheckResult& r) {
+  std::string text = r.check;
+  if (r.firstStep) text += " from step " + std::to_string(*r.firstStep) + " on";
+  const auto expected = readReal(r.expected), actual = readReal(r.actual);
+  if (!expected || !actual || r.field == "hash") return text;
+  if (r.field != "count") text += ": " + r.field + (r.cell ? " of " + cellName(*r.cell) : "");
+  const bool isSmall = numberText(*expected, 3) == numberText(*actual, 3);
+  const auto number = [&](double x) {
+    return isSmall || x == std::round(x) ? exactText(x) : numberText(x, 3);
+  };
+  return text + ' ' + number(*expected) + " → " + number(*actual);
+}
+
 }  // namespace
 
-std::string describe(const CheckReport& report) {
+std::string failedInWords(const CheckResult& failed) {
+  if (failed.check == "golden" && failed.failureClass == "SETUP") return "there is no golden";
+  if (failed.check == "run") return "the run failed";
+  if (failed.kind == "claim") return "the results say otherwise";
+  if (failed.kind == "sanity") return "its end is not sane";
+  if (failed.kind == "invariant") return "what must always hold does not";
+  if (failed.kind == "bullet") return "Bullet comes to something else";
+  if (failed.check == "scenario") return "the scenario changed";
+  static const std::map<std::string, std::string> words{
+      {"INPUT_CHANGED", "the scenario or its golden changed"},
+      {"SETUP", "it starts otherwise"},
+      {"LINEAGE", "the lineage differs"},
+      {"COMPUTATION", "computed values differ"},
+      {"CHAOS", "a last place has grown"},
+      {"IMAGE", "the picture differs"},
+      {"COST", "the cost differs"},
+      {"NONDETERMINISM", "it gives different bits each time"}};
+  const auto found = words.find(failed.failureClass);
+  return found == words.end() ? failed.failureClass : found->second;
+}
+
+std::vector<Cause> causesOf(const CheckReport& report) {
+  std::vector<Cause> causes;
+  std::map<std::string, std::size_t> places;
+  for (const CheckResult& r : report.results) {
+    if (r.passed) continue;
+    const auto [place, isNew] = places.emplace(reasonOf(r), causes.size());
+    if (isNew) causes.emplace_back();
+    causes[place->second].push_back(&r);
+  }
+  for (Cause& cause : causes) {
+    auto first = cause.begin();  // of equal ones the last: values tell more than hashes
+    for (auto i = cause.begin(); i != cause.end(); ++i)
+      if (rankOf(**i) <= rankOf(**first)) first = i;
+    std::rotate(cause.begin(), first, first + 1);
+  }
+  return causes;
+}
+
+std::string followingInWords(const Cause& cause) {
+  std::string text;
+  for (std::size_t i = 1; i < cause.size(); ++i) text += (i > 1 ? "; " : "") + followingInWords(*cause[i]);
+  return text;
+}
+
+std::string describe(const CheckReport& report, bool differingOnly) {
   std::size_t failed = 0;
   for (const CheckResult& r : report.results) failed += r.passed ? 0 : 1;
   const std::string all = std::to_string(report.results.size());
@@ -40,10 +116,13 @@ std::string describe(const CheckReport& report) {
       (failed ? std::to_string(failed) + " of " + all + " checks differ" : "all " + all + " checks pass") +
       '\n';
   text += report.change;
-  for (const CheckResult& r : report.results) {
-    text += (r.passed ? "  ok    " : "  FAIL  ") + oneLine(r) + '\n';
-    for (const std::string& line : linesOf(r.message)) text += "        " + line + '\n';
+  for (const Cause& cause : causesOf(report)) {
+    text += "  FAIL  " + oneLine(*cause[0]) + '\n';
+    for (const std::string& line : linesOf(cause[0]->message)) text += "        " + line + '\n';
+    if (cause.size() > 1) text += "        from it follow: " + followingInWords(cause) + '\n';
   }
+  for (const CheckResult& r : report.results)
+    if (r.passed && !(differingOnly && failed)) text += "  ok    " + oneLine(r) + '\n';
   return text;
 }
 

@@ -97,7 +97,7 @@ void checkEnd(const Lines& lines, std::string_view line, const Golden& golden) {
         "the items above are not those that were accepted: they were edited afterwards; restore the file "
         "from "
         "git, "
-        "or accept the present result with `morula review --accept --why \"…\"`");
+        "or accept the present result with `morula review SCENARIO --accept --why \"…\"`");
 }
 
 /// Sizes rise, steps do not fall: of lines in another order `horizonOf` would make another horizon.
@@ -287,7 +287,7 @@ Golden readGoldenFile(const std::filesystem::path& file) {
   if (!fileExists(file))
     throw InputError(file.string() +
                      ": there is no golden file; look at the result and, if it is right, accept it with "
-                     "`morula review --accept --why \"…\"`");
+                     "`morula review SCENARIO --accept --why \"…\"`");
   return readGolden(readFile(file), file.string());
 }
 

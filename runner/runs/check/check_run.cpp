@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "files/folders.h"
+#include "files/quote.h"
 #include "golden/accept.h"
 #include "golden/observe.h"
 #include "organism/renderer_name.h"
@@ -9,6 +10,7 @@
 #include "scenario/deciding_values.h"
 #include "simulation/measures.h"
 #include "system/git_text.h"
+#include "system/installation.h"
 #include "yaml/numbers.h"
 
 namespace morula {
@@ -49,9 +51,10 @@ GoldenImage imageOf(const Simulation& run, const Scenario& scenario) {
   return {"organism", rendererName(), hashOf(drawOrganism(picture))};
 }
 
-CheckResult goldenMissing(const std::filesystem::path& file) {
+CheckResult goldenMissing(const Scenario& scenario, const std::filesystem::path& file) {
   return failedCheck("golden", "SETUP", "a golden file", "none",
-                     file.string() + " is not there; accept one: morula review --accept --why \"…\"");
+                     file.string() + " is not there; accept one: " + programWord() + " review " +
+                         shellWord(scenario.file) + " --accept --why \"…\"");
 }
 
 }  // namespace
@@ -135,7 +138,7 @@ CheckReport check(const Scenario& scenario, const CheckedRun& checked, bool need
     try {
       report = compareGolden(readAccepted(scenario, file), observe(scenario, checked.run));
     } catch (const InputError& unusable) { report = unusableGolden(report.scenario, unusable.what()); }
-  } else if (needsGolden) report.results.push_back(goldenMissing(file));
+  } else if (needsGolden) report.results.push_back(goldenMissing(scenario, file));
   for (auto& result : checkInvariants(scenario, checked)) report.results.push_back(std::move(result));
   return report;
 }

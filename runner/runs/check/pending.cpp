@@ -7,13 +7,13 @@
 #include "base/hash.h"
 #include "check/beside_golden.h"
 #include "files/folders.h"
+#include "files/quote.h"
 #include "files/read_file.h"
 #include "files/write_file.h"
 #include "golden/accept.h"
 #include "pictures/pictures.h"
 #include "simulation/world.h"
 #include "store/build_info.h"
-#include "system/child_process.h"
 #include "system/console.h"
 #include "system/installation.h"
 
@@ -25,20 +25,16 @@ namespace {
 
 constexpr const char* extensions[] = {".golden", ".png", ".from"};
 
-/// …/build/release/pending for …/build/release/morula; golden/.pending of a project for a program that is installed.
-fs::path pendingFolder(const fs::path& goldens) {
-  return installation() ? goldens / ".pending" : fs::path(ownProgram()).parent_path() / "pending";
-}
-
-/// Of the project that the scenario belongs to. What comes with an installation belongs to the project that one stands in.
+/// Beside the goldens of the project that the scenario belongs to. What comes with an installation belongs to the project that
+/// one stands in.
 fs::path pendingFolder(const Scenario& scenario) {
   const auto installed = installation();
   const bool isOurs = installed && liesWithin(scenario.file, *installed);
-  return pendingFolder(isOurs ? fs::path("golden") : goldenFolder(scenario.file));
+  return (isOurs ? fs::path("golden") : goldenFolder(scenario.file)) / ".pending";
 }
 
-/// pending/thesis/unique-four-1a2b3c4d.golden: names are not unique (other folders, other checkouts), places
-/// are, so a hash of the place follows the name.
+/// golden/.pending/thesis/unique-four-1a2b3c4d.golden: a project's own and an installation's scenario may have one name, so a
+/// hash of the place follows it.
 fs::path fileOf(const Scenario& scenario, const char* extension) {
   const std::string place = absolutePath(scenario.file).string();
   return pendingFolder(scenario) /
@@ -78,20 +74,22 @@ int putPending(const Scenario& scenario, const Simulation& run, const GoldenData
   const Origin origin = originOf(scenario);
   try {
     makeFolder(file.parent_path());
-    if (installation()) overwriteFile(pendingFolder(scenario) / ".gitignore", "*\n");
+    overwriteFile(pendingFolder(scenario) / ".gitignore", "*\n");
     overwriteFile(file, writeGolden({observed, "nobody", "pending", {}}));
     overwriteFile(fileOf(scenario, ".from"), origin.scenario + '\n' + origin.build + '\n');
   } catch (const FileError& error) {
     tell(std::string(error.what()) + "; the result is not kept for a review", quiet);
     return 0;
   }
-  tell("kept for `morula review`: " + file.string(), quiet);
+  tell("kept for `" + programWord() + " review " + shellWord(scenario.file) + "`: " + file.string(), quiet);
   if (!run.world.bodies) return 0;
   const auto beside = drawBesideGoldenFile(scenario, run.world, how, quiet);
   if (!beside) writePicture(drawOrganism(pictureOf(run.world, scenario)), pendingPicture(scenario));
   else if (beside->signal == 0) writePicture(beside->sheet(), pendingPicture(scenario));
   return beside ? beside->signal : 0;
 }
+
+fs::path pendingFile(const Scenario& scenario) { return fileOf(scenario, ".golden"); }
 
 std::optional<GoldenData> findPending(const Scenario& scenario) {
   const fs::path file = fileOf(scenario, ".golden");
@@ -105,12 +103,14 @@ void removePending(const Scenario& scenario) { removeAll(fileOf(scenario, ".gold
 
 std::vector<fs::path> pendingScenarios() {
   std::vector<fs::path> scenarios;
-  const fs::path folder = pendingFolder("golden");
-  if (!fileExists(folder)) return scenarios;
-  for (const fs::path& result : filesBelow(folder, ".golden")) {
-    const fs::path scenario = readOrigin(fs::path(result).replace_extension(".from")).scenario;
-    if (scenario.empty() || !fileExists(scenario)) removeAll(result);
-    else scenarios.push_back(scenario.lexically_proximate(currentFolder()));
+  for (const char* folder :
+       {"golden/.pending", ".pending"}) {  // the second: of scenarios beside their goldens
+    if (!fileExists(folder)) continue;
+    for (const fs::path& result : filesBelow(folder, ".golden")) {
+      const fs::path scenario = readOrigin(fs::path(result).replace_extension(".from")).scenario;
+      if (scenario.empty() || !fileExists(scenario)) removeAll(result);
+      else scenarios.push_back(scenario.lexically_proximate(currentFolder()));
+    }
   }
   std::sort(scenarios.begin(), scenarios.end());
   return scenarios;

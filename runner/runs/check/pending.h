@@ -1,7 +1,6 @@
 #pragma once
 // Results that differ from their goldens and wait for a review: <family>/<name>-<hash of its place>.golden, a .png with the end
-// beside the golden's, and a .from with the scenario's file and the build. They lie in the folder `pending` beside the program;
-// those of an installed program in .pending of the project's golden folder.
+// beside the golden's, and a .from with the scenario's file and the build. They lie in .pending of the project's golden folder.
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -18,11 +17,12 @@ int putPending(const Scenario& scenario, const Simulation& run, const GoldenData
                const Execution& how, bool quiet);
 /// What waits for this scenario as it is now, if this build made it.
 std::optional<GoldenData> findPending(const Scenario& scenario);
-/// The picture that was written with it; the path may not exist.
+/// Where it lies, and the picture that was written with it; the paths may not exist.
+std::filesystem::path pendingFile(const Scenario& scenario);
 std::filesystem::path pendingPicture(const Scenario& scenario);
 /// Takes it away: accepted, rejected, or the golden is met again.
 void removePending(const Scenario& scenario);
-/// Files of the scenarios with results that wait, sorted. What waits for a scenario that is gone is taken
+/// Files of the scenarios with results that wait in the project that one stands in, sorted. What waits for a scenario that is gone is taken
 /// away.
 std::vector<std::filesystem::path> pendingScenarios();
 

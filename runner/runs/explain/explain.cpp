@@ -75,6 +75,7 @@ std::string describe(const Explanation& x, const std::string& e, const std::stri
 Explanation explain(RunSource& expected, RunSource& actual, std::uint64_t every) {
   Explanation x;
   HashTrace e = expected.hashTrace(0, toTheEnd, every), a = actual.hashTrace(0, toTheEnd, every);
+  if (!e.links.empty()) x.expectedEnd = e.links.back().state.whole;
   Window window = partingOf(e, a);
   if (window.same) {
     x.lastEqual = e.lastStep;

@@ -17,6 +17,7 @@ struct Explanation {
   std::optional<std::string> cell;            // the first that differs
   std::vector<std::string> cells;             // all whose hashes differ at `step`
   std::optional<StateDifference> difference;  // absent where only the hashes of a run are known
+  std::optional<Hash> expectedEnd;            // of the expected run's last state; absent if none is known
   std::string text;                           // for people, several lines
 };
 

@@ -62,8 +62,8 @@ std::unique_ptr<World> OwnRun::stateAt(std::uint64_t step) {
   return std::move(world_);  // the next question starts anew
 }
 
-OwnRun scenarioRun(const Scenario& scenario, const Execution& how) {
-  return {"this program, " + std::string(name(how.isa)) + ", threads " + std::to_string(how.threads),
+OwnRun scenarioRun(const Scenario& scenario, const Execution& how, const std::string& called) {
+  return {called + ", " + std::string(name(how.isa)) + ", threads " + std::to_string(how.threads),
           [&scenario, how] { return makeScenarioWorld(scenario, how); }, [](World& w) { step(w); },
           [](const World&) { stopAtSignal(); }};
 }

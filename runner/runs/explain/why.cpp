@@ -5,6 +5,8 @@
 
 #include "base/error.h"
 #include "check/check_run.h"
+#include "check/golden_scenario.h"
+#include "explain/parting.h"
 #include "explain/program_run.h"
 #include "explain/stored_run.h"
 #include "files/folders.h"
@@ -77,6 +79,26 @@ void tellChange(const Scenario& scenario, const GoldenData& before, const WhyQue
     f.text += "  the run failed at step " + std::to_string(run.end.steps) + ": " + run.end.failure + "\n";
 }
 
+/// Where the scenario as it is leaves the path of the one before, which is made again. `accepted`: the bits that one must come
+/// to, as its golden says; "" if that is not known.
+void tellWhereItBegan(const Scenario& before, const Scenario& scenario, const std::string& called,
+                      const std::string& accepted, const WhyQuestion& question, Findings& f) {
+  OwnRun expected = scenarioRun(before, question.execution, called + ", made again"),
+         actual = scenarioRun(scenario, question.execution);
+  f.where = explain(expected, actual, question.every);
+  if (f.where.failureClass.empty()) {
+    f.text += "where it began: nowhere, both scenarios give " + f.where.text;
+    return;
+  }
+  f.text += "where it began: " + f.where.text.substr(f.where.failureClass.size() + 2) +
+            partingInWords(before, scenario, question.execution);
+  f.where.failureClass = f.failureClass;
+  if (!accepted.empty() && f.where.expectedEnd && f.where.expectedEnd->text() != accepted)
+    f.text +=
+        "The accepted scenario does not come to the accepted bits with this program: what it computes has "
+        "changed, too\n";
+}
+
 /// A scenario that has changed explains everything else.
 bool lookAtInput(const Scenario& scenario, const StoredRun& stored, Findings& f) {
   if (stored.record.scenarioHash == scenario.meaning.text()) return false;
@@ -91,15 +113,19 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
   requireWholeRecord(store, stored);
   const bool otherInput = lookAtInput(scenario, stored, f);
   std::optional<GoldenData> before;
+  std::optional<Scenario> theirs;
   try {
-    before = goldenOf(stored, store.results(stored.id), storedScenario(question.database, stored.id));
+    theirs = storedScenario(question.database, stored.id);
+    before = goldenOf(stored, store.results(stored.id), *theirs);
   } catch (const InputError&) {  // stored by a Morula with other keys: the lines still tell
     if (otherInput)
       f.text += "(-: theirs, +: here, all defaults filled in)\n" +
                 differingLines(resolvedOf(store.documents(stored.id)), scenario.resolved);
   }
   if (otherInput) {
-    if (before) tellChange(scenario, *before, question, f);
+    if (!before) return;
+    tellChange(scenario, *before, question, f);
+    tellWhereItBegan(*theirs, scenario, "the scenario of run " + stored.id, "", question, f);
     return;
   }
   const auto chain = store.chain(stored.id);
@@ -136,10 +162,20 @@ void compareWithProgram(const Scenario& scenario, const WhyQuestion& question, F
 }
 
 /// Of a golden that cannot be read there is nothing to tell.
-std::vector<KeyChange> changedFrom(const Scenario& scenario, const Simulation& run) {
+void tellChangedScenario(const Scenario& scenario, const Simulation& run, const WhyQuestion& question,
+                         Findings& f) {
   try {
-    return changedKeys(readAccepted(scenario, goldenFile(scenario)).data, observe(scenario, run, false));
-  } catch (const InputError&) { return {}; }
+    const Golden golden = readAccepted(scenario, goldenFile(scenario));
+    f.changed = changedKeys(golden.data, observe(scenario, run, false));
+    if (golden.data.scenarioHash == scenario.meaning.text()) return;
+    if (const auto before = goldenScenario(scenario, golden))
+      tellWhereItBegan(*before, scenario, "the accepted scenario", acceptedBits(golden), question, f);
+    else
+      f.text +=
+          "where it began cannot be told: the accepted scenario is not known whole, as goldens and commits "
+          "here "
+          "keep it; --db FILE compares with a stored run\n";
+  } catch (const InputError&) {}
 }
 
 void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
@@ -161,8 +197,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   }
   const CheckReport report = check(scenario, checked, true);
   f.checks = report.results;
-  if (fileExists(goldenFile(scenario)) && !report.passed()) f.changed = changedFrom(scenario, run);
-  f.text += describe(report);
+  f.text += describe(report, true);
   const CheckResult* first = nullptr;  // the one that begins earliest, of the class that explains the others
   for (const auto& r : report.results)
     if (!r.passed && (!first || (first->failureClass == "CHAOS" && r.failureClass != "CHAOS") ||
@@ -172,6 +207,7 @@ void compareWithGolden(const Scenario& scenario, const WhyQuestion& question, Fi
   f.failureClass = first->failureClass;
   f.where.step = first->firstStep;
   f.where.cell = first->cell;
+  if (fileExists(goldenFile(scenario))) tellChangedScenario(scenario, run, question, f);
   if (f.failureClass != "INPUT_CHANGED") {
     f.text +=
         "A golden holds hashes, not states: for the first step, vertex and both values name what it was "

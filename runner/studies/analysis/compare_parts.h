@@ -14,4 +14,9 @@ void compareOverTime(StudyComparison& comparison);
 /// The numbers of the axes with two levels or more that are compared.
 std::vector<std::size_t> comparedAxes(const StudyComparison& comparison);
 
+/// By statistics, or because both sides are known exactly.
+bool isDifferent(const PairComparison& pair);
+/// The sentence on a pair; where a margin was given, the one on its equivalence.
+std::string pairInWords(const StudyComparison& comparison, const PairComparison& pair);
+
 }  // namespace morula

@@ -39,11 +39,6 @@ std::string pText(const std::optional<double>& p) {
   return *p < 1e-15 ? "p < 1e-15" : "p = " + numberText(*p, isClose ? 3 : 2);
 }
 
-/// By statistics, or because both sides are known exactly.
-bool isDifferent(const PairComparison& p) {
-  return p.isShown() || (p.known == Known::exact && p.paired.difference != 0);
-}
-
 bool anyShown(const StudyComparison& c, std::size_t measure) {
   return std::ranges::any_of(c.pairs,
                              [&](const PairComparison& p) { return p.measure == measure && isDifferent(p); });
@@ -237,6 +232,14 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
 }
 
 }  // namespace
+
+bool isDifferent(const PairComparison& p) {
+  return p.isShown() || (p.known == Known::exact && p.paired.difference != 0);
+}
+
+std::string pairInWords(const StudyComparison& c, const PairComparison& pair) {
+  return pair.equivalence ? equivalenceVerdict(c, pair) : pairVerdict(c, pair);
+}
 
 std::vector<std::string> verdictsOf(const StudyComparison& c) {
   Verdicts verdicts;

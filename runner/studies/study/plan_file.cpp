@@ -59,11 +59,11 @@ void listFields(T& limits, auto&& field) {
   field({"memory_per_run"}, memory);
 }
 
-/// `measurePlaces` and `allowOutside` are of a study file that is read.
+/// `measurePlaces`, `allowOutside` and `claims` are of a study file that is read.
 template <IsA<Study> T>
 void listFields(T& study, auto&& field) {
   auto& [file, bytes, name, summary, bases, axes, seeds, measures, when, keep, limits, measurePlaces,
-         allowOutside] = study;
+         allowOutside, claims] = study;
   field({"file"}, file);
   field({"name"}, name);
   field({"summary"}, summary);

@@ -73,6 +73,7 @@ Study readStudy(std::string bytes, const std::filesystem::path& file, bool allow
   refuseScenario(root, problems);
   study::readKeys(root, study, problems);
   addBaseAxis(study);
+  study::readClaims(root, study, problems);
   const auto clashing = study::checkAxes(study, problems);
   checkSize(study, root, problems);
   if (!problems.empty()) lookAtScenarios(study, clashing, problems);

@@ -79,6 +79,26 @@ struct RunLimits {
   friend bool operator==(const RunLimits&, const RunLimits&) = default;
 };
 
+/// What a claim says of a pair: what its first side is beside the second.
+enum class Says { lower, higher, equivalent, noEffect, mean };
+template <>
+inline constexpr auto choices<Says> =
+    std::to_array<Choice<Says>>({{Says::lower, "lower", "a difference is shown, and a is lower"},
+                                 {Says::higher, "higher", "a difference is shown, and a is higher"},
+                                 {Says::equivalent, "equivalent", "both are the same but for a margin"},
+                                 {Says::noEffect, "no-effect", "no difference is shown"}});
+
+/// A sentence on the results that must go on holding.
+struct Claim {
+  std::string measure;      // as StudyMeasure::name
+  Says says = Says::lower;  // mean: of a condition, not of a pair
+  std::vector<std::optional<std::size_t>> a,
+      b = {};               // [axis] the level; absent: the mean over all. Of a condition: a
+  double mean = 0;          // [unit of the measure] of a condition
+  std::string within = {};  // the margin, "0.01" or "5%"; "" where none is needed
+  scenario::Place place = {};
+};
+
 struct Study {
   std::string file;   // as given by the user
   std::string bytes;  // the file, byte by byte
@@ -93,6 +113,7 @@ struct Study {
   RunLimits limits;
   std::vector<scenario::Place> measurePlaces;  // where the file names each of them
   bool allowOutside = false;                   // scenarios and their files may lie anywhere
+  std::vector<Claim> claims = {};              // no part of what is run: of a study file that is read
 };
 
 /// Reads and checks a study file. Throws InputError with one line per mistake, all of them at once, sorted by line:

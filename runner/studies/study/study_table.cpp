@@ -187,7 +187,8 @@ const std::vector<Key>& keys() {
       choiceKey("keep.pictures", "Of organisms at the end", &Kept::pictures),
       section("limits", "What one run may take", "no limits"),
       cpuPerRun(),
-      memoryPerRun()};
+      memoryPerRun(),
+      checkKey()};
   return list;
 }
 

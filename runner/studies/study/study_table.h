@@ -31,6 +31,10 @@ Key baseKey();
 Key varyKey();
 Key seedsKey();
 Key measuresKey();
+Key checkKey();
+
+/// Fills the study's claims from `check`; its axes and measures must have been read.
+void readClaims(const scenario::Node& root, Study& study, scenario::Problems& problems);
 
 /// Letters, digits and . _ + -, a letter or digit first, at most 50: names of axes (no '.' or '+') and labels.
 bool isLabel(const std::string& text);

@@ -35,18 +35,19 @@ TEST_CASE("JUnit's XML: a suite for a scenario, a case for a check") {
   CHECK(junitXml(example()) ==
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<testsuites name=\"morula check\" tests=\"5\" failures=\"2\">\n"
-        "  <testsuite name=\"thesis/four\" tests=\"2\" failures=\"0\">\n"
+        "  <testsuite name=\"thesis/four\" tests=\"2\" failures=\"0\" skipped=\"0\">\n"
         "    <testcase classname=\"thesis/four\" name=\"bits\"/>\n"
         "    <testcase classname=\"thesis/four\" name=\"lineage\"/>\n"
         "  </testsuite>\n"
-        "  <testsuite name=\"hard/&lt;a &amp; &quot;b&quot;&gt;\" tests=\"3\" failures=\"2\">\n"
+        "  <testsuite name=\"hard/&lt;a &amp; &quot;b&quot;&gt;\" tests=\"3\" failures=\"2\" skipped=\"0\">\n"
         "    <testcase classname=\"hard/&lt;a &amp; &quot;b&quot;&gt;\" name=\"values *.volume\">\n"
-        "      <failure type=\"COMPUTATION\" message=\"golden/hard/a.golden:12: 1/volume: expected 1, actual "
+        "      <failure type=\"COMPUTATION\" message=\"computed values differ: golden/hard/a.golden:12: "
+        "1/volume: expected 1, actual "
         "2\">"
         "golden/hard/a.golden:12: 1/volume: expected 1, actual 2&#10;and 99 more, 50 % of them</failure>\n"
         "    </testcase>\n"
         "    <testcase classname=\"hard/&lt;a &amp; &quot;b&quot;&gt;\" name=\"golden\">\n"
-        "      <failure type=\"SETUP\" message=\"golden/hard/a,b.golden is not there\">"
+        "      <failure type=\"SETUP\" message=\"there is no golden: golden/hard/a,b.golden is not there\">"
         "golden/hard/a,b.golden is not there</failure>\n"
         "    </testcase>\n"
         "    <testcase classname=\"hard/&lt;a &amp; &quot;b&quot;&gt;\" name=\"shell\"/>\n"
@@ -58,33 +59,95 @@ TEST_CASE("JUnit's XML: a suite for a scenario, a case for a check") {
 TEST_CASE("Annotations name the file and the line, and keep clear of the commands' punctuation") {
   CHECK(annotations(example()) ==
         "::error file=golden/hard/a.golden,line=12,title=COMPUTATION%3A hard/<a & \"b\">::"
-        "values *.volume: 1/volume: expected 1, actual 2\n"
-        "::error title=SETUP%3A hard/<a & \"b\">::golden: golden/hard/a,b.golden is not there\n");
+        "computed values differ: values *.volume: 1/volume: expected 1, actual 2\n"
+        "::error title=SETUP%3A hard/<a & \"b\">::there is no golden: golden/hard/a,b.golden is not there\n");
   CHECK(annotations({{"s", {failed("c", "SETUP", "a,b.golden:7: 50 % off")}}}) ==
-        "::error file=a%2Cb.golden,line=7,title=SETUP%3A s::c: 50 %25 off\n");
+        "::error file=a%2Cb.golden,line=7,title=SETUP%3A s::it starts otherwise: c: 50 %25 off\n");
   CHECK(annotations({{"s", {failed("c", "SETUP", "a.golden: scenario_hash: 1: other")}}}) ==
-        "::error file=a.golden,title=SETUP%3A s::c: scenario_hash: 1: other\n");
+        "::error file=a.golden,title=SETUP%3A s::it starts otherwise: c: scenario_hash: 1: other\n");
   CHECK(annotations({{"s", {passed("c")}}}).empty());
 }
 
 TEST_CASE("Of many annotations nine are shown, and how many more there are") {
-  CheckReport report{"s", {}};
-  for (int i = 0; i < 9; ++i) report.results.push_back(failed("c", "BITS", "x"));
+  std::vector<CheckReport> reports;
   const auto lines = [&] {
-    const std::string text = annotations({report});
+    const std::string text = annotations(reports);
     return std::count(text.begin(), text.end(), '\n');
   };
+  for (int i = 0; i < 9; ++i) reports.push_back({"s", {failed("c", "COST", "x")}});
   CHECK(lines() == 9);
-  for (int i = 0; i < 3; ++i) report.results.push_back(failed("c", "BITS", "x"));
+  for (int i = 0; i < 3; ++i) reports.push_back({"s", {failed("c", "COST", "x")}});
   CHECK(lines() == 10);
-  CHECK_THAT(annotations({report}), ContainsSubstring("::3 more checks differ; see the log\n"));
+  CHECK_THAT(annotations(reports), ContainsSubstring("::3 more; see the log\n"));
 }
 
-TEST_CASE("The summary is a table, and what differs is in a second one") {
+namespace {
+
+/// One key of a scenario has changed: the scenario differs, and bits and values do because it does. Its end is not sane, either.
+CheckReport changedKey() {
+  CheckResult bits = failed("bits", "INPUT_CHANGED", "g:7: bits solver: another hash than accepted"),
+              values = failed("values *", "INPUT_CHANGED", "g:9: 1/volume: expected 1, actual 1.5"),
+              scenario = failed("scenario", "INPUT_CHANGED", "g: physics.drag: expected '1', actual '2': …"),
+              sane = failed("sanity volume", "COMPUTATION", "not sane at the end: cell A is crushed");
+  for (CheckResult* r : {&bits, &values, &scenario}) r->kind = "golden";
+  values.field = "volume", values.expected = "1", values.actual = "1.5", values.firstStep = 4;
+  sane.kind = "sanity";
+  return {"two",
+          {bits, passed("lineage"), values, scenario, sane},
+          "  changed   physics.drag: 1 → 2\n  lineage   the same\n",
+          "scenarios/two.yaml"};
+}
+
+}  // namespace
+
+TEST_CASE("What follows from one cause is one failure with it") {
+  const auto report = changedKey();
+  const auto causes = causesOf(report);
+  REQUIRE(causes.size() == 2);
+  CHECK(causes[0][0]->check == "scenario");
+  CHECK(followingInWords(causes[0]) == "bits; values * from step 4 on: volume 1 → 1.5");
+  CHECK(causes[1][0]->check == "sanity volume");
+  CHECK(causes[1].size() == 1);
+
+  const std::string junit = junitXml({report});
+  CHECK_THAT(junit, ContainsSubstring("tests=\"5\" failures=\"2\" skipped=\"2\""));
+  CHECK_THAT(junit, ContainsSubstring(
+                        "name=\"bits\">\n      <skipped message=\"differs, which follows from scenario\"/>"));
+  CHECK_THAT(junit,
+             ContainsSubstring("message=\"the scenario changed: physics.drag: 1 → 2; same lineage\">"));
+  CHECK_THAT(junit,
+             ContainsSubstring("&#10;from it follow: bits; values * from step 4 on: volume 1 → 1.5&#10;") &&
+                 ContainsSubstring(" explain scenarios/two.yaml` tells where it began"));
+  CHECK_THAT(junit, ContainsSubstring(
+                        "message=\"its end is not sane: not sane at the end: cell A is crushed\">not sane"));
+  CHECK(annotations({report}) ==
+        "::error file=g,title=INPUT_CHANGED%3A two::the scenario changed: physics.drag: 1 → 2; same lineage\n"
+        "::error title=COMPUTATION%3A two::its end is not sane: sanity volume: not sane at the end: cell A "
+        "is crushed\n");
+}
+
+TEST_CASE("A chaotic value and other bits have one cause, a rule that fits nothing another") {
+  CheckReport report{"s",
+                     {failed("bits", "COMPUTATION", "b"), failed("values", "CHAOS", "v"),
+                      failed("tolerances", "INPUT_CHANGED", "t")}};
+  for (CheckResult& r : report.results) r.kind = "golden";
+  report.results[1].firstStep = 9;
+  const auto causes = causesOf(report);
+  REQUIRE(causes.size() == 2);
+  CHECK(causes[0][0]->check == "values");  // tells more than the hash of the end
+  CHECK(causes[0].size() == 2);
+  CHECK(causes[1][0]->check == "tolerances");
+}
+
+TEST_CASE("The summary is a table, and below it stands what differs, in words") {
   CHECK(summaryPage({{"a", {passed("bits")}}}) ==
         "### morula check\n\n| scenario | checks | |\n|---|---|---|\n| a | 1 | pass |\n");
   CHECK(summaryPage({{"a", {passed("bits"), failed("values", "COMPUTATION", "g:1: a|b\nmore")}}}) ==
-        "### morula check\n\n| scenario | checks | |\n|---|---|---|\n| a | 2 | **1 differ** |\n"
-        "\n| scenario | check | class | what differs first |\n|---|---|---|---|\n"
-        "| a | values | COMPUTATION | g:1: a\\|b |\n");
+        "### morula check\n\n| scenario | checks | |\n|---|---|---|\n| a | 2 | **computed values differ** |\n"
+        "\n#### a\n\n| COMPUTATION | computed values differ |\n|---|---|\n| check | values: g:1: a\\|b |\n");
+  CHECK_THAT(summaryPage({changedKey()}),
+             ContainsSubstring("| two | 5 | **the scenario changed; its end is not sane** |\n\n#### two\n") &&
+                 ContainsSubstring(
+                     "| changed | physics.drag: 1 → 2 |\n| lineage | the same |\n| follow | bits; values") &&
+                 ContainsSubstring(" review scenarios/two.yaml` shows"));
 }

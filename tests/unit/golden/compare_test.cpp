@@ -299,7 +299,11 @@ TEST_CASE("the text names the line, the cell, both numbers, their bits and their
         "example.golden:17: the egg: ended_step: expected '256', actual '300'");
   const std::string text = describe(report);
   CHECK_THAT(text, ContainsSubstring("2 of 10 checks differ"));
-  CHECK_THAT(text, ContainsSubstring("  FAIL  lineage: LINEAGE\n        example.golden:17"));
+  CHECK_THAT(text,
+             ContainsSubstring("  FAIL  lineage: LINEAGE, the lineage differs\n        example.golden:17"));
+  CHECK_THAT(text, ContainsSubstring(
+                       "\n        from it follow: values from step 1024 on: pressure of cell A 0.40625 → "
+                       "0.40625000000000006\n"));
 }
 
 TEST_CASE(

@@ -2,6 +2,7 @@
 #include "report_data/words.h"
 
 #include "catch.h"
+#include "golden/change.h"
 #include "report/check_tables.h"
 
 namespace morula {
@@ -45,7 +46,7 @@ const std::string change =
     "  pressure  +3 % in the mean, cell AB the most: 4 %\n";
 
 TEST_CASE("What changed is one sentence, and a table") {
-  CHECK(changeSentence(change, {}) ==
+  CHECK(changeSentence(change) ==
         "physics.pressure.constant: 155 → 155.5 and 1 more; same lineage; cell AB moved farthest, by 0.02 "
         "radii "
         "of the egg; pressure: +3 % in the mean, cell AB the most: 4 %");
@@ -53,7 +54,7 @@ TEST_CASE("What changed is one sentence, and a table") {
   CHECK_THAT(table,
              ContainsSubstring("physics.pressure.constant: 155 → 155.5<br>physics.drag: 1 → &lt;i&gt;2"));
   CHECK_THAT(table, ContainsSubstring(">moved</th><td>cell AB the farthest"));
-  CHECK(changeSentence("", {}).empty());
+  CHECK(changeSentence("").empty());
 }
 
 TEST_CASE("A failure is told clause by clause") {

@@ -1,0 +1,91 @@
+// morula study check: do the claims of a study file hold of its results?
+
+#include <algorithm>
+
+#include "analysis/claims.h"
+#include "analysis/comparison.h"
+#include "base/error.h"
+#include "files/content.h"
+#include "files/folders.h"
+#include "files/write_file.h"
+#include "golden/ci_reports.h"
+#include "options/exit_codes.h"
+#include "options/options.h"
+#include "options/verb.h"
+#include "study_verbs/study_verbs.h"
+#include "system/console.h"
+
+namespace morula::cli {
+
+namespace {
+
+struct CheckCommand {
+  std::string study, reports;
+  InputOptions input;
+  OutputOptions output;
+};
+
+/// For what continuous integration reads.
+CheckReport reportOf(const Study& study, const std::vector<ClaimFinding>& findings) {
+  CheckReport report{study.name, {}};
+  for (const ClaimFinding& f : findings)
+    report.results.push_back(
+        judged({.check = f.claim, .kind = "claim", .expected = f.claim, .actual = f.found}, f.holds,
+               study.file + ':' + std::to_string(f.place.line) + ": " + f.found, "CLAIM"));
+  return report;
+}
+
+Json toJson(const Study& study, const std::vector<ClaimFinding>& findings, std::size_t missing) {
+  Json claims = Json::array();
+  for (const ClaimFinding& f : findings)
+    claims.push_back({{"claim", f.claim}, {"holds", f.holds}, {"found", f.found}, {"line", f.place.line}});
+  return {{"study", study.name}, {"missing", missing}, {"claims", claims}};
+}
+
+int act(const CheckCommand& command) {
+  const bool isFile = isStudyFile(command.study);
+  const auto database = databaseOf(command.study, command.input.allowOutside);
+  const Study study = isFile ? loadStudy(command.study, command.input.allowOutside) : plannedStudy(database);
+  if (study.claims.empty())
+    throw InputError(study.file +
+                     ": check: there are no claims to hold against the results; write some, as check: "
+                     "[{measure: clone-radius, a: {division: longest}, b: {division: random}, says: lower}]");
+  const StudyResults results = readStudyResults(database);
+  const auto findings = findClaims(results, study);
+  const auto hold = std::size_t(std::ranges::count(findings, true, &ClaimFinding::holds));
+  const auto missing = std::size_t(std::ranges::count(results.tasks, "missing", &ResultTask::status));
+  std::string text = study.name + ": " + std::to_string(hold) + " of " + counted(findings.size(), "claim") +
+                     (hold == 1 ? " holds\n" : " hold\n");
+  for (const ClaimFinding& f : findings)
+    text += (f.holds ? "  ok    " : "  FAIL  ") + f.claim + "\n        " + f.found + '\n';
+  if (missing)
+    text += "  " + counted(missing, "run") + " of " + std::to_string(results.tasks.size()) + " missing\n";
+  printEither(command.output, toJson(study, findings, missing), text);
+  const std::vector<CheckReport> reports{reportOf(study, findings)};
+  if (const std::filesystem::path folder = command.reports; !folder.empty()) {
+    makeFolder(folder);
+    writeFile(folder / "junit.xml", junitXml(reports), Content::report);
+    writeFile(folder / "summary.md", summaryPage(reports), Content::report);
+  }
+  tellWorkflow(reports, command.output.json);
+  return hold < findings.size() ? differs : missing ? incomplete : fine;
+}
+
+}  // namespace
+
+void addStudyCheck(CLI::App& study, Action& action) {
+  Verb verb(
+      study, action, "check",
+      "Hold the claims of a study file (its key check) against the results; exit code 1: one does not hold, "
+      "5: runs are missing");
+  auto& command = verb.does<CheckCommand>(act);
+  verb.needs("study", command.study, "FILE",
+             "The study file, whose results lie in results/studies/NAME; or a merged study.db or its folder, "
+             "with the "
+             "claims that the file made when it was planned");
+  verb.takes("--reports", command.reports, "FOLDER", "Write junit.xml and summary.md there");
+  add(verb, command.input);
+  add(verb, command.output);
+}
+
+}  // namespace morula::cli

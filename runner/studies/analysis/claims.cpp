@@ -1,0 +1,156 @@
+#include "analysis/claims.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "analysis/compare_parts.h"
+#include "base/error.h"
+#include "base/number_text.h"
+#include "database/database.h"
+#include "database/store_error.h"
+#include "files/text.h"
+
+namespace morula {
+
+namespace {
+
+/// The axis in which the sides of a pair differ.
+std::size_t axisOf(const Claim& claim) {
+  return std::size_t(std::ranges::mismatch(claim.a, claim.b).in1 - claim.a.begin());
+}
+
+std::string claimInWords(const Claim& claim, const Study& study) {
+  const auto label = [&](std::size_t axis, std::size_t level) {
+    return study.axes[axis].levels[level].label;
+  };
+  std::vector<std::string> fixed;
+  const std::size_t axis = claim.says == Says::mean ? claim.a.size() : axisOf(claim);
+  for (std::size_t x = 0; x < claim.a.size(); ++x)
+    if (claim.a[x] && x != axis) fixed.push_back(study.axes[x].name + ": " + label(x, *claim.a[x]));
+  const std::string with = fixed.empty() ? "" : " with " + join(fixed);
+  if (claim.says == Says::mean)
+    return fmt::format("{}: {} ± {}{}", claim.measure, exactText(claim.mean), claim.within, with);
+  const std::string a = label(axis, *claim.a[axis]), b = label(axis, *claim.b[axis]);
+  switch (claim.says) {
+    case Says::equivalent:
+      return fmt::format("{}: {} equivalent to {} within {}{}", claim.measure, a, b, claim.within, with);
+    case Says::noEffect:
+      return fmt::format("{}: no effect of {} beside {}{}", claim.measure, a, b, with);
+    default:
+      return fmt::format("{}: {} {} than {}{}", claim.measure, a, nameOf(claim.says), b, with);
+  }
+}
+
+void requireSame(const StudyResults& results, const Study& study) {
+  bool same = results.axes.size() == study.axes.size();
+  for (std::size_t x = 0; same && x < study.axes.size(); ++x) {
+    std::vector<std::string> labels;
+    for (const Level& level : study.axes[x].levels) labels.push_back(level.label);
+    same = results.axes[x].name == study.axes[x].name && results.axes[x].labels == labels;
+  }
+  for (const Claim& claim : study.claims)
+    same = same && std::ranges::find(results.measures, claim.measure) != results.measures.end();
+  if (!same)
+    throw InputError(study.file +
+                     ": has other axes, labels or measures than its results; run and merge the study again");
+}
+
+const PairComparison* pairOf(const StudyComparison& c, const Claim& claim) {
+  const std::size_t axis = axisOf(claim), a = *claim.a[axis], b = *claim.b[axis];
+  auto at = claim.a;
+  at[axis].reset();
+  for (std::size_t x = 0; x < at.size(); ++x)  // an axis of one level is no choice
+    if (c.results.axes[x].labels.size() < 2) at[x].reset();
+  for (const PairComparison& pair : c.pairs)
+    if (c.measureName(pair.measure) == claim.measure && pair.axis == axis && pair.at == at &&
+        pair.a == std::min(a, b) && pair.b == std::max(a, b))
+      return &pair;
+  return nullptr;
+}
+
+bool holds(const Claim& claim, const PairComparison& pair) {
+  const std::size_t axis = axisOf(claim);
+  const double difference = (*claim.a[axis] < *claim.b[axis] ? 1 : -1) * pair.paired.difference;
+  switch (claim.says) {
+    case Says::lower:
+      return isDifferent(pair) && difference < 0;
+    case Says::higher:
+      return isDifferent(pair) && difference > 0;
+    case Says::equivalent:
+      return pair.equivalence && pair.equivalence->verdict == Equivalent::yes;
+    default:
+      return !isDifferent(pair) && pair.known != Known::oneSeed;
+  }
+}
+
+void judgeMean(const StudyComparison& c, const Claim& claim, ClaimFinding& finding) {
+  for (const ConditionSummary& s : c.conditions) {
+    const auto& levels = c.results.conditions[s.condition].levels;
+    bool fits = c.measureName(s.measure) == claim.measure && !s.values.empty();
+    for (std::size_t x = 0; x < levels.size(); ++x) fits = fits && levels[x] == claim.a[x].value_or(0);
+    if (!fits) continue;
+    const auto margin = marginOf(parseMargins({claim.within}, {}), claim.measure, claim.mean);
+    finding.holds = std::abs(s.mean - claim.mean) <= margin.value_or(0);
+    finding.found =
+        fmt::format("{}: {} in the mean of {} runs{}", claim.measure, numberText(s.mean), s.values.size(),
+                    s.interval ? fmt::format(", 95 % interval {} to {}", numberText(s.interval->low),
+                                             numberText(s.interval->high))
+                               : "");
+  }
+}
+
+}  // namespace
+
+std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& study) {
+  requireSame(results, study);
+  std::map<std::pair<std::string, bool>, StudyComparison>
+      comparisons;  // by margin, and whether other axes are fixed
+  const auto compared = [&](const std::string& margin, bool within) -> const StudyComparison& {
+    const auto [found, isNew] = comparisons.try_emplace({margin, within});
+    if (isNew) {
+      CompareOptions options;
+      if (!margin.empty()) options.margins = {margin};
+      options.within = within;
+      found->second = compareStudy(results, options);
+    }
+    return found->second;
+  };
+  std::vector<ClaimFinding> findings;
+  for (const Claim& claim : study.claims) {
+    ClaimFinding& finding = findings.emplace_back();
+    finding.claim = claimInWords(claim, study), finding.place = claim.place;
+    finding.found = claim.measure + ": there are no values of it";
+    if (claim.says == Says::mean) {
+      judgeMean(compared("", false), claim, finding);
+      continue;
+    }
+    bool fixes = false;
+    for (std::size_t x = 0; x < claim.a.size(); ++x)
+      fixes = fixes || (x != axisOf(claim) && claim.a[x] && study.axes[x].levels.size() > 1);
+    const bool isMargin = claim.says == Says::equivalent;
+    const StudyComparison& c = compared(isMargin ? claim.measure + '=' + claim.within : "", fixes);
+    const PairComparison* pair = pairOf(c, claim);
+    if (!pair) continue;
+    finding.holds = holds(claim, *pair);
+    finding.found = pairInWords(c, *pair);
+  }
+  return findings;
+}
+
+Study plannedStudy(const std::filesystem::path& database) {
+  Database db(database, Database::Mode::existing, std::chrono::seconds(5));
+  Statement rows(db, "SELECT plan FROM study");
+  try {
+    if (rows.start().next()) {
+      const Json study = parseJson(rows.text(0)).at("study");
+      return readStudy(study.at("text").get<std::string>(), study.at("file").get<std::string>(), true);
+    }
+  } catch (const Json::exception&) {}
+  throw StoreError(database.string() +
+                   ": its plan cannot be read; the file is damaged: make it again with morula study merge");
+}
+
+}  // namespace morula
