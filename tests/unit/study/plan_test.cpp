@@ -323,7 +323,7 @@ TEST_CASE("What a base would take from rest to rest is told, or the key that doe
   const auto first = [&](const std::string& keys) {
     return planIn(folder,
                   "morula-study: 1\nname: one\nbase: balls.yaml\nvary: {a: {b: {" + keys +
-                      "}}}\nseeds: 1\nmeasures: [volume]\n",
+                      "}}}\nseeds: 1\nmeasures: [sphericity]\n",
                   true);
   };
   const Plan crawling = first("physics.motility: {speed: 0.1, persistence: 1}");
