@@ -7,9 +7,11 @@
 #include <map>
 
 #include "base/maths.h"
+#include "base/number_text.h"
 #include "loop/simulate.h"
 #include "parts/extrapolation.h"
 #include "parts/rates.h"
+#include "physics/integrator.h"
 #include "simulation/measures.h"
 #include "store/recorder.h"
 
@@ -201,6 +203,16 @@ void addShares(Prediction& f) {
 }
 
 }  // namespace
+
+std::optional<Scenario> settledInstead(const Scenario& scenario) {
+  const auto& mechanics = scenario.scene.mechanics;
+  if (!mechanics || kindOf(mechanics->physics.integrator).settles) return std::nullopt;
+  const double together = settledTogether * scenario.scene.cycle.length;
+  return readScenario(scenario.resolved, scenario.file, "",
+                      {parseOverride("physics.integrator=fire"), parseOverride("physics.time_step=null"),
+                       parseOverride("physics.settle.together=" + exactText(together))},
+                      scenario.files);
+}
 
 double Prediction::seconds() const {
   double sum = 0;

@@ -15,6 +15,8 @@ namespace morula::study {
 namespace {
 
 constexpr double rehearsedVertexSteps = 1e5;  // a hundredth of a second, and what its rates take as long
+// Settlings take more evaluations the more cells there are: a fifth of a second shows some of them.
+constexpr double settledVertexSteps = 2e6;
 
 std::size_t changedLevels(const Condition& condition) {
   return std::size_t(std::ranges::count_if(condition.levels, [](std::size_t level) { return level > 0; }));
@@ -47,11 +49,12 @@ double diskOf(const Study& study, const Scenario& scenario, const Prediction& f)
 }
 
 /// None if the run stops at its beginning: that will be its result.
-std::optional<RunCost> rehearse(const Study& study, const Scenario& scenario, const PlanOptions& options) {
+std::optional<RunCost> rehearse(const Study& study, const Scenario& scenario, const PlanOptions& options,
+                                double vertexSteps = rehearsedVertexSteps) {
   PredictionOptions how;
   how.execution = options.execution;
   how.ask.pictures = false;
-  how.trial = rehearsedVertexSteps;
+  how.trial = vertexSteps;
   try {
     const Prediction f = predictCost(scenario, how);
     return RunCost{f.seconds(), f.bytes(), diskOf(study, scenario, f), true};
@@ -104,6 +107,29 @@ std::vector<RunCost> predictCosts(const Plan& plan, const PlanOptions& options) 
                     : first                 ? estimate(condition, *first, ofLevel)
                                             : RunCost{});
   return costs;
+}
+
+std::vector<SettledCost> predictSettled(const Plan& plan, const PlanOptions& options) {
+  std::vector<SettledCost> all;
+  for (std::size_t base = 0; base < plan.study.bases.size(); ++base) {
+    const auto condition = std::ranges::find(plan.conditions, base, &Condition::base);
+    if (condition == plan.conditions.end()) continue;
+    SettledCost cost{base, plan.costs[condition->number].seconds, 0, ""};
+    try {
+      const auto settled = settledInstead(condition->scenario);
+      if (!settled) continue;
+      if (const auto run = rehearse(plan.study, *settled, options, settledVertexSteps))
+        cost.settled = run->seconds;
+      else cost.refused = "it stops at its beginning";
+    } catch (
+        const InputError& error) {  // its first line without the place, which is none of the scenario's file
+      const std::string text = error.what();
+      const auto key = text.find(": ") + 2;
+      cost.refused = text.substr(key, text.find('\n') - key);
+    }
+    all.push_back(cost);
+  }
+  return all;
 }
 
 }  // namespace morula::study

@@ -11,4 +11,7 @@ namespace morula::study {
 /// each of their levels: the ratio to the first one's cost of the condition that differs from it in that level alone.
 std::vector<RunCost> predictCosts(const Plan& plan, const PlanOptions& options);
 
+/// By a rehearsal each; needs plan.costs.
+std::vector<SettledCost> predictSettled(const Plan& plan, const PlanOptions& options);
+
 }  // namespace morula::study

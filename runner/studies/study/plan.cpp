@@ -76,7 +76,10 @@ Plan makePlan(const Study& study, const PlanOptions& options) {
       study::loadConditions(study, problems, plan.warnings, options.execution, study::mostConditions);
   problems.throwIfAny();
   for (Condition& condition : plan.conditions) study::finish(condition, study);
-  if (options.predict) plan.costs = study::predictCosts(plan, options);
+  if (options.predict) {
+    plan.costs = study::predictCosts(plan, options);
+    plan.settled = study::predictSettled(plan, options);
+  }
   study::countFromFolder(plan);
   study::addTasks(plan);
   plan.id = study::planId(plan);

@@ -50,6 +50,13 @@ struct RunCost {
   friend bool operator==(const RunCost&, const RunCost&) = default;
 };
 
+/// What the first condition of a base that goes through time would take from rest to rest, with physics.integrator fire.
+struct SettledCost {
+  std::size_t base = 0;             // in Study::bases
+  double seconds = 0, settled = 0;  // [s] of CPU time as it is, and so
+  std::string refused;              // why it does not go; "": it does
+};
+
 struct Plan {
   Study study;  // its places, and those of the conditions' scenarios, are relative to its folder
   std::vector<Condition> conditions;
@@ -59,6 +66,7 @@ struct Plan {
   std::vector<std::string>
       warnings;                // of the scenarios: what works, but may not be meant. No part of the file.
   std::vector<RunCost> costs;  // one for each condition; empty: not predicted. No part of the id.
+  std::vector<SettledCost> settled;  // at most one for each base. No part of the file.
 };
 
 struct PlanOptions {

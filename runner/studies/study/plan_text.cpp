@@ -58,6 +58,13 @@ std::string costText(const Plan& plan) {
   const auto& limit = plan.study.limits.cpu;
   if (limit && most.seconds > *limit)
     text += fmt::format("    some may not end within limits.cpu-per-run, {}\n", timeText(*limit));
+  for (const SettledCost& s : plan.settled)
+    text += fmt::format(
+        "    from rest to rest (physics.integrator: fire, settle.together: a quarter of a cycle) a run of {} "
+        "{}\n",
+        plan.study.bases[s.base].label,
+        s.refused.empty() ? fmt::format("would take {} or more, not {}", timeText(s.settled), timeText(s.seconds))
+                          : "does not go: " + s.refused);
   return text;
 }
 
@@ -146,6 +153,12 @@ Json summaryOf(const Plan& plan) {
   }
   for (const Task& t : plan.tasks)
     tasks.push_back({{"task_id", t.id}, {"condition_id", t.condition}, {"seed", t.seed}});
+  Json settled = Json::array();
+  for (const SettledCost& s : plan.settled)
+    settled.push_back({{"base", plan.study.bases[s.base].label},
+                       {"cpu_seconds", s.seconds},
+                       {"settled_cpu_seconds", s.refused.empty() ? Json(s.settled) : Json()},
+                       {"refused", s.refused}});
   const auto total = totalCost(plan);
   return {{"study", plan.study.name},
           {"plan", plan.id},
@@ -158,6 +171,7 @@ Json summaryOf(const Plan& plan) {
           {"without_seeds", conditionsWithoutSeeds(plan)},
           {"shared", conditionsThatShare(plan)},
           {"cost", total ? toJson(*total) : Json()},
+          {"settled", std::move(settled)},
           {"conditions", std::move(conditions)},
           {"tasks", std::move(tasks)}};
 }

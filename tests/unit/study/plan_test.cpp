@@ -312,6 +312,27 @@ TEST_CASE("Costs: every condition has one, and the sum is that of the distinct r
   CHECK(poor.id == plan.id);
 }
 
+TEST_CASE("What a base would take from rest to rest is told, or the key that does not go with it") {
+  const TemporaryFolder folder;
+  const Plan plan = planIn(folder, ballStudy, true);
+  REQUIRE(plan.settled.size() == 1);
+  CHECK(plan.settled[0].settled > 0);
+  CHECK(plan.settled[0].seconds == plan.costs[0].seconds);
+  CHECK_THAT(describe(plan), ContainsSubstring("from rest to rest") && ContainsSubstring(" or more, not "));
+  CHECK(planIn(folder).settled.empty());  // nothing is foreseen
+  const auto first = [&](const std::string& keys) {
+    return planIn(folder,
+                  "morula-study: 1\nname: one\nbase: balls.yaml\nvary: {a: {b: {" + keys +
+                      "}}}\nseeds: 1\nmeasures: [sphericity]\n",
+                  true);
+  };
+  const Plan crawling = first("physics.motility: {speed: 0.1, persistence: 1}");
+  REQUIRE(crawling.settled.size() == 1);
+  CHECK_THAT(crawling.settled[0].refused, ContainsSubstring("physics.motility: integrator fire"));
+  CHECK_THAT(describe(crawling), ContainsSubstring("does not go: physics.motility"));
+  CHECK(first("physics.integrator: fire").settled.empty());  // it does so already
+}
+
 TEST_CASE("Ten thousand runs are planned") {
   const TemporaryFolder folder;
   std::string study = "morula-study: 1\nname: many\nbase: balls.yaml\nvary:\n  a: {";
