@@ -5,6 +5,8 @@
 //   START: a0, a1                  the egg's substances; may repeat
 //   g1(a3|a1, a2)                  gene g1 produces a3 in a cell cycle if a1 and a2 are present
 //   g2(a4|a1, !a2)                 gene g2 produces a4 if a1 is present and a2 is not: a2 represses it (ours)
+//   g{n+1}(a{n+1}|a{n}) for n in 0..4   a line with a range: one line for each number from 0 to 4. In braces
+//                                  stand n, n+1 or n-1, with any number, within names (ours)
 //
 // Names are made of letters, digits and '_', at most 100 of them, and begin with a letter. Eight of them act
 // on the cell, see substances.h.
@@ -29,7 +31,7 @@ struct Gene {
 struct Dna {
   std::vector<std::string> substances;  // all names, and A and B; sorted: a SubstanceId is a place here
   std::vector<SubstanceId> start;       // what the egg holds; sorted
-  std::vector<Gene> genes;              // as written
+  std::vector<Gene> genes;              // as written, ranges written out
   std::string source;                   // the text that this was read from
   std::vector<std::string> warnings;    // what works, but may not be meant; each as a line of an InputError
 };

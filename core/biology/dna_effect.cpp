@@ -137,7 +137,7 @@ class EffectCheck {
     for (const GeneLine& gene : lines_.genes)
       for (const Word& input : gene.inputs) {
         if (reachable_.contains(input.text)) continue;
-        diagnostics_.add(input.place, whyAbsent(input.text, gene));
+        if (!diagnostics_.isTold(input.place)) diagnostics_.add(input.place, whyAbsent(input.text, gene));
         reach(input.text);
       }
   }

@@ -1,6 +1,7 @@
 // The grammar of DNA text. A line that cannot be read yields one diagnostic, at the first place where it goes
-// wrong.
+// wrong. A line with a range is read once for each of its numbers.
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "base/did_you_mean.h"
@@ -15,7 +16,9 @@ bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isWordPart(char c) { return isLetter(c) || isDigit(c) || c == '_'; }
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-bool isPunctuation(char c) { return c == '(' || c == '|' || c == ',' || c == ')' || c == ':' || c == '!'; }
+bool isPunctuation(char c) {
+  return c == '(' || c == '|' || c == ',' || c == ')' || c == ':' || c == '!' || c == '{' || c == '}';
+}
 
 struct Unreadable {
   Place place;
@@ -42,13 +45,26 @@ std::string shown(std::string_view text) {
 
 constexpr std::size_t longestName = 100;  // [letter] so that messages and pictures can show it
 
+constexpr std::size_t mostNames = 20'000;  // that all ranges may write: a short text must not fill the memory
+constexpr int largestNumber = 1'000'000;
+
+constexpr auto rangeExample = "; a range is written g{n}(a{n+1}|a{n}) for n in 0..4";
 constexpr auto startExample = "; the egg's substances are written START: a0, a1";
 constexpr auto geneExample = "; a gene is written g1(product|input, input)";
 
-/// Reads one line from left to right.
+/// What `for n in 0..4` says, and the number that stands for n now.
+struct Range {
+  Place place;
+  std::string variable;
+  int first = 0, last = 0, now = 0;
+};
+
+/// Reads one line from left to right; with a range, for the number that it is at.
 class Cursor {
  public:
-  Cursor(std::string_view line, Place begin) : line_(line.substr(0, line.find('#'))), begin_(begin) {
+  Cursor(std::string_view line, Place begin, const Range* range = nullptr)
+      : line_(line), begin_(begin), range_(range) {
+    begin_.isRepeated = range != nullptr;
     while (!line_.empty() && isSpace(line_.back())) line_.remove_suffix(1);
     skipSpace();
   }
@@ -57,7 +73,7 @@ class Cursor {
   char next() const { return atEnd() ? '\0' : line_[at_]; }
   bool atWord() const { return !atEnd() && isLetter(next()); }
   std::string_view rest() const { return line_.substr(at_); }
-  Place place() const { return {begin_.line, begin_.column + static_cast<int>(at_)}; }
+  Place place() const { return {begin_.line, begin_.column + static_cast<int>(at_), begin_.isRepeated}; }
 
   bool take(char c) {
     if (next() != c) return false;
@@ -69,20 +85,34 @@ class Cursor {
   /// Takes a name, or reports that `what` is missing.
   Word word(const std::string& what) {
     if (!atWord()) {
-      if (isDigit(next()) || next() == '_')
+      if (isDigit(next()) || next() == '_' || next() == '{')
         fail(what + " begins with " + shown(rest()) + "; a name begins with a letter");
       failUnexpected(what + " is missing" +
                      (atEnd() ? " at the end of the line" : " before " + shown(rest())));
     }
-    std::size_t length = 1;
-    while (length < rest().size() && isWordPart(rest()[length])) ++length;
-    if (length > longestName)
-      fail(what + " of " + std::to_string(length) + " letters; a name has at most " +
+    Word word{"", place()};
+    const std::size_t begin = at_;
+    while (isWordPart(next()) || next() == '{')
+      word.text += next() == '{' ? numberInBraces() : std::string(1, line_[at_++]);
+    if (word.text.size() > longestName) {
+      at_ = begin;
+      fail(what + " of " + std::to_string(word.text.size()) + " letters; a name has at most " +
            std::to_string(longestName));
-    Word word{std::string(rest().substr(0, length)), place()};
-    at_ += length;
+    }
+    ++words;
     skipSpace();
     return word;
+  }
+
+  /// Takes a whole number of a range.
+  int number() {
+    int value = largestNumber + 1;
+    const auto [end, error] = std::from_chars(line_.data() + at_, line_.data() + line_.size(), value);
+    if (error != std::errc{} || value < 0 || value > largestNumber)
+      fail("needs a whole number from 0 to " + std::to_string(largestNumber) + " here" + rangeExample);
+    at_ = static_cast<std::size_t>(end - line_.data());
+    skipSpace();
+    return value;
   }
 
   [[noreturn]] void fail(const std::string& text) const { throw Unreadable{place(), text}; }
@@ -96,15 +126,46 @@ class Cursor {
     fail(text + example);
   }
 
-  std::string example = geneExample;  // what would be right
+  std::string example = geneExample;   // what would be right
+  std::size_t words = 0, numbers = 0;  // names taken so far, and braces in them
 
  private:
+  /// Takes {n}, {n+1} or {n-1}: the number that it stands for.
+  std::string numberInBraces() {
+    if (!range_) fail("'{' has a meaning only where a range ends the line" + std::string(rangeExample));
+    const std::string& n = range_->variable;
+    const std::string forms = "write {" + n + "}, {" + n + "+1} or {" + n + "-1}";
+    const std::size_t begin = at_;
+    take('{');
+    const std::size_t name = at_;
+    while (isWordPart(next())) ++at_;
+    if (line_.substr(name, at_ - name) != n) {
+      at_ = name;
+      fail("the range of this line is of '" + n + "'; " + forms);
+    }
+    skipSpace();
+    int value = range_->now;
+    if (take('+')) value += number();
+    else if (take('-')) value -= number();
+    if (next() != '}') fail("'}' is missing; " + forms);
+    ++at_;  // and no space: what follows belongs to the name
+    if (value < 0) {
+      const std::string braces(line_.substr(begin, at_ - begin));
+      at_ = begin;
+      fail(braces + " is " + std::to_string(value) + " for " + n + " = " + std::to_string(range_->now) +
+           ", and names hold no sign; begin the range at " + std::to_string(range_->now - value));
+    }
+    ++numbers;
+    return std::to_string(value);
+  }
+
   void skipSpace() {
     while (!atEnd() && isSpace(next())) ++at_;
   }
 
   std::string_view line_;
   Place begin_;
+  const Range* range_;
   std::size_t at_ = 0;
 };
 
@@ -156,25 +217,79 @@ bool meansStart(const std::string& word) {
   return !closest(word, candidates).empty();
 }
 
-void readLine(Cursor& cursor, Lines& lines) {
-  if (cursor.atEnd()) return;
+/// How many braces the line's first word holds.
+std::size_t readLine(Cursor& cursor, Lines& lines) {
+  if (cursor.atEnd()) return 0;
   const Place begin = cursor.place();
   Word first = cursor.word("a gene's name");
+  const std::size_t inName = cursor.numbers;
   if (first.text == "START" && cursor.next() != '(') {
     lines.hasStartLine = true;
-    const bool readableSoFar = std::exchange(lines.isStartReadable, false);
+    const bool readableSoFar = std::exchange(lines.areNamesKnown, false);
     readStart(cursor, lines);  // throws if it cannot be read
-    lines.isStartReadable = readableSoFar;
+    lines.areNamesKnown = readableSoFar;
   } else if (first.text == "START") {
     throw Unreadable{begin, "START cannot name a gene; take another name, for example g1"};
   } else if (cursor.take('(')) {
     lines.genes.push_back(readGene(cursor, std::move(first)));
   } else if (meansStart(first.text)) {
     lines.hasStartLine = true;
-    lines.isStartReadable = false;
+    lines.areNamesKnown = false;
     throw Unreadable{begin, "'" + first.text + "' begins no line of DNA" + startExample};
   } else {
     cursor.failUnexpected("'(' is missing after the gene's name '" + first.text + "'");
+  }
+  return inName;
+}
+
+/// Where a range begins: `for` behind a complete line, where nothing else can stand. npos: there is none.
+std::size_t rangeBegin(std::string_view line) {
+  for (std::size_t at = line.find("for", 1); at < line.size(); at = line.find("for", at + 1)) {
+    const std::size_t before = line.find_last_not_of(" \t", at - 1);
+    if (isWordPart(line[at - 1]) || (at + 3 < line.size() && isWordPart(line[at + 3])) || before == line.npos)
+      continue;
+    if (isWordPart(line[before]) || line[before] == ')' || line[before] == '}') return at;
+  }
+  return line.npos;
+}
+
+Range readRange(Cursor cursor) {
+  Range range;
+  range.place = cursor.place();
+  cursor.example = rangeExample;
+  cursor.word("for");
+  range.variable = cursor.word("the range's variable").text;
+  const auto missing = [&](const std::string& what, const std::string& after) {
+    cursor.fail(what + " is missing after '" + after + "'" + rangeExample);
+  };
+  if (cursor.rest().substr(0, 2) != "in" || cursor.word("in").text != "in") missing("'in'", range.variable);
+  range.first = range.now = cursor.number();
+  if (!cursor.take('.') || !cursor.take('.')) missing("'..'", std::to_string(range.first));
+  range.last = cursor.number();
+  if (!cursor.atEnd()) cursor.fail("text after the range; a line has one range, and # before a comment");
+  if (range.last < range.first)
+    throw Unreadable{range.place, "the range holds no number; write for " + range.variable + " in " +
+                                      std::to_string(range.last) + ".." + std::to_string(range.first)};
+  return range;
+}
+
+/// Reads a line for each number of its range.
+void readRepeated(std::string_view line, Place begin, Range range, Lines& lines) {
+  const std::string braces = "{" + range.variable + "}";
+  for (; range.now <= range.last; ++range.now) {
+    Cursor cursor(line, begin, &range);
+    const Word first = Cursor(cursor).word("a gene's name");
+    const std::size_t inName = readLine(cursor, lines);
+    if (first.text != "START" && inName == 0)
+      throw Unreadable{first.place, "all genes of the range would be called '" + first.text + "'; write " +
+                                        first.text + braces};
+    if (cursor.numbers == inName)
+      throw Unreadable{range.place, "the range changes nothing, for no substance holds " + braces +
+                                        "; write it where its number belongs, or remove the range"};
+    lines.repeatedNames += cursor.words;
+    if (lines.repeatedNames > mostNames)
+      throw Unreadable{range.place, "ranges write more than " + std::to_string(mostNames) +
+                                        " names in all (some 5000 genes); shorten them"};
   }
 }
 
@@ -194,14 +309,21 @@ Lines readLines(std::string_view text, Place begin, Diagnostics& diagnostics) {
   lines.begin = begin;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // some editors' mark for UTF-8
   for (Place place = begin; !text.empty(); ++place.line) {
-    const std::string_view line = text.substr(0, text.find('\n'));
+    std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(text.size(), line.size() + 1));
-    Cursor cursor(line, place);
+    line = line.substr(0, line.find('#'));
     try {
-      readLine(cursor, lines);
+      if (const std::size_t range = rangeBegin(line); range != line.npos) {
+        const Place behind{place.line, place.column + static_cast<int>(range)};
+        readRepeated(line.substr(0, range), place, readRange(Cursor(line.substr(range), behind)), lines);
+      } else {
+        Cursor cursor(line, place);
+        readLine(cursor, lines);
+      }
     } catch (const Unreadable& problem) {
       diagnostics.add(problem.place, problem.text);
-      rememberWords(line.substr(0, line.find('#')), lines.unreadableWords);
+      rememberWords(line, lines.unreadableWords);
+      if (line.find('{') != line.npos) lines.areNamesKnown = false;
     }
   }
   return lines;

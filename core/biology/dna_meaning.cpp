@@ -93,6 +93,7 @@ void checkInputs(const GeneLine& gene, const std::set<std::string>& possible, Di
   std::set<std::string> seen;
   for (const Word& input : gene.inputs) {
     const bool isNew = seen.insert(input.text).second;
+    if (diagnostics.isTold(input.place)) continue;
     const std::string name = quoted(input.text);
     if (input.text == "START") {
       diagnostics.add(input.place, "START cannot be a substance; take another name");
@@ -120,6 +121,7 @@ void checkRepressors(const GeneLine& gene, const std::set<std::string>& possible
   std::set<std::string> inputs, seen;
   for (const Word& input : gene.inputs) inputs.insert(input.text);
   for (const Word& repressor : gene.repressors) {
+    if (diagnostics.isTold(repressor.place)) continue;
     const std::string name = quoted(repressor.text);
     if (repressor.text == "START") {
       diagnostics.add(repressor.place, "START cannot be a substance; take another name");
@@ -152,7 +154,7 @@ void checkMeaning(const Lines& lines, const DnaSurroundings* surroundings, Diagn
   possible.insert(sensed.begin(), sensed.end());
   const std::set<std::string> read = inputsOfAllGenes(lines);
   // Without all of START everything would seem unproduced: one diagnostic is enough.
-  if (!lines.hasStartLine || !lines.isStartReadable) possible.insert(read.begin(), read.end());
+  if (!lines.hasStartLine || !lines.areNamesKnown) possible.insert(read.begin(), read.end());
   for (const GeneLine& gene : lines.genes) {
     checkProduct(gene.product, sensed, diagnostics);
     checkInputs(gene, possible, diagnostics);

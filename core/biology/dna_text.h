@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "biology/dna.h"
@@ -11,6 +12,7 @@ namespace morula::dna_text {
 
 struct Place {
   int line = 1, column = 1;  // in the user's file, from 1
+  bool isRepeated = false;   // in a line with a range: what stands here is read for each of its numbers
 };
 
 struct Word {
@@ -29,14 +31,21 @@ struct Lines {
   std::vector<Word> start;  // of all START lines
   std::vector<GeneLine> genes;
   bool hasStartLine = false;              // even one that could not be read
-  bool isStartReadable = true;            // false: the egg may hold more than `start`
+  bool areNamesKnown = true;              // false: START, or a range, may have said more than could be read
   std::set<std::string> unreadableWords;  // names in lines that could not be read: they may be anything
+  std::size_t repeatedNames = 0;          // that ranges wrote
 };
 
 /// Collects diagnostics; `file:line:column: [path: ]text` in the order of places.
 class Diagnostics {
  public:
-  void add(Place place, std::string text) { list_.push_back({place, std::move(text)}); }
+  void add(Place place, std::string text) {
+    if (isTold(place)) return;
+    list_.push_back({place, std::move(text)});
+    if (place.isRepeated) told_.insert({place.line, place.column});
+  }
+  /// One diagnostic is enough for all that a range makes of one word.
+  bool isTold(Place place) const { return place.isRepeated && told_.contains({place.line, place.column}); }
   /// Throws InputError if there are any.
   void report(const std::string& file, const std::string& path);
   /// All of them, one line each.
@@ -48,9 +57,10 @@ class Diagnostics {
     std::string text;
   };
   std::vector<Diagnostic> list_;
+  std::set<std::pair<int, int>> told_;  // line, column
 };
 
-/// The grammar: one line, one START list, gene or comment.
+/// The grammar: one line, one START list, gene or comment; a line with a range gives as many as it has numbers.
 Lines readLines(std::string_view text, Place begin, Diagnostics& diagnostics);
 
 /// The meaning: whatever is well written but cannot work. `surroundings` may be null.

@@ -9,7 +9,9 @@ Parameter dna() {
   Parameter p;
   p.path = "dna";
   p.allowed = "DNA text after '|', or {file: name.dna}";
-  p.meaning = "The organism's genes in the thesis' syntax: START: a0 and lines g1(a1|a0, A)";
+  p.meaning =
+      "The organism's genes in the thesis' syntax: START: a0 and lines g1(a1|a0, A); a line with a range, as "
+      "g{n}(a{n+1}|a{n}) for n in 0..4, is one gene for each number";
   p.required = true;
   p.schema = {{"oneOf", Json::array({{{"type", "string"}},
                                      {{"type", "object"},

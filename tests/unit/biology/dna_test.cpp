@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "catch.h"
+#include "organism.h"
 #include "thesis_dna.h"
 
 using namespace morula;
@@ -70,6 +71,58 @@ TEST_CASE("white space, comments and line ends do not matter") {
   CHECK(written(parseDna("\xEF\xBB\xBFSTART: a0\ng1(a1|a0, A)\n", "f")) == plain);
   CHECK(written(parseDna("# g2(a|\nSTART: a0 # ) why\n  # indented\ng1(a1|a0, A)# at once\n#\n", "f")) ==
         plain);
+}
+
+TEST_CASE("a line with a range is one line for each of its numbers") {
+  const std::string ranged =
+      "START: s{i} for i in 2..3\nSTART: n0\n"
+      "on{n+1} (n{ n + 1 }|n{n}, A) for n in 0..2# one daughter goes on\n"
+      "off(for|n3, s2, s3)\nfor(for|for)\n"  // no word is taken away from substances
+      "d{k}x{k-1}(divide|n{k-1},!x{k}y)for k in 1..3\ny{n}(x{n}y|n3) for n in 1 .. 3\n";
+  const std::string plain =
+      "START: s2, s3, n0\n"
+      "on1(n1|n0, A)\non2(n2|n1, A)\non3(n3|n2, A)\n"
+      "off(for|n3, s2, s3)\nfor(for|for)\n"
+      "d1x0(divide|n0, !x1y)\nd2x1(divide|n1, !x2y)\nd3x2(divide|n2, !x3y)\n"
+      "y1(x1y|n3)\ny2(x2y|n3)\ny3(x3y|n3)\n";
+  const Dna one = parseDna(ranged, "f"), other = parseDna(plain, "f");
+  CHECK(one.substances == other.substances);
+  CHECK(one.start == other.start);
+  CHECK(written(one) == written(other));
+  for (std::size_t i = 0; i < one.genes.size(); ++i)
+    CHECK(one.genes[i].repressors == other.genes[i].repressors);
+}
+
+TEST_CASE("a lineage that a range counts is the one of its genes written out") {
+  std::string plain;
+  for (int n = 0; n < 40; ++n) {
+    const std::string from = std::to_string(n), to = std::to_string(n + 1);
+    plain += "on" + from + "(n" + to + "|n" + from + ", A)\nout" + from + "(skin|n" + from + ", B)\n" + "d" +
+             from + "(divide|n" + from + ", A)\n";
+  }
+  const std::string egg = "START: egg\nfirst(n0|egg)\nd(divide|egg)\nkeep(skin|skin)\n";
+  Organism counted(egg +
+                   "on{n}(n{n+1}|n{n}, A) for n in 0..39\nout{n}(skin|n{n}, B) for n in 0..39\n"
+                   "d{n}(divide|n{n}, A) for n in 0..39\n");
+  Organism writtenOut(egg + plain);
+  for (int cycle = 0; cycle < 45; ++cycle) {
+    counted.runCellCycle(), writtenOut.runCellCycle();
+    REQUIRE(counted.cells() == writtenOut.cells());
+  }
+  CHECK(counted.size() == 42);  // the egg's division and forty more, each of one cell
+  CHECK(counted.census().at("skin") == 40);
+}
+
+TEST_CASE("ranges write so many names, and a thousand mistakes of one are one complaint") {
+  const auto genes = [](int last) {
+    return "START: a0\ng{n}(a{n+1}|a{n}, !a{n+1}) for n in 1.." + std::to_string(last) + "\nb(a1|a0)\n";
+  };
+  CHECK(parseDna(genes(5000), "f").genes.size() == 5001);
+  CHECK(complaintAbout(genes(5001)) ==
+        "f:2:28: ranges write more than 20000 names in all (some 5000 genes); shorten them");
+  CHECK(complaintAbout("START: a0\ng{n}(b{n}|c{n}, a0) for n in 1..4000\n") ==
+        "f:2:11: nothing produces 'c1', so this gene is never active; add it to START or write a gene that "
+        "produces it");
 }
 
 TEST_CASE("substances are found by name") {

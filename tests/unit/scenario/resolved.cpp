@@ -44,6 +44,15 @@ TEST_CASE("comments, layout, spelling of numbers and key order mean nothing") {
   CHECK(read(text).meaning == meaning);
 }
 
+TEST_CASE("genes that a range writes mean what they mean written out") {
+  const std::string around = "morula: 1\nname: x\nstop: {cycles: 3}\ndna: |\n  START: a0\n";
+  const Scenario ranged = read(around + "  g{n}(a{n+1}|a{n}) for n in 0..1\n  d(divide|a2)\n");
+  const Scenario plain = read(around + "  g0(a1|a0)\n  g1(a2|a1)\n  d(divide|a2)\n");
+  CHECK(ranged.meaning == plain.meaning);
+  CHECK(ranged.resolved == plain.resolved);
+  CHECK(ranged.meaning != read(around + "  g{n}(a{n+1}|a{n}) for n in 0..2\n  d(divide|a2)\n").meaning);
+}
+
 TEST_CASE("names, colours and pictures mean nothing for the results") {
   const auto meaning = read(everyPart).meaning;
   CHECK(read(replaced(everyPart, "name: every-part", "name: other")).meaning == meaning);
