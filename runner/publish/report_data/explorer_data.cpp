@@ -69,7 +69,7 @@ class States {
 };
 
 // Of these data and of frames.h; the explorer refuses others (reports/explorer/src/data.ts).
-constexpr int explorerFormat = 2;
+constexpr int explorerFormat = 3;
 
 Json unitsOf() {
   Json units = Json::object();
@@ -115,6 +115,8 @@ void addPalette(Json& data) {
   for (std::size_t i = 0; i < colourSteps; ++i)
     data["scale"].push_back(hex(scaleColour(double(i) / (colourSteps - 1))));
   for (std::size_t i = 0; i < manySeries; ++i) data["series"].push_back(hex(seriesColour(i)));
+  for (const char* founder : {"", "A", "B", "AA", "AB", "BA", "BB"})
+    data["clones"][founder] = hex(cloneColour(founder));
 }
 
 Json explorerData(const std::vector<ExplorerRun>& runs) {
