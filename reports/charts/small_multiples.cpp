@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "drawing/axis.h"
 #include "drawing/palette.h"
@@ -9,11 +10,12 @@
 namespace morula {
 namespace {
 
+constexpr double size = 13;         // [pixel] of text
+constexpr double row = 1.5 * size;  // [pixel] of a strip
+
 struct Place {
   double left, top, width, height;
 };
-
-std::size_t columnsFor(std::size_t panels) { return panels < 2 ? 1 : panels < 5 ? 2 : panels < 10 ? 3 : 4; }
 
 /// A range with room at both ends; around a single number, too.
 Axis axisOver(Range range, double share) {
@@ -23,7 +25,7 @@ Axis axisOver(Range range, double share) {
   return {.low = range.low - room, .high = range.high + room};
 }
 
-Range heights(const Panel& panel) {
+Range valuesIn(const Panel& panel) {
   Range y;
   for (const Strip& strip : panel.strips) {
     for (const double v : strip.values) y.see(v);
@@ -37,49 +39,70 @@ Range heights(const Panel& panel) {
   return y;
 }
 
-/// How the labels below the strips stand, and what they need.
-struct Labels {
-  bool upright = false;
-  double room = 0, most = 0;  // [pixel] below the frame; along the text
-};
-
-Labels labelsFor(const Panel& panel, double slot, double height, const TextStyle& style) {
-  double widest = 0;
-  for (const Strip& strip : panel.strips) widest = std::max(widest, textWidth(strip.label, style));
-  if (widest < 0.94 * slot) return {false, 2 * style.size, slot};
-  const double most = std::min(widest + 1, 0.4 * height);
-  return {true, most + style.size, most};
+bool startsGroup(const Panel& panel, std::size_t strip) {
+  return strip == 0 || panel.strips[strip].label != panel.strips[strip - 1].label;
 }
 
-void drawStrip(Drawing& drawing, const Strip& strip, const Axis& y, double left, double slot) {
-  const double middle = left + 0.5 * slot, wide = 0.5 * slot;
+/// [pixel] From the top of a group to its first strip.
+double headOf(const Strip& strip) { return strip.label.empty() ? 0.4 * size : 1.9 * size; }
+
+int heightOf(const Panel& panel) {
+  double height = 2 * size + 2.4 * size;  // title and numbers
+  if (panel.strips.empty()) return static_cast<int>(height + 15 * size);
+  for (std::size_t i = 0; i < panel.strips.size(); ++i)
+    height += row + (startsGroup(panel, i) ? headOf(panel.strips[i]) : 0);
+  return static_cast<int>(height + 0.4 * size);
+}
+
+/// The value below which so large a share of the sorted values lies, between neighbours in proportion.
+double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const double above = sorted[std::min(below + 1, sorted.size() - 1)];
+  return sorted[below] + (place - static_cast<double>(below)) * (above - sorted[below]);
+}
+
+void drawCounts(Drawing& drawing, const Strip& strip, const Axis& x, double middle) {
+  std::vector<double> sorted = strip.values;
+  std::ranges::sort(sorted);
+  drawing.line({{x.place(sorted.front()), middle}, {x.place(sorted.back()), middle}},
+               {.width = 1.5, .colour = strip.colour});
+  const double low = x.place(quantile(sorted, 0.25)), high = x.place(quantile(sorted, 0.75));
+  drawing.box({low - 0.6 * row, middle - 0.25 * row}, high - low + 1.2 * row, 0.5 * row, strip.colour);
+  const Spot median{x.place(quantile(sorted, 0.5)), middle};
+  drawing.disc(median, 0.36 * row, paper);
+  drawMarker(drawing, median, 0.25 * row, ink, strip.marker);
+}
+
+void drawStrip(Drawing& drawing, const Strip& strip, const Axis& x, double top, bool counts) {
   const std::size_t n = strip.values.size();
-  const double radius = std::clamp(0.05 * slot, 1.6, 3.4);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) - 0.5 : 0;
-    drawing.disc({middle - 0.12 * slot + wide * share, y.place(strip.values[i])}, radius, strip.colour);
-  }
   if (n == 0) return;
-  const double at = middle + 0.32 * slot, mean = y.place(strip.mean);
+  if (counts && n > mostPoints) return drawCounts(drawing, strip, x, top + 0.5 * row);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.5;
+    drawMarker(drawing, {x.place(strip.values[i]), top + row * (0.12 + 0.42 * share)}, 2.6, strip.colour,
+               strip.marker);
+  }
+  const double at = top + 0.78 * row, mean = x.place(strip.mean);
   if (strip.interval)
-    drawing.line({{at, y.place(strip.interval->first)}, {at, y.place(strip.interval->second)}},
+    drawing.line({{x.place(strip.interval->first), at}, {x.place(strip.interval->second), at}},
                  {.width = 2, .colour = ink});
-  drawing.line({{at - 0.1 * slot, mean}, {at + 0.1 * slot, mean}}, {.width = 2.6, .colour = ink});
+  drawing.line({{mean, at - 0.16 * row}, {mean, at + 0.16 * row}}, {.width = 2.6, .colour = ink});
 }
 
-void drawStrips(Drawing& drawing, const Panel& panel, const ChartFrame& frame, const Axis& y,
-                const Labels& labels, const TextStyle& small) {
-  const double slot = (frame.right - frame.left) / static_cast<double>(panel.strips.size());
-  drawing.line({{frame.left, crisp(frame.bottom)}, {frame.right, crisp(frame.bottom)}}, {.colour = quietInk});
+void drawStrips(Drawing& drawing, const Panel& panel, const ChartFrame& frame, const Axis& x) {
+  drawLevelAxis(drawing, frame, x, "");
+  double y = frame.top;
   for (std::size_t i = 0; i < panel.strips.size(); ++i) {
-    const double left = frame.left + slot * static_cast<double>(i), middle = left + 0.5 * slot;
-    drawStrip(drawing, panel.strips[i], y, left, slot);
-    TextStyle style = small;
-    style.upward = labels.upright;
-    style.anchor = labels.upright ? Anchor::right : Anchor::centre;
-    const Spot at = labels.upright ? Spot{middle + 0.36 * small.size, frame.bottom + 0.6 * small.size}
-                                   : Spot{middle, frame.bottom + 1.5 * small.size};
-    drawing.text(at, shortened(panel.strips[i].label, style, labels.most), style);
+    const Strip& strip = panel.strips[i];
+    if (startsGroup(panel, i)) {
+      const TextStyle style{.size = size, .colour = ink, .halo = 2};
+      y += headOf(strip);
+      drawing.text({frame.left, y - 0.4 * size}, shortened(strip.label, style, frame.right - frame.left),
+                   style);
+    }
+    drawStrip(drawing, strip, x, y, panel.counts);
+    y += row;
   }
 }
 
@@ -103,49 +126,63 @@ void drawLines(Drawing& drawing, const Panel& panel, const ChartFrame& frame, co
   }
 }
 
-void drawPanel(Drawing& drawing, const Panel& panel, const Place& place, double size) {
-  const TextStyle small{.size = 0.9 * size, .colour = quietInk};
-  const TextStyle title{.size = size, .colour = ink, .bold = true};
-  Axis y = axisOver(heights(panel), 0.05);
-  ChartFrame frame{.left = place.left + roomForUprightAxis(y, size) - 0.5 * size,
+void drawPanel(Drawing& drawing, const Panel& panel, const Place& place) {
+  const TextStyle title{.size = 1.05 * size, .colour = ink, .bold = true};
+  Axis values = axisOver(valuesIn(panel), 0.05);
+  ChartFrame frame{.left = place.left + 1.5 * size,
                    .top = place.top + 2 * size,
                    .right = place.left + place.width - 1.5 * size,
-                   .bottom = place.top + place.height - roomForLevelAxis(size),
+                   .bottom = place.top + heightOf(panel) - 2.4 * size,
                    .textSize = size};
-  drawing.text({frame.left, place.top + size}, shortened(panel.title, title, frame.right - frame.left),
+  drawing.text({frame.left, place.top + 1.2 * size}, shortened(panel.title, title, place.width - 3 * size),
                title);
-  Labels labels;
-  if (!panel.strips.empty()) {
-    const double slot = (frame.right - frame.left) / static_cast<double>(panel.strips.size());
-    labels = labelsFor(panel, slot, place.height, small);
-    frame.bottom = place.top + place.height - labels.room - size;
+  if (panel.lines.empty()) {
+    values.from = frame.left, values.to = frame.right;
+    return drawStrips(drawing, panel, frame, values);
   }
-  y.from = frame.bottom, y.to = frame.top;
-  drawUprightAxis(drawing, frame, y, "");
-  if (!panel.strips.empty()) drawStrips(drawing, panel, frame, y, labels, small);
-  else if (!panel.lines.empty()) drawLines(drawing, panel, frame, y);
+  frame.left = place.left + roomForUprightAxis(values, size) - 0.5 * size;
+  frame.bottom = place.top + place.height - roomForLevelAxis(size);
+  values.from = frame.bottom, values.to = frame.top;
+  drawUprightAxis(drawing, frame, values, "");
+  drawLines(drawing, panel, frame, values);
+}
+
+/// [pixel] Of each row of panels.
+std::vector<int> rowHeights(const std::vector<Panel>& panels, std::size_t columns) {
+  std::vector<int> heights((panels.size() + columns - 1) / columns);
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    heights[i / columns] = std::max(heights[i / columns], heightOf(panels[i]));
+  return heights;
 }
 
 }  // namespace
 
 Drawing drawSmallMultiples(const SmallMultiples& chart) {
-  const std::size_t columns = columnsFor(chart.panels.size());
-  const std::size_t rows = std::max<std::size_t>(1, (chart.panels.size() + columns - 1) / columns);
+  constexpr double page = 1.42;  // height over width
+  constexpr std::size_t mostColumns = 4;
+  std::size_t columns = 1;
+  std::vector<int> heights;
+  for (;; ++columns) {
+    heights = rowHeights(chart.panels, columns);
+    if (columns == std::min(mostColumns, std::max<std::size_t>(1, chart.panels.size())) ||
+        std::accumulate(heights.begin(), heights.end(), 0) <=
+            page * static_cast<double>(columns) * chart.panelWidth)
+      break;
+  }
   const int width = static_cast<int>(columns) * chart.panelWidth,
-            middle = static_cast<int>(rows) * chart.panelHeight;
-  // The bands are of a picture of this size; they may take half of it at most.
-  const Bands bands = bandsFor(chart.words, width, middle);
+            middle = std::max(16, std::accumulate(heights.begin(), heights.end(), 0));
+  // The bands are at most a quarter of the whole height each, and so depend on it.
+  Bands bands;
+  for (int i = 0; i < 16; ++i) bands = bandsFor(chart.words, width, middle + bands.top + bands.bottom, size);
   Drawing drawing(width, middle + bands.top + bands.bottom);
-  annotate(drawing, chart.words);
-  const double size = 0.9 * textSizeFor(chart.panelWidth * 2, chart.panelHeight * 2);
-  const Bands drawn = bandsFor(chart.words, drawing.width(), drawing.height());
-  const double high = (drawing.height() - drawn.top - drawn.bottom) / static_cast<double>(rows);
-  for (std::size_t i = 0; i < chart.panels.size(); ++i)
-    drawPanel(
-        drawing, chart.panels[i],
-        {static_cast<double>(i % columns) * chart.panelWidth,
-         drawn.top + static_cast<double>(i / columns) * high, static_cast<double>(chart.panelWidth), high},
-        size);
+  annotate(drawing, chart.words, size);
+  double top = bands.top;
+  for (std::size_t i = 0; i < chart.panels.size(); ++i) {
+    drawPanel(drawing, chart.panels[i],
+              {static_cast<double>(i % columns) * chart.panelWidth, top,
+               static_cast<double>(chart.panelWidth), static_cast<double>(heights[i / columns])});
+    if (i % columns + 1 == columns) top += heights[i / columns];
+  }
   return drawing;
 }
 

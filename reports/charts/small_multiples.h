@@ -11,13 +11,14 @@
 
 namespace morula {
 
-/// All values of one group above each other, and beside them their mean with its interval.
+/// All values of one group in a row, and below them their mean with its interval.
 struct Strip {
-  std::string label;
+  std::string label;  // strips behind each other with one label stand below it together
   Colour colour;
-  std::vector<double> values;  // all are shown, in this order from left to right
+  std::vector<double> values;  // all are shown, in this order from top to bottom
   double mean = 0;
   std::optional<std::pair<double, double>> interval{};  // from low to high
+  Marker marker = Marker::disc;
 };
 
 /// One group over time, with the band in which its mean lies.
@@ -32,15 +33,21 @@ struct Panel {
   std::vector<Strip> strips;
   std::vector<PanelLine> lines;  // where there are no strips
   std::string xLabel = {};       // of lines
+  /// Of strips: of more than mostPoints values of one their median, quartiles and range take the place of points that
+  /// would lie on each other.
+  bool counts = false;
 };
+
+inline constexpr std::size_t mostPoints = 6;
 
 struct SmallMultiples {
   Annotations words;
   std::vector<Panel> panels;
-  int panelWidth = 560, panelHeight = 400;  // [pixel]
+  int panelWidth = 400;  // [pixel]
 };
 
-/// The panels are laid out wider than high where that is possible. Labels of strips stand upright where they would touch.
+/// Panels as high as their strips need, in as few columns as suit a page. All words are level. One panel alone is legible
+/// on a telephone.
 Drawing drawSmallMultiples(const SmallMultiples& chart);
 
 }  // namespace morula

@@ -12,11 +12,6 @@ namespace {
 constexpr double textSize = 15;  // [pixel]
 constexpr double most = 190;     // [pixel] of the words before a row
 
-/// [pixel] of a tile's side.
-int sideFor(std::size_t rows, std::size_t columns) {
-  return rows * columns <= 12 ? 340 : rows * columns <= 60 ? 260 : 180;
-}
-
 void check(const OrganismGrid& grid) {
   const std::size_t rows = grid.rows.size(), columns = grid.columns.size();
   if (rows == 0 || columns == 0 || grid.tiles.size() != rows * columns)
@@ -37,7 +32,7 @@ std::optional<Framing> frameAlike(std::vector<OrganismTile>& tiles, int side) {
     picture.legend.clear();
     picture.instruments = {};
     picture.width = picture.height = side;
-    if (!tile.empty) shown.push_back(picture);
+    if (!tile.empty && !tile.drawn) shown.push_back(picture);
   }
   if (shown.empty()) return std::nullopt;
   const Framing framing = fitFraming(shown);
@@ -45,66 +40,120 @@ std::optional<Framing> frameAlike(std::vector<OrganismTile>& tiles, int side) {
   return framing;
 }
 
-}  // namespace
+/// Rows beside each other and on pages. [pixel]
+struct Sheet {
+  int side = 0, pitch = 0, first = 0,
+      block = 0;                        // of a tile; from row to row; before a row's first tile; of a row
+  int pages = 1, blocks = 1, rows = 1;  // rows of each block
+  double room = 0;                      // of the words before a row
+  std::size_t rowsOfPage() const { return static_cast<std::size_t>(blocks) * static_cast<std::size_t>(rows); }
+};
 
-Drawing drawOrganismGrid(OrganismGrid grid) {
-  check(grid);
-  const std::size_t rows = grid.rows.size(), columns = grid.columns.size();
-  const int side = sideFor(rows, columns), pitch = side + static_cast<int>(2.2 * textSize);
-  const std::optional<Framing> framing = frameAlike(grid.tiles, side);
-  const TextStyle bold{.size = textSize, .colour = ink, .bold = true};
+constexpr int heading = static_cast<int>(2 * textSize);
+
+/// With tiles of this side.
+Sheet layOut(const OrganismGrid& grid, int side) {
+  constexpr int mostWidth = 1250;
+  constexpr double page = 1.42;  // height over width
+  const int columns = static_cast<int>(grid.columns.size()), rows = static_cast<int>(grid.rows.size());
   double wordsWidth = 0;
   for (const auto& lines : grid.rows)
-    for (const std::string& line : lines) wordsWidth = std::max(wordsWidth, textWidth(line, bold));
-  const double left = 1.5 * textSize, room = std::min(wordsWidth, most);
-  const int first = static_cast<int>(left + room + textSize),
-            width = std::max(480, first + static_cast<int>(columns) * side + 12);
-  Instruments instruments;
-  instruments.scaleBar = framing.has_value();
-  const int scaleHeight = instrumentsHeight(instruments, width, textSize),
-            heading = static_cast<int>(2 * textSize);
-  const int body = heading + static_cast<int>(rows) * pitch + scaleHeight;
-  const Annotations words{grid.title, grid.caption, grid.legend};
+    for (const std::string& line : lines)
+      wordsWidth = std::max(wordsWidth, textWidth(line, {.size = textSize, .bold = true}));
+  Sheet sheet{.side = side, .room = std::min(wordsWidth, most)};
+  sheet.pitch = side + static_cast<int>(2.2 * textSize);
+  sheet.first = static_cast<int>(2.5 * textSize + sheet.room);
+  sheet.block = std::max(480, sheet.first + columns * side + 12);
+  const auto fitting = [&](int blocks) {
+    const int words = heading + static_cast<int>(12 * textSize);  // with legend and scale bar
+    return blocks *
+           std::max(1, (static_cast<int>(page * std::max(blocks * sheet.block, 800)) - words) / sheet.pitch);
+  };
+  while (rows > fitting(sheet.blocks) && (sheet.blocks + 1) * sheet.block <= mostWidth) ++sheet.blocks;
+  sheet.pages = (rows + fitting(sheet.blocks) - 1) / fitting(sheet.blocks);
+  const int onPage = (rows + sheet.pages - 1) / sheet.pages;  // evenly, so that none is almost empty
+  sheet.rows = (onPage + sheet.blocks - 1) / sheet.blocks;
+  return sheet;
+}
+
+/// With the largest tiles of which all have room on one page, or else with the smallest.
+Sheet layOut(const OrganismGrid& grid) {
+  for (const OrganismTile& tile : grid.tiles)
+    if (tile.drawn) return layOut(grid, tile.drawn->width);
+  for (const int side : {340, 260})
+    if (const Sheet sheet = layOut(grid, side); sheet.pages == 1) return sheet;
+  return layOut(grid, 180);
+}
+
+void drawRow(Drawing& drawing, const OrganismGrid& grid, std::size_t row, const Sheet& sheet, int left,
+             int top) {
+  const TextStyle bold{.size = textSize, .colour = ink, .bold = true};
+  const auto& lines = grid.rows[row];
+  double baseline = top + sheet.side / 2.0 - 0.65 * textSize * (static_cast<double>(lines.size()) - 2);
+  for (const std::string& line : lines) {
+    drawing.text({left + 1.5 * textSize, baseline}, shortened(line, bold, sheet.room + 1), bold);
+    baseline += 1.3 * textSize;
+  }
+  for (std::size_t c = 0; c < grid.columns.size(); ++c) {
+    const OrganismTile& tile = grid.tiles[row * grid.columns.size() + c];
+    const int x = left + sheet.first + static_cast<int>(c) * sheet.side;
+    if (!tile.empty) drawing.image(x, top, tile.drawn ? *tile.drawn : drawOrganism(tile.picture));
+    const TextStyle quiet{.size = 0.87 * textSize, .colour = quietInk, .anchor = Anchor::centre};
+    const double below = tile.empty ? top + sheet.side / 2.0 : top + sheet.side + 0.9 * textSize;
+    drawing.text({x + sheet.side / 2.0, below}, shortened(tile.words, quiet, sheet.side - 8), quiet);
+  }
+}
+
+Drawing drawPage(const OrganismGrid& grid, std::size_t begin, std::size_t end, const Sheet& sheet,
+                 const Annotations& words, const std::optional<Framing>& framing) {
+  const int rows = std::min(sheet.rows, static_cast<int>(end - begin)),
+            blocks = (static_cast<int>(end - begin) + rows - 1) / rows;
+  Instruments bar;
+  bar.scaleBar = framing.has_value(), bar.colourBar = grid.colourBar;
+  const int width = blocks * sheet.block,
+            body = heading + rows * sheet.pitch + instrumentsHeight(bar, width, textSize);
   // The bands are at most a quarter of the whole height each, and so depend on it.
   Bands bands;
-  int height = body;
-  for (int i = 0; i < 16; ++i) {
-    bands = bandsFor(words, width, height, textSize);
-    height = body + bands.top + bands.bottom;
-  }
-
-  Drawing drawing(width, height);
+  for (int i = 0; i < 16; ++i) bands = bandsFor(words, width, body + bands.top + bands.bottom, textSize);
+  Drawing drawing(width, body + bands.top + bands.bottom);
   annotate(drawing, words, textSize);
-  for (std::size_t c = 0; c < columns; ++c) {
-    TextStyle style = bold;
-    style.anchor = Anchor::centre;
-    drawing.text({first + (static_cast<double>(c) + 0.5) * side, bands.top + 1.3 * textSize},
-                 shortened(grid.columns[c], style, side - textSize), style);
+  for (int b = 0; b < blocks; ++b) {
+    const TextStyle bold{.size = textSize, .colour = ink, .bold = true, .anchor = Anchor::centre};
+    for (std::size_t c = 0; c < grid.columns.size(); ++c)
+      drawing.text({b * sheet.block + sheet.first + (static_cast<double>(c) + 0.5) * sheet.side,
+                    bands.top + 1.3 * textSize},
+                   shortened(grid.columns[c], bold, sheet.side - textSize), bold);
+    for (int r = 0; r < rows; ++r)
+      if (const std::size_t row = begin + static_cast<std::size_t>(b * rows + r); row < end)
+        drawRow(drawing, grid, row, sheet, b * sheet.block, bands.top + heading + r * sheet.pitch);
   }
-  for (std::size_t r = 0; r < rows; ++r) {
-    const int top = bands.top + heading + static_cast<int>(r) * pitch;
-    const auto& lines = grid.rows[r];
-    double baseline = top + side / 2.0 - 0.65 * textSize * (static_cast<double>(lines.size()) - 2);
-    for (const std::string& line : lines) {
-      drawing.text({left, baseline}, shortened(line, bold, room + 1), bold);
-      baseline += 1.3 * textSize;
-    }
-    for (std::size_t c = 0; c < columns; ++c) {
-      const OrganismTile& tile = grid.tiles[r * columns + c];
-      const int x = first + static_cast<int>(c) * side;
-      if (!tile.empty) drawing.image(x, top, drawOrganism(tile.picture));
-      const TextStyle quiet{.size = 0.87 * textSize, .colour = quietInk, .anchor = Anchor::centre};
-      const double below = tile.empty ? top + side / 2.0 : top + side + 0.9 * textSize;
-      drawing.text({x + side / 2.0, below}, shortened(tile.words, quiet, side - 8), quiet);
-    }
-  }
-  if (framing) {
-    const EyeAxes axes = eyeAxes(grid.tiles[0].picture.camera);
-    const double pixelsPerLength = 0.5 * side / (apertureOf(side, side).x * framing->distance);
-    drawInstruments(drawing, instruments, {axes.x, axes.y, axes.z, pixelsPerLength},
-                    bands.top + heading + static_cast<double>(rows) * pitch, textSize);
-  }
+  if (!framing) return drawing;
+  const EyeAxes axes = eyeAxes(grid.tiles[0].picture.camera);
+  const double pixelsPerLength =
+      0.5 * sheet.side / (apertureOf(sheet.side, sheet.side).x * framing->distance);
+  drawInstruments(drawing, bar, {axes.x, axes.y, axes.z, pixelsPerLength},
+                  bands.top + heading + static_cast<double>(rows) * sheet.pitch, textSize);
   return drawing;
+}
+
+}  // namespace
+
+std::vector<Drawing> drawOrganismGrid(OrganismGrid grid) {
+  check(grid);
+  const Sheet sheet = layOut(grid);
+  const std::optional<Framing> framing = frameAlike(grid.tiles, sheet.side);
+  const std::size_t pages = (grid.rows.size() + sheet.rowsOfPage() - 1) / sheet.rowsOfPage();
+  std::vector<Drawing> drawings;
+  for (std::size_t page = 0; page < pages; ++page) {
+    Annotations words{grid.title, grid.caption, grid.legend};
+    if (pages > 1)
+      words.caption += (words.caption.empty() ? "page " : ", page ") + std::to_string(page + 1) + " of " +
+                       std::to_string(pages);
+    const std::size_t begin = page * sheet.rowsOfPage();
+    drawings.push_back(
+        drawPage(grid, begin, std::min(begin + sheet.rowsOfPage(), grid.rows.size()), sheet, words, framing));
+  }
+  return drawings;
 }
 
 }  // namespace morula

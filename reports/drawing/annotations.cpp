@@ -66,18 +66,20 @@ void annotate(Drawing& drawing, const Annotations& annotations, double textSize)
     drawing.text({left, y + size}, shortened(annotations.caption, style, room), style);
   }
   if (annotations.legend.empty()) return;
-  const auto places = placeLegend(annotations.legend, size, room);
+  std::vector<LegendEntry> shown;
+  std::ranges::copy_if(annotations.legend, std::back_inserter(shown), &LegendEntry::shown);
+  const auto places = placeLegend(shown, size, room);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double x = left + places[i].x;
     const double baseline = drawing.height() - bands.bottom + (places[i].row + 1) * 1.6 * size;
     if (baseline > drawing.height()) break;
-    const LegendEntry& entry = annotations.legend[i];
+    const LegendEntry& entry = shown[i];
     if (entry.marker == Marker::square)
       drawing.box({x, baseline - 0.78 * size}, swatch(size), swatch(size), entry.colour);
     else
       drawMarker(drawing, {x + 0.5 * swatch(size), baseline - 0.36 * size}, 0.38 * size, entry.colour,
                  entry.marker);
-    drawing.text({x + swatch(size) + 0.45 * size, baseline}, legendText(annotations.legend[i], size, room),
+    drawing.text({x + swatch(size) + 0.45 * size, baseline}, legendText(entry, size, room),
                  {.size = size, .colour = quietInk});
   }
 }

@@ -11,6 +11,7 @@ struct LegendEntry {
   Colour colour;
   std::string label;
   Marker marker = Marker::square;
+  bool shown = true;  // else room is kept for it: pictures of a sequence have bands of one height
 };
 
 struct Annotations {

@@ -73,7 +73,8 @@ void drawUprightAxis(Drawing& drawing, const ChartFrame& frame, const Axis& axis
 
 void drawLevelAxis(Drawing& drawing, const ChartFrame& frame, const Axis& axis, const std::string& title) {
   const double size = frame.textSize;
-  for (const double tick : axis.ticks()) {
+  const int wanted = std::clamp(int((frame.right - frame.left) / (5 * size)), 2, 8);
+  for (const double tick : axis.ticks(wanted)) {
     const double x = crisp(axis.place(tick));
     drawing.line({{x, frame.top}, {x, frame.bottom}}, {.colour = gridInk});
     drawing.text({x, frame.bottom + 1.4 * size}, tickText(tick), tickStyle(size, Anchor::centre));

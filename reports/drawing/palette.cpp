@@ -17,6 +17,31 @@ Colour seriesColour(std::size_t i) {
   return colours[i % colours.size()];
 }
 
+Colour cloneColour(std::string_view founder) {
+  static constexpr std::array<Colour, 1 << mostFounders> colours{{
+      {0x40, 0x42, 0x91},
+      {0xc7, 0x53, 0x11},
+      {0x92, 0xa7, 0xec},
+      {0xff, 0xcf, 0x35},
+      {0x8a, 0x2b, 0xe2},
+      {0x6c, 0x02, 0x39},
+      {0x93, 0x8f, 0x65},
+      {0x15, 0xd5, 0xc3},
+      {0x69, 0xc3, 0x3c},
+      {0xff, 0x00, 0x96},
+      {0xff, 0x96, 0xb4},
+      {0x00, 0x5a, 0x69},
+      {0xff, 0x00, 0x4b},
+      {0x0f, 0x4b, 0x00},
+      {0xc3, 0x5a, 0xc3},
+      {0xff, 0xb4, 0x78},
+  }};
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < std::min(founder.size(), mostFounders); ++i)
+    if (founder[i] == 'B') number |= std::size_t{1} << i;
+  return colours[number];
+}
+
 Colour scaleColour(double share) {
   // viridis at every sixteenth of its way [van der Walt & Smith 2015, CC0]; the mean of two neighbours is off
   // by 6 of 255 at most.

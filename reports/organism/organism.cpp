@@ -168,7 +168,7 @@ Image compose(const OrganismPicture& picture, const std::vector<Style>& styles) 
     drawing.image(left, top, rendererOfThisThread().draw(picture, styles[i], framing, picture.width, height));
     if (picture.labels.empty()) continue;
     const LabelGround ground{picture.width, height, rendererOfThisThread().owners()};
-    const double size = 0.85 * textSizeFor(width, picture.height);
+    const double size = 0.92 * textSizeFor(width, picture.height);
     const auto placed = placeLabels(ground, labelsOf(picture, axes, framing, aperture, ground), size);
     drawLabels(drawing, placed, left, top, size);
     const std::size_t hidden = picture.labels.size() - placed.size();

@@ -51,10 +51,7 @@ export class Colouring {
     return [0, 1, 2].map((k) => this.scale[i][k] * (1 - f) + this.scale[i + 1][k] * f) as Rgb;
   }
 
-  private clone(path: string): Rgb { // of the four cells after two divisions
-    if (path.length < 2) return [0.74, 0.74, 0.74];
-    return this.series[parseInt(path.slice(0, 2).replace(/A/g, "0").replace(/B/g, "1"), 2) % this.series.length];
-  }
+  private clone(path: string): Rgb { return rgbOf(this.data.clones[path.slice(0, 2)]); } // of the four cells after two divisions
 
   ofCell(run: Run, frame: Frame, i: number, by: string, time: number | null): Rgb {
     const cell = run.cells[frame.cell[i]];

@@ -195,6 +195,7 @@ export interface Data {
   units: Record<string, string>;
   scale: string[];
   series: string[];
+  clones: Record<string, string>; // by the path of the founder, and of what is above founders
   forces: { name: string; colour: string; meaning: string }[]; // kinds
 }
 
@@ -204,14 +205,14 @@ function bytesOf(text: string): ArrayBuffer {
   return bytes.buffer;
 }
 
-const format = 2; // explorerFormat in runner/publish/report_data/explorer_data.cpp
+const format = 3; // explorerFormat in runner/publish/report_data/explorer_data.cpp
 
 /** Null where the page was made by a program of another format. */
 export function readData(): Data | null {
   const json = JSON.parse(document.getElementById("data")!.textContent!);
   if (json.morula !== format) return null;
   return {
-    units: json.units, scale: json.scale, series: json.series,
+    units: json.units, scale: json.scale, series: json.series, clones: json.clones,
     forces: json.forces.map(([name, colour, meaning]: string[]) => ({ name, colour, meaning })),
     runs: json.runs.map((run: any, i: number) => new Run(run, bytesOf(document.getElementById(`frames-${i}`)?.textContent ?? ""))),
   };

@@ -252,7 +252,7 @@ export class Explorer {
     else if (colour === "generation") {
       const most = Math.max(...run.cells.map((c) => c.path.length));
       this.bar.replaceChildren(...Array.from({ length: Math.min(most, 15) + 1 }, (_, g) => chip(String(g), this.data.series[g % this.data.series.length])));
-    } else if (colour === "clone") this.bar.replaceChildren(...["AA", "AB", "BA", "BB"].map((p, i) => chip(run.byPath.get(p)?.label ?? p, this.data.series[i])));
+    } else if (colour === "clone") this.bar.replaceChildren(...["AA", "AB", "BA", "BB"].filter((p) => run.byPath.has(p)).map((p) => chip(run.byPath.get(p)!.label, this.data.clones[p])));
     else {
       const [low, high] = this.colouring.range(colour, this.state.choice.scaleNow ? this.state.choice.time : null), ramp = element("span", "ramp");
       ramp.style.background = `linear-gradient(to right, ${this.data.scale.join(",")})`;

@@ -24,7 +24,7 @@ namespace {
 
 struct LineageOptions {
   std::string file, run, picture, cell;
-  std::optional<MeasureName> colour;  // of cells
+  std::optional<Colouring> colour;
   std::optional<PictureSize> size;
   bool labels = false;
   InputOptions input;
@@ -44,17 +44,12 @@ Tree stored(const LineageOptions& options) {
   return {run.record.scenario, run.time, options.colour ? store.results(run.id) : store.lineage(run.id)};
 }
 
-/// The measure of cells that branches are coloured by.
-MeasureName readColouring(const std::string& text) {
-  return parseMeasure(text.find('.') == text.npos ? "cell." + text : text);
-}
-
-/// The tree as a picture, in the scenario's or a measure's colours.
+/// The tree as a picture, in the scenario's or the wanted colours.
 void draw(const Tree& tree, const LineageOptions& options) {
   const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
   const auto describe = [&](StateId state) { return tree.results.stateTexts.at(state); };
   TreePicture picture = lineagePictureOf(tree.results.lineage, describe, tree.end, scenario);
-  if (options.colour) colourTree(picture, tree.results, *options.colour);
+  if (options.colour) colourTree(picture, tree.results, *options.colour, scenario);
   picture.labelsAll = options.labels;
   if (options.size) picture.width = options.size->width, picture.height = options.size->height;
   writePicture(drawLineage(picture), options.picture);
@@ -64,7 +59,7 @@ void draw(const Tree& tree, const LineageOptions& options) {
 /// decide, too.
 Tree prescribed(const LineageOptions& options) {
   auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
-  const bool measured = options.colour.has_value();
+  const bool measured = options.colour && options.colour->by == Colouring::By::measure;
   if (!measured && scenario.scene.senses.empty() && !scenario.scene.cycle.divisionSize)
     scenario.scene.mechanics.reset();
   auto run = simulate(
@@ -126,8 +121,10 @@ void addLineage(CLI::App& app, Action& action) {
   verb.takes("--cell", options.cell, "CELL", "Only this cell's life; its name, or its path: AAB, egg");
   verb.takes("-o,--output", options.picture, "FILE", pictureName("lineage", true),
              "Also draw it: a .png, .svg or .pdf");
-  verb.takes("--colour", options.colour, "MEASURE", readColouring,
-             "Of branches: a measure of cells, such as volume; default: substances");
+  verb.takes(
+      "--colour", options.colour, "WHAT", parseColouring,
+      "Of branches, as render takes it: substance, clone, clone:N, generation, or a measure of cells, such "
+      "as volume; default: substance");
   verb.takes("--labels", options.labels, "Name all leaves, however many there are");
   verb.takes("--size", options.size, "WxH", pictureSize(64, 16384),
              "Width and height in pixels; default: what suits the number of leaves");

@@ -67,7 +67,13 @@ void addReport(CLI::App& app, Action& action) {
              "or folders of these");
   verb.takes("-o,--output", options.output, "FILE", readPageName,
              "The page, a .html; default: report.html beside the first database");
-  verb.takes("--run", options.question.run, "ID", "Only this run of the database; default: all");
+  verb.takes("--run", options.question.run, "ID",
+             "Only this run of the database, of a study also 'CONDITION, seed N'; default: all");
+  verb.takes(
+      "--explore", options.question.explored, "N", natural(1, 1000),
+      "Of a study: so many runs to be chosen among in three dimensions, where they fit, from the conditions "
+      "that differ most on");
+  verb.showDefault("--explore", "24");
   verb.takes("--frames", options.question.frames, "N", natural(0, 10'000),
              "Shapes of each run, evenly over its time; 0: none, and nothing is run again");
   verb.takes("--size-limit", options.limit, "SIZE", readSize,

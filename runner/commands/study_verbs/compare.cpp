@@ -94,12 +94,18 @@ int act(const CompareCommand& command) {
   if (!command.intoGolden.empty()) writeIntoGolden(comparison, file, command.intoGolden);
   std::vector<std::string> pictures;
   if (!command.picture.empty()) {
-    writePicture(drawComparedStudy(comparison), command.picture);
+    writePicture(drawSmallMultiples(stripsOf(comparison)), command.picture);
     pictures.push_back(command.picture);
   }
   if (!command.organisms.empty()) {
-    writePicture(drawOrganisms(comparison.results, file, moments, command.output.quiet), command.organisms);
-    pictures.push_back(command.organisms);
+    const auto pages = drawOrganisms(comparison.results, file, moments, command.output.quiet);
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      std::filesystem::path name = command.organisms;
+      if (pages.size() > 1)
+        name.replace_filename(name.stem().string() + '-' + std::to_string(i + 1) + name.extension().string());
+      writePicture(pages[i], name);
+      pictures.push_back(name.string());
+    }
   }
   if (command.csv) {
     print(toCsv(comparison));
@@ -149,14 +155,18 @@ void addCompare(CLI::App& above, Action& action) {
              "Also draw all values, or of two pictures where they differ: a .png, .svg or .pdf");
   verb.takes("--pictures", command.organisms, "FILE", pictureName("compare", false),
              "Also draw the organisms, a row a condition and a column a moment, of one seed, by running them "
-             "again: a .png");
+             "again; --moments 1 takes the pictures that the study keeps: a .png; of several pages numbered");
+  verb.takes(
+      "--colour", command.moments.colouring, "WHAT", parseColouring,
+      "Of these cells, as render takes it: substance, clone, clone:N, generation, or a measure of cells; "
+      "default: substance");
   verb.takes("--moments", command.moments.count, "N", natural(1, mostGridColumns),
              "So many moments, evenly from the start to the end; 1: the end of each; default: 5");
   verb.takes("--at-times", command.moments.times, "TIME,...", number(scenario::notNegative), "These times");
   verb.takes("--at-cells", command.moments.cells, "N,...", natural(1, 1'000'000),
              "When first so many cells live");
   verb.oneOf({"--moments", "--at-times", "--at-cells"});
-  verb.onlyWith({"--moments", "--at-times", "--at-cells"}, {"--pictures"});
+  verb.onlyWith({"--moments", "--at-times", "--at-cells", "--colour"}, {"--pictures"});
   verb.takes("--tidy", command.tidy, "ROWS", parseChoice<TidyRows>,
              "The values alone as CSV with the labels of all axes, for pandas or R: one a line, of runs or "
              "of their cells");

@@ -87,4 +87,24 @@ int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Exp
   return 0;
 }
 
+int exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
+  // What stands on the page besides takes up to a third of it; base64 takes 4 bytes for 3.
+  const std::size_t room = question.mostBytes / 2;
+  const auto bytesOfLeast = [](const Frames& frames) {
+    return frames.frames.empty() ? 0 : leastFrames * frames.frames.back().bytes.size();
+  };
+  std::size_t taken = 0;
+  for (const Frames* frames : explored.frames) taken += bytesOfLeast(*frames);
+  for (RunFacts& run : runs) {
+    if (taken >= room) return 0;
+    if (!canRunAgain(run)) continue;
+    if (const int signal = runAgain(run, question.execution, question.frames, false, question.quiet))
+      return signal;
+    explored.frames.push_back(&run.again->frames);
+    explored.runs.push_back(explorerRunOf(run));
+    taken += bytesOfLeast(run.again->frames);
+  }
+  return 0;
+}
+
 }  // namespace morula

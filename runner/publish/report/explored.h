@@ -9,11 +9,17 @@ struct Explored {
   std::vector<Frames*> frames;    // of those that were made again
 };
 
+/// Frames that each run of a study keeps at least; how many runs have room follows from it.
+inline constexpr std::size_t leastFrames = 11;
+
 /// The failed scenarios of a check that were run again, each before its run in Bullet.
 void exploreChecked(std::vector<CheckedScenario>& checked, Explored& explored);
 
 /// Makes runs again, up to what there is room for, and some in Bullet, which stand behind ours. Where none is made again, their trees are
 /// shown. Returns the signal that interrupted it, or 0.
 int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored);
+
+/// Makes runs of studies again until their frames would fill the page. Returns the signal that interrupted it, or 0.
+int exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored);
 
 }  // namespace morula

@@ -22,32 +22,71 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<RunFacts> factsOfAll(const Sources& sources, const ReportQuestion& question) {
-  std::vector<RunFacts> facts;
+struct AllFacts {
+  std::vector<RunFacts> runs, more;         // `more`: of studies, for the explorer alone
+  std::vector<std::size_t> ofStudies = {};  // how many runs each study has
+};
+
+/// The runs of the study that the page is to show, of all that it has.
+std::vector<Representative> chosenOf(const std::vector<Representative>& all, Store& store,
+                                     const std::string& wanted) {
+  if (wanted.empty()) return all;
+  auto found = std::ranges::find_if(all, [&](const Representative& r) { return r.name() == wanted; });
+  if (found == all.end()) found = std::ranges::find(all, store.find(wanted).id, &Representative::run);
+  if (found == all.end()) throw UsageError("--run: " + wanted + " did not come to its end");
+  return {*found};
+}
+
+AllFacts factsOfAll(const Sources& sources, const ReportQuestion& question) {
+  AllFacts facts;
   for (const std::string& file : sources.databases) {
     auto store = Store::openForReading(file);
     const auto runs = question.run.empty() ? store.runs() : std::vector{store.find(question.run)};
-    for (const StoredRun& run : runs) facts.push_back(factsOf(store, run));
+    for (const StoredRun& run : runs) facts.runs.push_back(factsOf(store, run));
   }
   for (const std::string& file : sources.studies) {
     auto store = Store::openForReading(file);
-    const std::size_t most = mostExplored - std::min(mostExplored, facts.size());
-    for (const Representative& r : representativesOf(file, most)) {
-      facts.push_back(factsOf(store, store.find(r.run)));
-      facts.back().label = r.condition;
+    const auto all = representativesOf(file);
+    facts.ofStudies.push_back(all.size());
+    for (const Representative& r : chosenOf(all, store, question.run)) {
+      if (facts.runs.size() + facts.more.size() >= std::max(mostExplored, question.explored)) break;
+      std::vector<RunFacts>& to = facts.runs.size() < mostExplored ? facts.runs : facts.more;
+      to.push_back(factsOf(store, store.find(r.run)));
+      to.back().label = r.condition;
     }
   }
-  nameRuns(facts);
-  if (facts.empty() && sources.studies.empty() && sources.checks.empty() && sources.accuracies.empty())
+  nameRuns(facts.runs);
+  nameRuns(facts.more);
+  if (facts.runs.empty() && sources.studies.empty() && sources.checks.empty() && sources.accuracies.empty())
     throw UsageError("there is no run in " + question.what.front() + "; morula run writes one");
   return facts;
 }
 
-PageSection explorerSection(const ReportQuestion& question, const std::vector<ExplorerRun>& runs) {
+/// Which runs of studies the explorer has, and how the others are seen.
+void sayWhichOfStudies(const Sources& sources, const AllFacts& facts, const std::vector<ExplorerRun>& shown,
+                       Document& body) {
+  for (std::size_t i = 0; i < sources.studies.size(); ++i) {
+    const std::string& file = sources.studies[i];
+    std::size_t here = 0;
+    for (const auto* runs : {&facts.runs, &facts.more})
+      for (const RunFacts& run : *runs)
+        here += run.database == file &&
+                std::ranges::any_of(shown, [&](const ExplorerRun& e) { return e.scenario == &run.scenario; });
+    if (here == facts.ofStudies[i]) continue;
+    body.note(std::to_string(here) + " of " + counted(facts.ofStudies[i], "run") +
+              " are here, first the conditions that differ most. More: --explore N and --size-limit; any "
+              "other one: " +
+              programWord() + " report " + shellWord(file) + " --run 'CONDITION, seed N' -o page.html");
+  }
+}
+
+PageSection explorerSection(const ReportQuestion& question, const Sources& sources, const AllFacts& facts,
+                            const std::vector<ExplorerRun>& runs) {
   PageSection section{"explorer", "Explorer", {}};
   if (question.program.empty())
     section.body.say("This page was made without its explorer: " + question.whyNone);
   else section.body.add(ExplorerPlace{}).add(leftOutOf(runs));
+  sayWhichOfStudies(sources, facts, runs, section.body);
   return section;
 }
 
@@ -69,6 +108,7 @@ std::string commandOf(const ReportQuestion& question) {
   std::string command = programWord() + " report";
   for (const std::string& what : question.what) command += ' ' + shellWord(what);
   if (!question.run.empty()) command += " --run " + shellWord(question.run);
+  if (question.explored != usual.explored) command += " --explore " + std::to_string(question.explored);
   if (question.frames != usual.frames) command += " --frames " + std::to_string(question.frames);
   if (question.mostBytes != usual.mostBytes) command += " --size-limit " + std::to_string(question.mostBytes);
   if (!question.bullet) command += " --no-bullet";
@@ -115,10 +155,9 @@ void findExplorer(ReportQuestion& question) {
   const auto file = sharedFile(question.rerun ? "explorer/rerun.js" : "explorer/explorer.js");
   if (file) question.program = readFile(*file);
   else
-    question.whyNone =
-        installation()
-            ? "the installation does not have it"
-            : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm)";
+    question.whyNone = installation()
+                           ? "the installation does not have it"
+                           : "./morula report builds it where Node.js and npm are (Debian: nodejs, npm)";
   if (!question.rerun) return;
   if (!file) throw FileError("report --rerun: there is no explorer that runs again; " + question.whyNone);
   const auto module = sharedFile("wasm/morula.wasm.gz");
@@ -131,7 +170,8 @@ void findExplorer(ReportQuestion& question) {
 
 ReportAnswer makeReport(const ReportQuestion& question) {
   const Sources sources = sourcesOf(question.what);
-  std::vector<RunFacts> runs = factsOfAll(sources, question);
+  AllFacts facts = factsOfAll(sources, question);
+  std::vector<RunFacts>& runs = facts.runs;
   if (question.rerun) demandOneRun(runs);
   ReportAnswer answer{.bytes = {}, .runs = runs.size(), .remarks = {}};
   std::vector<PagePart> parts;
@@ -151,6 +191,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   }
   for (auto& checked : checks) exploreChecked(checked, explored);
   if ((answer.signal = exploreRuns(runs, question, explored))) return answer;
+  if (question.frames > 0 && (answer.signal = exploreMore(facts.more, question, explored))) return answer;
   if (runs.size() == 1 && (answer.signal = drawBeside(runs[0], question.execution, question.quiet)))
     return answer;
   for (const std::string& file : sources.studies) {
@@ -178,7 +219,7 @@ ReportAnswer makeReport(const ReportQuestion& question) {
             .runsAgain = question.rerun};
   const auto compose = [&] {
     std::vector<PageSection> explorer;
-    if (!explored.runs.empty()) explorer.push_back(explorerSection(question, explored.runs));
+    if (!explored.runs.empty()) explorer.push_back(explorerSection(question, sources, facts, explored.runs));
     if (question.rerun) explorer.push_back(rerunSection(runs[0]));
     putTogether(parts, one, explorer, page);
     if (!page.program.empty()) page.data = jsonText(explorerData(explored.runs));

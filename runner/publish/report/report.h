@@ -12,8 +12,10 @@ namespace morula {
 struct ReportQuestion {
   std::vector<std::string>
       what;  // databases of runs and of merged studies, report.json of checks, output of accuracy --json, or folders of these
-  std::string run;           // only the run with this id, or whose id begins so; "": all
-  std::size_t frames = 100;  // of each run that is shown in three dimensions; 0: no run is made again
+  std::string
+      run;  // only the run with this id, or whose id begins so; of a study also "CONDITION, seed N"; "": all
+  std::size_t explored = 24;  // runs of studies that are shown in three dimensions, where they fit
+  std::size_t frames = 100;   // of each run that is shown in three dimensions; 0: no run is made again
   std::size_t mostBytes = 10'000'000;  // of the page
   std::string program;                 // the explorer's; "": without it
   std::string whyNone;                 // why there is none; plain text
@@ -38,7 +40,8 @@ void findExplorer(ReportQuestion& question);
 /// Throws UsageError for what is nothing to report on, FileError, InputError.
 ReportAnswer makeReport(const ReportQuestion& question);
 
-/// Runs that are shown in three dimensions at most; the explorer shows two of them side by side.
+/// Runs that are shown in three dimensions at most, but of studies; the explorer shows two of them side by side. Of a
+/// study also those that stand for its conditions in pictures and charts.
 inline constexpr std::size_t mostExplored = 4;
 /// Runs that are made again in Bullet at most.
 inline constexpr std::size_t mostInBullet = 2;

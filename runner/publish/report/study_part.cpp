@@ -3,9 +3,11 @@
 #include <set>
 
 #include "analysis/comparison.h"
+#include "analysis/differing.h"
 #include "analysis/organisms.h"
 #include "analysis/picture.h"
 #include "database/store_error.h"
+#include "files/read_file.h"
 #include "loop/stored_scenario.h"
 #include "store/store.h"
 #include "system/installation.h"
@@ -17,10 +19,29 @@ namespace morula {
 namespace {
 
 constexpr std::size_t mostDrawn = 12;      // conditions of which a run is made again
+constexpr std::size_t mostShown = 48;      // stored pictures
 constexpr std::size_t mostSentences = 16;  // that are seen without being asked for
 
 Database openStudy(const std::string& file) {
   return Database(file, Database::Mode::existing, std::chrono::milliseconds(30'000));
+}
+
+/// A chart a measure, each as wide as a telephone; what shapes and colours mean once.
+Document stripsDocument(const StudyComparison& c) {
+  SmallMultiples all = stripsOf(c);
+  Document document, charts;
+  document.note(all.words.caption);
+  const auto add = [](Document& to, const SmallMultiples& chart, const std::string& what) {
+    to.add(svgPicture(drawSmallMultiples(chart), what, ""));
+  };
+  if (!all.words.legend.empty())
+    add(document, {.words = {"", "", all.words.legend}, .panels = {}}, "what colours and shapes mean");
+  for (Panel& panel : all.panels) {
+    const std::string what =
+        panel.title + ": all values of each condition, with their means and 95 % intervals";
+    add(charts, {.words = {}, .panels = {std::move(panel)}}, what);
+  }
+  return document.add(Group{Group::Kind::charts, "", std::move(charts)});
 }
 
 }  // namespace
@@ -58,14 +79,10 @@ PagePart studyPart(const std::string& database) {
   const std::string file = shellWord(database);
   part.change.push_back(
       {"findings", "What the study finds", std::move(findings), {programWord() + " study compare " + file}});
-  part.sections.push_back(
-      {"strips",
-       "Every value",
-       Document().add(
-           svgPicture(drawComparedStudy(c),
-                      "strips of all values of each condition, with their means and 95 % intervals",
-                      "A dot a run; line and bar: the mean and its 95 % interval", Picture::Size::large)),
-       {programWord() + " study compare " + file + " -o strips.svg"}});
+  part.sections.push_back({"strips",
+                           "Every value",
+                           stripsDocument(c),
+                           {programWord() + " study compare " + file + " -o strips.svg"}});
   Document body = comparedTables(c);
   Downloads downloads;
   for (Downloads::File file :
@@ -98,44 +115,54 @@ int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
                       "Organisms",
                       {},
                       {programWord() + " compare " + shellWord(database) + " --pictures grid.png"}};
-  if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
-  if (results.conditions.size() > mostDrawn) {
-    section.body.note(counted(results.conditions.size(), "condition") +
-                      " are too many to be run again for this page; the command draws them.");
+  if (const auto stored = storedPictures(results, database)) {
+    Document pictures;
+    for (std::size_t k = 0; k < std::min(mostShown, stored->files.size()); ++k)
+      pictures.add(Picture{"image/png", readFile(stored->files[k]),
+                           "the organism at the end of " + results.nameOf(results.conditions[k]),
+                           results.nameOf(results.conditions[k])});
+    section.body.note(
+        "At the end, with seed " + std::to_string(results.seeds[stored->seed]) +
+        ": the pictures that the study keeps in " + stored->files[0].parent_path().generic_string() +
+        (stored->files.size() > mostShown ? "; the first " + std::to_string(mostShown) + " of " +
+                                                counted(stored->files.size(), "condition")
+                                          : "") +
+        ". Each has a scale bar of its own.");
+    section.body.add(Group{Group::Kind::charts, "", std::move(pictures)});
   } else {
-    try {
-      section.body.add(pngPicture(drawOrganisms(results, database, {}, quiet).pixels(),
-                                  "the organisms of all conditions at five moments",
-                                  "A row a condition, a column a moment; one seed, one camera, one scale", "",
-                                  Picture::Size::large));
-    } catch (const Interrupted& by) {
-      return by.signal;
-    } catch (const UsageError&) {  // there is nothing that can be seen
-      return 0;
-    } catch (const NondeterminismError& error) { section.body.note(error.what()); }
+    if (!whyTooMany(results, {}).empty() || !hasBodies(results, database)) return 0;
+    if (results.conditions.size() > mostDrawn) {
+      section.body.note(counted(results.conditions.size(), "condition") +
+                        " are too many to be run again for this page; the command draws them.");
+    } else {
+      try {
+        for (const Drawing& page : drawOrganisms(results, database, {}, quiet))
+          section.body.add(pngPicture(page.pixels(), "the organisms of all conditions at five moments",
+                                      "A row a condition, a column a moment; one seed, one camera, one scale",
+                                      "", Picture::Size::large));
+      } catch (const Interrupted& by) {
+        return by.signal;
+      } catch (const UsageError&) {  // there is nothing that can be seen
+        return 0;
+      } catch (const NondeterminismError& error) { section.body.note(error.what()); }
+    }
   }
   part.sections.insert(part.sections.begin(), std::move(section));
   return 0;
 }
 
-std::vector<Representative> representativesOf(const std::string& database, std::size_t most) {
-  const StudyResults r = readStudyResults(database);
-  Database db = openStudy(database);
-  Statement find(db, "SELECT run_id FROM task WHERE task_id = ? AND run_id IS NOT NULL");
+std::vector<Representative> representativesOf(const std::string& database) {
+  const StudyComparison c = compareStudy(readStudyResults(database), {});
+  const StudyResults& r = c.results;
+  const std::vector<std::size_t> order = byDifference(c);
   std::vector<Representative> all;
   std::set<std::string> known;
-  for (const ResultCondition& condition : r.conditions) {
-    for (const std::size_t t : condition.tasks) {
-      if (all.size() >= most) return all;
-      if (t == noTask || r.tasks[t].status != "done") continue;
-      std::string run;
-      find.start(r.tasks[t].id);
-      while (find.next()) run = find.line(0);
-      if (run.empty() || !known.insert(run).second) continue;
-      all.push_back({r.nameOf(condition), run});
-      break;
+  for (std::size_t s = 0; s < r.seeds.size(); ++s)
+    for (const std::size_t k : order) {
+      const std::size_t t = r.conditions[k].tasks.empty() ? noTask : r.conditions[k].tasks[s];
+      if (t != noTask && r.tasks[t].status == "done" && known.insert(r.tasks[t].runId).second)
+        all.push_back({r.nameOf(r.conditions[k]), r.tasks[t].runId, r.seeds[s]});
     }
-  }
   return all;
 }
 

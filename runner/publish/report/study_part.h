@@ -13,8 +13,8 @@ bool isMergedStudy(const std::string& database);
 
 PagePart studyPart(const std::string& database);
 
-/// Adds the organisms of all conditions at five moments, which runs one of each again; of more than twelve conditions the command
-/// that draws them. Nothing of a study without bodies. Returns the signal that interrupted it, or 0.
+/// Adds the pictures that the study keeps of all conditions; otherwise their organisms at five moments, which runs one of
+/// each again, or of more than twelve conditions the command that draws them. Nothing of a study without bodies. Returns the signal that interrupted it, or 0.
 int addOrganisms(PagePart& part, const std::string& database, bool quiet);
 
 /// What its verdict says. `database`: the merged study that `comparison` is of.
@@ -22,8 +22,11 @@ std::vector<Finding> findingsOf(const StudyComparison& comparison, const std::st
 
 struct Representative {
   std::string condition, run;  // its name, the run's id
+  std::uint64_t seed = 0;
+  std::string name() const { return condition + ", seed " + std::to_string(seed); }
 };
-/// The first run that is done of each of the first `most` conditions that have one; equal runs once.
-std::vector<Representative> representativesOf(const std::string& database, std::size_t most);
+/// All runs that are done, equal ones once: with the first seed those of the conditions that differ most first
+/// [analysis/differing.h], and so on with the next seeds.
+std::vector<Representative> representativesOf(const std::string& database);
 
 }  // namespace morula

@@ -69,7 +69,7 @@ class States {
 };
 
 // Of these data and of frames.h; the explorer refuses others (reports/explorer/src/data.ts).
-constexpr int explorerFormat = 2;
+constexpr int explorerFormat = 3;
 
 Json unitsOf() {
   Json units = Json::object();
@@ -115,6 +115,8 @@ void addPalette(Json& data) {
   for (std::size_t i = 0; i < colourSteps; ++i)
     data["scale"].push_back(hex(scaleColour(double(i) / (colourSteps - 1))));
   for (std::size_t i = 0; i < manySeries; ++i) data["series"].push_back(hex(seriesColour(i)));
+  for (const char* founder : {"", "A", "B", "AA", "AB", "BA", "BB"})
+    data["clones"][founder] = hex(cloneColour(founder));
 }
 
 Json explorerData(const std::vector<ExplorerRun>& runs) {
@@ -139,9 +141,11 @@ std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs) {
 }
 
 Document leftOutOf(const std::vector<ExplorerRun>& runs) {
-  Document all;
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // with the runs that it is of
   const auto say = [&](const ExplorerRun& run, const std::string& what) {
-    all.note((runs.size() > 1 ? run.title + ": " : "") + what);
+    auto same = std::ranges::find(said, what, [](const auto& s) { return s.first; });
+    if (same == said.end()) same = said.insert(said.end(), {what, {}});
+    same->second.push_back(run.title);
   };
   for (const ExplorerRun& run : runs) {
     if (run.lineage->size() > mostTreeCells)
@@ -159,6 +163,12 @@ Document leftOutOf(const std::vector<ExplorerRun>& runs) {
       say(run, "Thinned: " + std::to_string(kept) + " of " + std::to_string(taken) +
                    " frames fit into the page; a larger --size-limit keeps more.");
   }
+  Document all;
+  for (const auto& [what, titles] : said)
+    all.note((titles.size() > 2 ? counted(titles.size(), "run") + ": "
+              : runs.size() > 1 ? listed(titles) + ": "
+                                : "") +
+             what);
   return all;
 }
 

@@ -24,7 +24,7 @@ struct ExplorerRun {
 /// Cells of a tree that the explorer shows at most; of larger ones those that were born first.
 inline constexpr std::size_t mostTreeCells = 20000;
 
-/// The colours of quantities and of kinds, as `scale` and `series`.
+/// The colours of quantities, kinds and clones, as `scale`, `series` and `clones`.
 void addPalette(Json& data);
 
 /// The page's `data`. Frames of run number i are in the bytes `frames-i`.

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "drawing/palette.h"
-#include "simulation/measures.h"
+#include "pictures/pictures.h"
 
 namespace morula {
 
@@ -16,18 +14,39 @@ namespace {
 
 constexpr Colour notMeasured = neutralGrey;
 
-const CellMeasure* cellMeasure(std::string_view name) {
-  for (const CellMeasure& row : measures<CellContext>())
-    if (name == row.name) return &row;
-  return nullptr;
+template <class Of>
+void findMeasure(std::string_view name, Scope scope, std::optional<MeasureName>& found) {
+  for (const Measure<Of>& row : measures<Of>()) {
+    if (found || name != row.name) continue;
+    std::string title = row.name;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    if (*row.unit) title += std::string(" [") + row.unit + "]";
+    found = MeasureName{scope, row.name, title};
+  }
+}
+
+template <class Of>
+void addNames(std::vector<std::string>& names) {
+  for (const Measure<Of>& row : measures<Of>()) names.push_back(row.name);
+}
+
+/// The measure of `only`, or of any scope; `name` without its scope.
+std::optional<MeasureName> measureNamed(std::string_view text, std::string& name, std::optional<Scope> only) {
+  const auto dot = text.find('.');
+  const std::string_view scope = dot == text.npos ? "" : text.substr(0, dot);
+  name = dot == text.npos ? text : text.substr(dot + 1);
+  std::replace(name.begin(), name.end(), '-', '_');
+  const auto fits = [&](Scope s) {
+    return (scope.empty() || scope == morula::name(s)) && s == only.value_or(s);
+  };
+  std::optional<MeasureName> found;
+  if (fits(Scope::world)) findMeasure<Observation>(name, Scope::world, found);
+  if (fits(Scope::cell)) findMeasure<CellContext>(name, Scope::cell, found);
+  if (fits(Scope::pair)) findMeasure<Touch>(name, Scope::pair, found);
+  return found;
 }
 
 bool isDrawn(const CellShape& cell) { return cell.opacity > 0; }
-
-/// The ancestor that the clone is called by; a cell above it stands for itself.
-std::string founderOf(const std::string& path, int founders) {
-  return path.substr(0, std::min(path.size(), std::size_t(founders)));
-}
 
 std::string founderWords(const std::string& path, const Scenario& scenario) {
   const auto name = scenario.names.of(CellPath::parse(path));
@@ -38,20 +57,16 @@ std::string founderWords(const std::string& path, const Scenario& scenario) {
 void colourByClone(std::vector<OrganismPicture>& pictures,
                    const std::vector<std::vector<std::optional<double>>>& values, int founders,
                    const Scenario& scenario) {
-  std::map<std::string, Colour> colours;
-  const auto each = [&](auto act) {
-    for (std::size_t p = 0; p < pictures.size(); ++p)
-      for (std::size_t i = 0; i < values[p].size(); ++i)
-        if (isDrawn(pictures[p].cells[i]))
-          act(pictures[p].cells[i], founderOf(pictures[p].cells[i].path, founders));
-  };
-  each([&](const CellShape&, const std::string& founder) { colours.emplace(founder, Colour{}); });
-  std::size_t number = 0;
-  for (auto& [founder, colour] : colours) colour = seriesColour(number++);
-  each([&](CellShape& cell, const std::string& founder) { cell.colour = colours.at(founder); });
-  for (OrganismPicture& picture : pictures)
-    for (const auto& [founder, colour] : colours)
-      picture.legend.push_back({colour, founderWords(founder, scenario)});
+  for (std::size_t p = 0; p < pictures.size(); ++p) {
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < values[p].size(); ++i) {
+      CellShape& cell = pictures[p].cells[i];
+      const std::string founder = founderOf(cell.path, founders);
+      cell.colour = cloneColour(founder);
+      if (isDrawn(cell)) seen.insert(founder);
+    }
+    pictures[p].legend = cloneLegend(seen, scenario);
+  }
 }
 
 void colourByGeneration(std::vector<OrganismPicture>& pictures,
@@ -66,16 +81,20 @@ void colourByGeneration(std::vector<OrganismPicture>& pictures,
     return last > first ? scaleColour(double(generation - first) / (last - first)) : scaleColour(0.5);
   };
   for (std::size_t p = 0; p < pictures.size(); ++p) {
-    for (std::size_t i = 0; i < values[p].size(); ++i)
-      pictures[p].cells[i].colour = colourOf(int(*values[p][i]));
-    for (const int generation : generations)
+    std::set<int> own;
+    for (std::size_t i = 0; i < values[p].size(); ++i) {
+      CellShape& cell = pictures[p].cells[i];
+      cell.colour = colourOf(int(*values[p][i]));
+      if (isDrawn(cell)) own.insert(int(*values[p][i]));
+    }
+    for (const int generation : own)
       pictures[p].legend.push_back({colourOf(generation), "generation " + std::to_string(generation)});
   }
 }
 
 void colourByMeasure(std::vector<OrganismPicture>& pictures,
                      const std::vector<std::vector<std::optional<double>>>& values,
-                     const CellMeasure& measure) {
+                     const MeasureName& measure) {
   Range range;
   bool lacks = false;
   for (std::size_t p = 0; p < pictures.size(); ++p)
@@ -84,19 +103,16 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
       else if (const auto& value = values[p][i]) range.see(*value);
       else lacks = true;
   range = withoutRounding(range);
-  const std::string unit = measure.unit;
-  std::string title = measure.name;
-  std::replace(title.begin(), title.end(), '_', ' ');
   for (std::size_t p = 0; p < pictures.size(); ++p) {
     for (std::size_t i = 0; i < values[p].size(); ++i) {
       const double share =
           values[p][i] && range.low < range.high ? (*values[p][i] - range.low) / (range.high - range.low) : 0;
       pictures[p].cells[i].colour = values[p][i] ? scaleColour(share) : notMeasured;
     }
-    if (range.low <= range.high)
-      pictures[p].instruments.colourBar = {title + (unit.empty() ? "" : " [" + unit + "]"), range.low,
-                                           range.high};
-    if (lacks) pictures[p].legend.push_back({notMeasured, title + " not measured"});
+    if (range.low <= range.high) pictures[p].instruments.colourBar = {measure.title, range.low, range.high};
+    if (lacks)
+      pictures[p].legend.push_back(
+          {notMeasured, measure.title.substr(0, measure.title.find(" [")) + " not measured"});
   }
 }
 
@@ -116,14 +132,45 @@ Colouring parseColouring(std::string_view text) {
   if (text == "generation") return {.by = By::generation, .measure = {}};
   if (text.starts_with("clone:") && text.size() == 7 && text[6] >= '1' && text[6] <= '4')
     return {.by = By::clone, .founders = text[6] - '0', .measure = {}};
-  if (cellMeasure(text)) return {.by = By::measure, .measure = std::string(text)};
+  std::string called;
+  if (auto measure = measureNamed(text, called, Scope::cell))
+    return {.by = By::measure, .measure = *std::move(measure)};
   std::vector<std::string> known{"substance", "clone", "generation"};
-  for (const CellMeasure& row : measures<CellContext>()) known.push_back(row.name);
-  const std::string near = closest(text, known);
+  addNames<CellContext>(known);
+  const std::string near = closest(called, known);
   throw InputError("'" + std::string(text) +
                    "' is nothing to colour cells by; needs substance, clone, clone:1 to " +
                    "clone:4, generation, or a measure of cells (scenarios/MEASURES.md)" +
                    (near.empty() ? "" : "; did you mean " + near + "?"));
+}
+
+MeasureName parseMeasure(std::string_view text) {
+  std::string called;
+  if (auto found = measureNamed(text, called, {})) return *std::move(found);
+  std::vector<std::string> names;
+  addNames<Observation>(names);
+  addNames<CellContext>(names);
+  addNames<Touch>(names);
+  const std::string near = closest(called, names);
+  throw InputError(
+      "'" + std::string(text) +
+      "' is no measure; needs one of scenarios/MEASURES.md, alone or with what it is of: cell.volume" +
+      (near.empty() ? "" : "; did you mean " + near + "?"));
+}
+
+std::string founderOf(const std::string& path, int founders) {
+  return path.substr(0, std::min(path.size(), std::size_t(founders)));
+}
+
+std::vector<LegendEntry> cloneLegend(const std::set<std::string>& founders, const Scenario& scenario) {
+  std::vector<LegendEntry> legend;
+  for (const std::string& founder : founders) {
+    const Colour colour = cloneColour(founder);
+    const auto same = std::ranges::find(legend, colour, &LegendEntry::colour);
+    if (same == legend.end()) legend.push_back({colour, founderWords(founder, scenario)});
+    else same->label += ", " + founderWords(founder, scenario);
+  }
+  return legend;
 }
 
 std::vector<std::optional<double>> colourValues(const World& world, const Colouring& colouring,
@@ -134,14 +181,15 @@ std::vector<std::optional<double>> colourValues(const World& world, const Colour
   if (colouring.by != Colouring::By::measure) return values;
   Observation now(world);
   if (scenario.check.reference) now.reference = &*scenario.check.reference;
-  const CellMeasure& row = *cellMeasure(colouring.measure);
+  const CellMeasure& row =
+      *std::ranges::find(measures<CellContext>(), colouring.measure.name, &CellMeasure::name);
   if (row.needs == Needs::bodies && !world.bodies) return values;
   if (row.taken == Taken::withSamples) {
     const auto cells = measureCells(now);
-    for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i][colouring.measure];
+    for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i][row.name];
     return values;
   }
-  const std::vector<std::string> names{colouring.measure};
+  const std::vector<std::string> names{row.name};
   for (const TakenMeasure& taken : takeMeasures(now, names))
     if (const int number = cellNumber(world.cells, taken.a); taken.scope == Scope::cell && number >= 0)
       values[std::size_t(number)] = taken.value;
@@ -151,12 +199,12 @@ std::vector<std::optional<double>> colourValues(const World& world, const Colour
 void colourCells(std::vector<OrganismPicture>& pictures,
                  const std::vector<std::vector<std::optional<double>>>& values, const Colouring& colouring,
                  const Scenario& scenario) {
-  if (colouring.by == Colouring::By::substance) return;
+  if (colouring.by == Colouring::By::substance) return shareLegend(pictures);
   for (OrganismPicture& picture : pictures) picture.legend.clear();
   if (colouring.by == Colouring::By::clone) colourByClone(pictures, values, colouring.founders, scenario);
   if (colouring.by == Colouring::By::generation) colourByGeneration(pictures, values);
-  if (colouring.by == Colouring::By::measure)
-    colourByMeasure(pictures, values, *cellMeasure(colouring.measure));
+  if (colouring.by == Colouring::By::measure) colourByMeasure(pictures, values, colouring.measure);
+  else shareLegend(pictures);
 }
 
 }  // namespace morula

@@ -1,6 +1,8 @@
 #pragma once
-// What the colour of a cell tells: its substances, its clone, its generation, or anything that is measured of it.
+// What the colour of a cell tells: its substances, its clone, its generation, or anything that is measured of it; and how
+// measures are named.
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,20 +10,37 @@
 #include "drawing/axis.h"
 #include "organism/organism.h"
 #include "scenario/scenario.h"
+#include "simulation/measures.h"
 #include "simulation/world.h"
 
 namespace morula {
 
+/// A measure, of any scope.
+struct MeasureName {
+  Scope scope;
+  std::string name;
+  std::string title;  // with its unit, for an axis
+};
+
+/// "volume" or with its scope "cell.volume", '-' for '_' or not: without, the first of world, cell and pair that has the
+/// name. Throws InputError with the name that was probably meant.
+MeasureName parseMeasure(std::string_view text);
+
 struct Colouring {
   enum class By { substance, clone, generation, measure };
   By by = By::substance;
-  int founders = 2;     // of clones: cells that stand so many divisions below the egg, 1 to 4
-  std::string measure;  // its name [simulation/measures.h]
+  int founders = 2;  // of clones: cells that stand so many divisions below the egg, 1 to 4
+  MeasureName measure{};
 };
 
-/// "substance", "clone", "clone:3", "generation" or the name of a measure of cells. Throws InputError with what it
-/// may be, and the measure that was probably meant.
+/// "substance", "clone", "clone:3", "generation" or a measure of cells, as parseMeasure takes it. Throws InputError with
+/// what it may be, and the measure that was probably meant.
 Colouring parseColouring(std::string_view text);
+
+/// The ancestor that the cell's clone is called by, `founders` divisions below the egg; a cell above it stands for itself.
+std::string founderOf(const std::string& path, int founders);
+/// What cloneColour of these founders means: those that share one, as an egg and its first daughter do, in one entry.
+std::vector<LegendEntry> cloneLegend(const std::set<std::string>& founders, const Scenario& scenario);
 
 /// The ends of a colour bar for this range: one value where the ends differ by rounding alone.
 Range withoutRounding(Range range);

@@ -159,10 +159,12 @@ void PictureMaker::finishLegends() {
   std::vector<LegendEntry> marks;
   if (wishes_.normals) marks.push_back({normalColour, "normal"});
   const auto isConnection = [](const LineMark& line) { return line.colour == connectionColour; };
-  if (std::any_of(made_.pictures_.begin(), made_.pictures_.end(), [&](const OrganismPicture& picture) {
-        return std::any_of(picture.lines.begin(), picture.lines.end(), isConnection);
-      }))
-    marks.push_back({connectionColour, "connection"});
+  const auto isConnected = [&](const OrganismPicture& picture) {
+    return std::any_of(picture.lines.begin(), picture.lines.end(), isConnection);
+  };
+  if (std::any_of(made_.pictures_.begin(), made_.pictures_.end(), isConnected))
+    for (OrganismPicture& picture : made_.pictures_)
+      picture.legend.push_back({connectionColour, "connection", Marker::square, isConnected(picture)});
   // Kinds whose arrows are long enough to be seen beside the longest of all.
   std::vector<double> longest(choices<ForceKind>.size());
   for (const auto& forces : made_.forces_)
@@ -185,7 +187,6 @@ std::optional<std::string> PictureMaker::strangeOpacity() const {
 Pictures PictureMaker::take() {
   auto& pictures = made_.pictures_;
   colourCells(pictures, values_, wishes_.colouring, scenario_);
-  if (wishes_.colouring.by == Colouring::By::substance) shareLegend(pictures);
   if (scratch_) scaleForces();
   finishLegends();
   if (pictures.size() > 1) {

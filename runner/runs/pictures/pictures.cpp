@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <sstream>
 
 #include "base/error.h"
@@ -26,17 +27,22 @@ constexpr int sequenceSize = 600;  // [pixel] many of them, so smaller than the 
 Colour Palette::colourOf(const std::string& substances) {
   std::istringstream words(substances);
   std::vector<Colour> colours;
+  std::set<std::string> names;
   for (std::string substance; words >> substance;)
     if (const auto* entry = colourEntryOf(scenario_, substance)) {
       colours.push_back(parseColour(entry->second));
-      used_.insert(*entry);
+      names.insert(entry->first);
     }
-  return mixColours(colours);
+  const Colour mixed = mixColours(colours);
+  std::string label;
+  for (const std::string& name : names) label += (label.empty() ? "" : " + ") + name;
+  if (!label.empty()) used_.emplace(label, mixed);
+  return mixed;
 }
 
 std::vector<LegendEntry> Palette::legend() const {
   std::vector<LegendEntry> entries;
-  for (const auto& [substance, colour] : used_) entries.push_back({parseColour(colour), substance});
+  for (const auto& [names, colour] : used_) entries.push_back({colour, names});
   return entries;
 }
 
@@ -75,8 +81,11 @@ void shareLegend(std::vector<OrganismPicture>& frames) {
   for (const auto& frame : frames)
     for (const auto& entry : frame.legend) all.emplace(entry.label, entry.colour);
   for (auto& frame : frames) {
+    std::set<std::string> own;
+    for (const auto& entry : frame.legend) own.insert(entry.label);
     frame.legend.clear();
-    for (const auto& [label, colour] : all) frame.legend.push_back({colour, label});
+    for (const auto& [label, colour] : all)
+      frame.legend.push_back({colour, label, Marker::square, own.contains(label)});
   }
 }
 

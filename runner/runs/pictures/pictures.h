@@ -22,17 +22,18 @@ class Palette {
 
   /// The mixture of the colours of all coloured substances in "a0 a1 divide"; grey without any.
   Colour colourOf(const std::string& substances);
-  /// The colours that were asked for so far, and the names or patterns that they stand for.
+  /// The colours that were asked for so far, and the names or patterns that they are of: "a + b" of a mixture.
   std::vector<LegendEntry> legend() const;
 
  private:
   const Scenario& scenario_;
-  std::map<std::string, std::string> used_;  // of the scenario's colours
+  std::map<std::string, Colour> used_;  // by what they are of
 };
 
 /// The organism as it is now. The world has bodies.
 OrganismPicture pictureOf(const World& world, const Scenario& scenario);
-/// The pictures of a sequence share one legend, so that the organism does not move when a colour comes or goes.
+/// The pictures of a sequence keep room for all of their legends' entries, each showing its own, so that the organism does
+/// not move when a colour comes or goes.
 void shareLegend(std::vector<OrganismPicture>& frames);
 /// The lineage as far as it has come; cells with a name are labelled with it, others with their substances. `describe` gives a state's substances, `end` [time] is when the living
 /// are seen.

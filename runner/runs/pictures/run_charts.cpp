@@ -5,34 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
-#include "base/did_you_mean.h"
 #include "base/error.h"
 #include "document/words.h"
 #include "drawing/palette.h"
-#include "pictures/cell_colours.h"
 
 namespace morula {
 
 namespace {
 
 constexpr std::size_t mostLineLabels = 24;  // at the ends of lines
-
-template <class Of>
-void findMeasure(std::string_view name, Scope scope, std::optional<MeasureName>& found) {
-  for (const Measure<Of>& row : measures<Of>()) {
-    if (found || name != row.name) continue;
-    std::string title = row.name;
-    std::replace(title.begin(), title.end(), '_', ' ');
-    if (*row.unit) title += std::string(" [") + row.unit + "]";
-    found = MeasureName{scope, row.name, title};
-  }
-}
-
-template <class Of>
-void addNames(std::vector<std::string>& names) {
-  for (const Measure<Of>& row : measures<Of>()) names.push_back(row.name);
-}
 
 std::string nameOrPath(const CellPath& path, const Scenario& scenario) {
   return scenario.names.of(path).value_or(path.isEgg() ? "egg" : path.text());
@@ -84,30 +67,9 @@ std::string wordsOf(const Key& key, const MeasureName& measure, const Scenario& 
   return measure.scope == Scope::cell ? a : a + "–" + nameOrPath(key.b, scenario);
 }
 
-/// The clone of a cell, by its founder two divisions below the egg.
-CellPath founderOf(const CellPath& path) { return CellPath::parse(path.text().substr(0, 2)); }
+constexpr int founders = Colouring{}.founders;
 
 }  // namespace
-
-MeasureName parseMeasure(std::string_view text) {
-  std::string_view name = text, scope;
-  if (const auto dot = text.find('.'); dot != text.npos)
-    scope = text.substr(0, dot), name = text.substr(dot + 1);
-  std::optional<MeasureName> found;
-  if (scope.empty() || scope == "world") findMeasure<Observation>(name, Scope::world, found);
-  if (scope.empty() || scope == "cell") findMeasure<CellContext>(name, Scope::cell, found);
-  if (scope.empty() || scope == "pair") findMeasure<Touch>(name, Scope::pair, found);
-  if (found) return *found;
-  std::vector<std::string> names;
-  addNames<Observation>(names);
-  addNames<CellContext>(names);
-  addNames<Touch>(names);
-  const std::string near = closest(name, names);
-  throw InputError(
-      "'" + std::string(text) +
-      "' is no measure; needs one of scenarios/MEASURES.md, alone or with what it is of: cell.volume" +
-      (near.empty() ? "" : "; did you mean " + near + "?"));
-}
 
 Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scenario& scenario) {
   std::map<Key, std::vector<Spot>> series;
@@ -118,11 +80,9 @@ Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scen
   const double end = results.samples.back().world.time;
   std::size_t atEnd = 0;
   for (const auto& [key, points] : series) atEnd += points.back().x == end;
-  std::map<CellPath, Colour> clones;
+  std::set<std::string> clones;
   const bool few = series.size() <= fewSeries;
-  for (const auto& [key, points] : series) clones.emplace(founderOf(key.a), Colour{});
   std::size_t number = 0;
-  for (auto& [founder, colour] : clones) colour = seriesColour(number++);
   Chart chart;
   chart.title = scenario.scene.name;
   chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), measure.title,
@@ -130,8 +90,9 @@ Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scen
   chart.xLabel = "time", chart.yLabel = measure.title;
   chart.xScale = chart.yScale = Axis::Scale::linear;
   chart.dots = few && results.samples.size() <= 40;
-  number = 0;
   for (auto& [key, points] : series) {
+    const std::string founder = founderOf(key.a.text(), founders);
+    clones.insert(founder);
     const bool labelled =
         series.size() == 1 ? false : few || (points.back().x == end && atEnd <= mostLineLabels);
     // What ends early has its label there, the others theirs beside the chart.
@@ -141,14 +102,11 @@ Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scen
       atPoints.back() = wordsOf(key, measure, scenario);
     }
     chart.lines.push_back({labelled && atPoints.empty() ? wordsOf(key, measure, scenario) : "",
-                           few ? seriesColour(number) : clones.at(founderOf(key.a)), std::move(points), false,
+                           few ? seriesColour(number) : cloneColour(founder), std::move(points), false,
                            std::move(atPoints)});
     ++number;
   }
-  if (!few)
-    for (const auto& [founder, colour] : clones)
-      chart.legend.push_back(
-          {colour, nameOrPath(founder, scenario) + (founder.depth() < 2 ? "" : " and its descendants")});
+  if (!few) chart.legend = cloneLegend(clones, scenario);
   return chart;
 }
 
@@ -203,25 +161,41 @@ RosePicture divisionsOf(const RunResults& results, const Scenario& scenario) {
   return picture;
 }
 
-void colourTree(TreePicture& tree, const RunResults& results, const MeasureName& measure) {
-  if (measure.scope != Scope::cell)
-    throw InputError(measure.name + " is a measure of the " + name(measure.scope) +
-                     ", and a tree shows cells");
+void colourTree(TreePicture& tree, const RunResults& results, const Colouring& colouring,
+                const Scenario& scenario) {
+  using By = Colouring::By;
+  if (colouring.by == By::substance) return;
+  tree.legend.clear();
+  if (colouring.by == By::clone) {
+    std::set<std::string> clones;
+    for (LineageNode& node : tree.nodes) {
+      const std::string founder = founderOf(node.path, colouring.founders);
+      node.colour = cloneColour(founder);
+      clones.insert(founder);
+    }
+    tree.legend = cloneLegend(clones, scenario);
+    return;
+  }
   struct Mean {
     double sum = 0;
     std::size_t count = 0;
   };
   std::map<std::string, Mean> means;
-  for (const Sample& sample : results.samples)
-    for (const auto& [key, value] : valuesIn(sample, measure)) {
-      Mean& mean = means[key.a.text()];
-      mean.sum += value, ++mean.count;
-    }
+  const MeasureName measure =
+      colouring.by == By::measure ? colouring.measure : MeasureName{Scope::cell, "generation", "generation"};
+  if (colouring.by == By::generation)
+    for (const LineageNode& node : tree.nodes) means[node.path] = {double(node.path.size()), 1};
+  else
+    for (const Sample& sample : results.samples)
+      for (const auto& [key, value] : valuesIn(sample, measure)) {
+        Mean& mean = means[key.a.text()];
+        mean.sum += value, ++mean.count;
+      }
+  if (means.empty()) failWithout(measure, scenario);
   Range range;
   for (const auto& [path, mean] : means) range.see(mean.sum / double(mean.count));
   range = withoutRounding(range);
   bool lacks = false;
-  tree.legend.clear();
   for (LineageNode& node : tree.nodes) {
     const auto mean = means.find(node.path);
     lacks = lacks || mean == means.end();
@@ -231,11 +205,10 @@ void colourTree(TreePicture& tree, const RunResults& results, const MeasureName&
                                     (range.high - range.low))
                       : scaleColour(0);
   }
-  if (means.empty())
-    throw InputError("no sample has " + measure.name +
-                     (isSampled(measure) ? "" : "; record.measures must name it"));
   if (lacks) tree.legend.push_back({neutralGrey, "in no sample"});
-  tree.colourBar = ColourBar{measure.title + ", mean over a cell's samples", range.low, range.high};
+  tree.colourBar =
+      ColourBar{measure.title + (colouring.by == By::measure ? ", mean over a cell's samples" : ""),
+                range.low, range.high};
 }
 
 }  // namespace morula

@@ -8,22 +8,12 @@
 #include "charts/chart.h"
 #include "charts/matrix.h"
 #include "charts/rose.h"
+#include "pictures/cell_colours.h"
 #include "scenario/scenario.h"
 #include "store/records.h"
 #include "trees/lineage_tree.h"
 
 namespace morula {
-
-/// A measure, of any scope.
-struct MeasureName {
-  Scope scope;
-  std::string name;
-  std::string title;  // with its unit, for an axis
-};
-
-/// "volume" or with its scope "cell.volume": without, the first of world, cell and pair that has the name. Throws
-/// InputError with the name that was probably meant.
-MeasureName parseMeasure(std::string_view text);
 
 /// One line of the world, or one for each cell or pair, over all samples. Few lines have colours of their own and
 /// labels at their ends, many have those of their clones. Throws InputError where no sample has the measure, which says
@@ -38,8 +28,9 @@ MatrixPicture contactsOf(const RunResults& results, double time, const Scenario&
 /// InputError for a run without divisions of cells with bodies.
 RosePicture divisionsOf(const RunResults& results, const Scenario& scenario);
 
-/// The tree in the colours of a measure of cells: of each cell the mean over its samples; grey where it has none. Throws
-/// InputError as seriesOf, and for measures of other scopes.
-void colourTree(TreePicture& tree, const RunResults& results, const MeasureName& measure);
+/// The tree in the colours of clones, generations or a measure of cells: of each cell the mean over its samples; grey where
+/// it has none. Throws InputError as seriesOf. Nothing for substances.
+void colourTree(TreePicture& tree, const RunResults& results, const Colouring& colouring,
+                const Scenario& scenario);
 
 }  // namespace morula

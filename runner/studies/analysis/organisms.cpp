@@ -3,17 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 
 #include "base/number_text.h"
 #include "comparison/organism_grid.h"
 #include "database/store_error.h"
 #include "document/words.h"
+#include "drawing/read_png.h"
+#include "files/read_file.h"
 #include "loop/simulate.h"
 #include "loop/stored_scenario.h"
 #include "pictures/pictures.h"
 #include "system/signals.h"
 #include "system/usage_error.h"
+#include "tasks/study_folder.h"
 
 namespace morula {
 
@@ -44,12 +49,18 @@ double endOf(const std::filesystem::path& study, const ResultTask& task) {
   return store.find(task.runId).time;
 }
 
+/// A tile, and what the colours of its cells are found from.
+struct TakenTile {
+  OrganismTile tile;
+  std::vector<std::optional<double>> values = {};
+};
+
 /// Takes pictures of a run at the moments that it reaches, in their order.
 class MomentTaker {
  public:
   MomentTaker(const Scenario& scenario, const std::vector<double>& times,
-              const std::vector<std::size_t>& cells)
-      : scenario_(scenario), times_(times), cells_(cells) {}
+              const std::vector<std::size_t>& cells, const Colouring& colouring)
+      : scenario_(scenario), times_(times), cells_(cells), colouring_(colouring) {}
 
   void observe(const World& world) {
     while (tiles.size() < times_.size() + cells_.size() && isReached(world)) add(world);
@@ -57,11 +68,12 @@ class MomentTaker {
   void add(const World& world) {
     const std::size_t cells = world.cells.path.size();
     tiles.push_back(
-        {pictureOf(world, scenario_), false,
-         counted(cells, "cell") + (cells_.empty() ? "" : ", time " + numberText(world.clock.time))});
+        {{pictureOf(world, scenario_), false,
+          counted(cells, "cell") + (cells_.empty() ? "" : ", time " + numberText(world.clock.time))},
+         colourValues(world, colouring_, scenario_)});
   }
 
-  std::vector<OrganismTile> tiles;
+  std::vector<TakenTile> tiles;
 
  private:
   bool isReached(const World& world) const {
@@ -72,16 +84,17 @@ class MomentTaker {
   const Scenario& scenario_;
   const std::vector<double>& times_;
   const std::vector<std::size_t>& cells_;
+  const Colouring& colouring_;
 };
 
 /// A tile for each moment; without any, one of the end.
-std::vector<OrganismTile> tilesOf(const ResultTask& task, const std::filesystem::path& study,
-                                  const std::vector<double>& times, const std::vector<std::size_t>& cells,
-                                  std::vector<LegendEntry>& legend, bool quiet) {
-  const Scenario scenario = storedScenario(study.string(), task.runId);
+std::vector<TakenTile> tilesOf(const ResultTask& task, const Scenario& scenario,
+                               const std::filesystem::path& study, const std::vector<double>& times,
+                               const GridMoments& moments, bool quiet) {
+  const std::vector<std::size_t>& cells = moments.cells;
   if (!scenario.scene.mechanics)
     throw UsageError("--pictures: " + scenario.scene.name + " has no bodies, and nothing can be seen of it");
-  MomentTaker taker(scenario, times, cells);
+  MomentTaker taker(scenario, times, cells, moments.colouring);
   const auto run = simulate(scenario, Execution{},
                             {.quiet = quiet, .watch = [&](const World& world) { taker.observe(world); }});
   if (run.signal) throw Interrupted{run.signal};
@@ -96,14 +109,42 @@ std::vector<OrganismTile> tilesOf(const ResultTask& task, const std::filesystem:
   const std::string time = numberText(run.end.time);
   if (taker.tiles.size() < wanted) {
     taker.add(run.world);
-    taker.tiles.back().words = counted(run.end.cells, "cell") + " at the end, time " + time;
+    taker.tiles.back().tile.words = counted(run.end.cells, "cell") + " at the end, time " + time;
   }
-  while (taker.tiles.size() < wanted) taker.tiles.push_back({{}, true, "ended at time " + time});
-  for (const OrganismTile& tile : taker.tiles)
-    for (const LegendEntry& entry : tile.picture.legend)
-      if (std::none_of(legend.begin(), legend.end(), [&](const auto& e) { return e.label == entry.label; }))
-        legend.push_back(entry);
+  while (taker.tiles.size() < wanted) taker.tiles.push_back({{{}, true, "ended at time " + time}});
   return taker.tiles;
+}
+
+/// Colours them alike, and says once what colours mean; cells are called as in this scenario.
+void colourAlike(std::vector<TakenTile>& taken, const Colouring& colouring, const Scenario& scenario,
+                 OrganismGrid& grid) {
+  std::vector<OrganismPicture> pictures;
+  std::vector<std::vector<std::optional<double>>> values;
+  for (TakenTile& t : taken)
+    if (!t.tile.empty) pictures.push_back(std::move(t.tile.picture)), values.push_back(std::move(t.values));
+  colourCells(pictures, values, colouring, scenario);
+  for (const OrganismPicture& picture : pictures)
+    for (const LegendEntry& entry : picture.legend)
+      if (entry.shown &&
+          std::ranges::find(grid.legend, entry.label, &LegendEntry::label) == grid.legend.end())
+        grid.legend.push_back(entry);
+  if (!pictures.empty()) grid.colourBar = pictures[0].instruments.colourBar;
+  auto next = pictures.begin();
+  for (TakenTile& t : taken)
+    if (!t.tile.empty) t.tile.picture = std::move(*next++);
+}
+
+/// Whether each picture that fits its organism has one scale: all show whole shells, which are equal.
+bool haveOneScale(const StudyResults& results, std::size_t seed, const std::filesystem::path& study) {
+  std::set<std::array<double, 3>> shells;
+  for (const ResultCondition& condition : results.conditions) {
+    const Scenario scenario = storedScenario(study.string(), results.tasks[condition.tasks[seed]].runId);
+    if (!scenario.scene.mechanics) return false;
+    const auto& shell = scenario.scene.mechanics->physics.shell;
+    if (!shell || shell->mesh) return false;
+    shells.insert({shell->semiAxes[0], shell->semiAxes[1], shell->semiAxes[2]});
+  }
+  return shells.size() == 1;
 }
 
 /// Whether the levels of the last axis stand beside each other: of the end alone, and of a full design.
@@ -150,13 +191,31 @@ std::string whyTooMany(const StudyResults& results, const GridMoments& moments) 
   return {};
 }
 
-Drawing drawOrganisms(const StudyResults& results, const std::filesystem::path& study,
-                      const GridMoments& moments, bool quiet) {
+std::optional<StoredPictures> storedPictures(const StudyResults& results,
+                                             const std::filesystem::path& study) {
+  const StudyFolder folder(study.parent_path());
+  for (std::size_t s = 0; s < results.seeds.size(); ++s) {
+    StoredPictures stored{.seed = s, .files = {}};
+    for (const ResultCondition& condition : results.conditions)
+      if (isDone(results, condition, s))
+        if (auto file = folder.storedPicture(results.tasks[condition.tasks[s]].id))
+          stored.files.push_back(*std::move(file));
+    if (stored.files.size() == results.conditions.size()) return stored;
+  }
+  return std::nullopt;
+}
+
+std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::filesystem::path& study,
+                                   const GridMoments& moments, bool quiet) {
   if (const std::string why = whyTooMany(results, moments); !why.empty())
     throw UsageError("--pictures: " + why);
-  const std::size_t seed = commonSeed(results), columns = columnsOf(results, moments);
+  const std::size_t columns = columnsOf(results, moments);
   const bool spread = spreadsLastAxis(results, moments),
              ends = moments.count == 1 && moments.times.empty() && moments.cells.empty();
+  std::optional<StoredPictures> stored;
+  if (ends && moments.colouring.by == Colouring::By::substance) stored = storedPictures(results, study);
+  if (stored && !haveOneScale(results, stored->seed, study)) stored.reset();
+  const std::size_t seed = stored ? stored->seed : commonSeed(results);
   OrganismGrid grid;
   std::vector<double> times = moments.times;
   if (times.empty() && moments.cells.empty() && !ends) {
@@ -171,21 +230,32 @@ Drawing drawOrganisms(const StudyResults& results, const std::filesystem::path& 
   else if (ends) grid.columns = {"the end"};
   for (const std::size_t n : moments.cells) grid.columns.push_back(counted(n, "cell"));
   for (const double t : times) grid.columns.push_back("time " + numberText(t));
-  std::map<std::size_t, std::vector<OrganismTile>> known;  // by task: conditions may share runs
-  for (const ResultCondition& condition : results.conditions) {
+  std::map<std::size_t, std::vector<TakenTile>> known;  // by task: conditions may share runs
+  std::vector<TakenTile> all;
+  std::optional<Scenario> first;
+  for (std::size_t k = 0; k < results.conditions.size(); ++k) {
+    const ResultCondition& condition = results.conditions[k];
     const std::size_t task = condition.tasks.empty() ? noTask : condition.tasks[seed];
     if (!spread || condition.levels.back() == 0)
       grid.rows.push_back(linesOf(results, condition, results.axes.size() - (spread ? 1 : 0)));
-    std::vector<OrganismTile> tiles(spread ? 1 : columns, OrganismTile{{}, true, "no finished run"});
-    if (task != noTask && results.tasks[task].status == "done") {
-      if (!known.contains(task))
-        known[task] = tilesOf(results.tasks[task], study, times, moments.cells, grid.legend, quiet);
+    std::vector<TakenTile> tiles(spread ? 1 : columns, TakenTile{{{}, true, "no finished run"}});
+    if (stored) {
+      tiles = {TakenTile{{{}, false, "", readPng(readFile(stored->files[k]), stored->files[k].string())}}};
+    } else if (task != noTask && results.tasks[task].status == "done") {
+      if (!known.contains(task)) {
+        const Scenario scenario = storedScenario(study.string(), results.tasks[task].runId);
+        known[task] = tilesOf(results.tasks[task], scenario, study, times, moments, quiet);
+        if (!first) first = scenario;
+      }
       tiles = known[task];
     }
-    grid.tiles.insert(grid.tiles.end(), tiles.begin(), tiles.end());
+    all.insert(all.end(), tiles.begin(), tiles.end());
   }
+  if (first) colourAlike(all, moments.colouring, *first, grid);
+  for (TakenTile& taken : all) grid.tiles.push_back(std::move(taken.tile));
   grid.title = results.name;
   grid.caption = results.seeds.empty() ? "" : fmt::format("seed {}", results.seeds[seed]);
+  if (stored) grid.caption += ", stored pictures";
   return drawOrganismGrid(std::move(grid));
 }
 

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "analysis/measure_words.h"
-#include "charts/small_multiples.h"
 #include "drawing/palette.h"
 #include "files/text.h"
 
@@ -30,22 +31,27 @@ std::string labelOf(const StudyComparison& c, std::size_t condition) {
   const auto axis = colourAxis(c);
   std::vector<std::string> labels;
   for (std::size_t a = 0; a < levels.size(); ++a)
-    if (a != axis || levels.size() == 1) labels.push_back(c.results.axes[a].labels[levels[a]]);
+    if (levels.size() == 1) labels.push_back(c.results.axes[a].labels[levels[a]]);
+    else if (a != axis) labels.push_back(c.results.axes[a].name + ": " + c.results.axes[a].labels[levels[a]]);
   return join(labels);
 }
 
 Panel stripsOf(const StudyComparison& c, std::size_t measure) {
-  Panel panel{.title = titleOfMeasure(c.measureName(measure)), .strips = {}, .lines = {}};
-  std::vector<const ConditionSummary*> order;
-  for (const ConditionSummary& s : c.conditions)
-    if (s.measure == measure && !s.values.empty()) order.push_back(&s);
-  std::ranges::stable_sort(order, {},
-                           [&](const ConditionSummary* s) { return colourLevel(c, s->condition); });
-  for (const ConditionSummary* s : order) {
-    Strip strip{labelOf(c, s->condition), seriesColour(colourLevel(c, s->condition)), s->values, s->mean};
-    if (s->interval) strip.interval = {s->interval->low, s->interval->high};
-    panel.strips.push_back(std::move(strip));
+  Panel panel{.title = titleOfMeasure(c.measureName(measure)), .strips = {}, .lines = {}, .counts = true};
+  std::map<std::string, std::vector<Strip>> byLabel;
+  std::vector<std::string> order;  // of labels
+  for (const ConditionSummary& s : c.conditions) {
+    if (s.measure != measure || s.values.empty()) continue;
+    for (const double v : s.values) panel.counts = panel.counts && v == std::floor(v);
+    const std::string label = labelOf(c, s.condition);
+    const std::size_t level = colourLevel(c, s.condition);
+    Strip strip{label, seriesColour(level), s.values, s.mean, {}, seriesMarker(level)};
+    if (s.interval) strip.interval = {s.interval->low, s.interval->high};
+    if (!byLabel.contains(label)) order.push_back(label);
+    byLabel[label].push_back(std::move(strip));
   }
+  for (const std::string& label : order)
+    for (Strip& strip : byLabel[label]) panel.strips.push_back(std::move(strip));
   return panel;
 }
 
@@ -69,19 +75,21 @@ Panel coursesOf(const StudyComparison& c, std::size_t measure) {
 
 }  // namespace
 
-Drawing drawComparedStudy(const StudyComparison& c) {
+SmallMultiples stripsOf(const StudyComparison& c) {
   SmallMultiples chart;
   chart.words.title = c.results.name;
-  chart.words.caption = "points: runs, one a seed; bars: mean and its 95 % interval";
+  chart.words.caption =
+      "Points: runs, one a seed; bars: mean and its 95 % interval. Whole numbers: median, quartiles, range.";
   if (const auto axis = colourAxis(c); axis && c.results.axes.size() > 1)
     for (std::size_t l = 0; l < c.results.axes[*axis].labels.size(); ++l)
-      chart.words.legend.push_back(
-          {seriesColour(l), c.results.axes[*axis].name + ": " + c.results.axes[*axis].labels[l]});
+      chart.words.legend.push_back({seriesColour(l),
+                                    c.results.axes[*axis].name + ": " + c.results.axes[*axis].labels[l],
+                                    seriesMarker(l)});
   for (const std::size_t m : c.measures) chart.panels.push_back(stripsOf(c, m));
   for (const std::size_t m : c.measures)
     if (std::ranges::any_of(c.courses, [&](const TimeCourse& course) { return course.measure == m; }))
       chart.panels.push_back(coursesOf(c, m));
-  return drawSmallMultiples(chart);
+  return chart;
 }
 
 }  // namespace morula

@@ -48,6 +48,7 @@ class StudyRun {
     const double begun = seconds(ClockKind::wall);
     report_.asked = options_.tasks.size();
     removeAbandonedDrafts(study_.folder.tasks());
+    removeAbandonedDrafts(study_.folder.pictures());
     removeAbandonedDrafts(study_.folder.path());
     std::vector<std::size_t> open = openTasks();
     emptyTaskFile(), binaryHash(), machineInfo();  // once, not in each process
@@ -77,8 +78,8 @@ class StudyRun {
     if (!fileExists(file) || !looksWhole(file)) return false;
     if (!ownBuild_) requireOwnBuild(file), ownBuild_ = true;
     if (!options_.retryFailed) return true;
-    const bool drawn =
-        !keepsPicture(study_.plan, task) || fileExists(study_.folder.picture(study_.plan.tasks[task].id));
+    const bool drawn = !keepsPicture(study_.plan, task) ||
+                       study_.folder.storedPicture(study_.plan.tasks[task].id).has_value();
     return drawn && TaskFile(file).task().status == "done";
   }
 

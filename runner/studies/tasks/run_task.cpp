@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "check/check_run.h"
+#include "files/text.h"
 #include "files/write_file.h"
 #include "loop/simulate.h"
 #include "pictures/pictures.h"
@@ -76,17 +77,25 @@ TaskOutcome outcomeOf(const Plan& plan, std::size_t task, const Scenario& scenar
 
 constexpr int pictureSize = 400;  // [pixel] many of them, to be looked at side by side
 
-void draw(const World& world, const Scenario& scenario, const std::filesystem::path& file) {
-  if (!world.bodies) return writePicture(drawLineage(lineagePictureOf(world, scenario)), file);
+void draw(const World& world, const Scenario& scenario, const std::string& title,
+          const std::filesystem::path& file) {
+  if (!world.bodies) {
+    TreePicture tree = lineagePictureOf(world, scenario);
+    tree.title = title;
+    return writePicture(drawLineage(tree), file);
+  }
   OrganismPicture picture = pictureOf(world, scenario);
+  picture.title = title;
+  picture.instruments.scaleBar = true;
   picture.width = picture.height = pictureSize;
   writePicture(drawOrganism(picture), file);
 }
 
 /// Why there is no picture, "" if there is one. Where there is no memory for it, the run is none the worse.
-std::string drawIfPossible(const World& world, const Scenario& scenario, const std::filesystem::path& file) {
+std::string drawIfPossible(const World& world, const Scenario& scenario, const std::string& title,
+                           const std::filesystem::path& file) {
   try {
-    draw(world, scenario, file);
+    draw(world, scenario, title, file);
   } catch (const NumericalError& error) {
     if (error.want != Want::memory) throw;
     return error.what();
@@ -125,7 +134,11 @@ int compute(const Plan& plan, std::size_t task, const Scenario& scenario, const 
     measure(measuredSamples(study, results.samples), results.stateTexts);
     results.checks = std::move(checked.sanity);
     if (keepsPicture(plan, task))
-      notDrawn = drawIfPossible(run.world, scenario, folder.picture(plan.tasks[task].id));
+      notDrawn = drawIfPossible(
+          run.world, scenario,
+          join(plan.conditions[plan.tasks[task].condition].labels) +
+              fmt::format("{}seed {}", plan.study.axes.empty() ? "" : ", ", plan.tasks[task].seed),
+          folder.picture(plan, task));
   }
   results.samples.insert(results.samples.begin(), before.samples.begin(), before.samples.end());
   results.chain.insert(results.chain.begin(), before.chain.begin(), before.chain.end());

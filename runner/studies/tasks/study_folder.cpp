@@ -42,6 +42,21 @@ std::size_t countResults(const Plan& plan, const StudyFolder& folder) {
       "changed study a folder of its own");
 }
 
+constexpr std::size_t mostLetters = 40;  // of a level in a name
+
+std::string pictureEnd(const std::string& id) { return '_' + id.substr(0, 8) + ".png"; }
+
+/// Without what shells, other systems and people stumble over.
+std::string safeName(std::string label) {
+  const auto isSafe = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+  };
+  std::ranges::replace_if(
+      label, [&](char c) { return !isSafe(c); }, '-');
+  label.erase(0, label.find_first_not_of(".-"));
+  return label.substr(0, mostLetters);
+}
+
 /// Before the plan is replaced: what stays must be this build's, or the study could not go on with either plan.
 void requireOwnResults(const Plan& plan, const StudyFolder& folder) {
   for (const Task& task : plan.tasks)
@@ -50,6 +65,20 @@ void requireOwnResults(const Plan& plan, const StudyFolder& folder) {
 }
 
 }  // namespace
+
+std::filesystem::path StudyFolder::picture(const Plan& plan, std::size_t task) const {
+  const Task& t = plan.tasks[task];
+  std::string name;
+  for (const std::string& label : plan.conditions[t.condition].labels) name += safeName(label) + '_';
+  return pictures() / (name + "seed-" + std::to_string(t.seed) + pictureEnd(t.id));
+}
+
+std::optional<std::filesystem::path> StudyFolder::storedPicture(const std::string& id) const {
+  if (isFolder(pictures()))
+    for (const std::filesystem::path& name : namesIn(pictures()))
+      if (name.string().ends_with(pictureEnd(id))) return pictures() / name;
+  return std::nullopt;
+}
 
 void requireOwnBuild(const std::filesystem::path& file) {
   const std::string theirs = TaskFile(file).buildId(), ours = buildId(buildInfo());
@@ -81,6 +110,7 @@ PlannedStudy openStudy(const StudyChoice& choice, const PlanOptions& options) {
 
 void keepPlan(const PlannedStudy& study) {
   makeFolder(study.folder.tasks());
+  if (study.plan.study.keep.pictures != PicturesKept::none) makeFolder(study.folder.pictures());
   if (study.isNew) overwriteFile(planFile(study.folder.path()), writePlan(study.plan));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A study's folder: the plan, a file for each task, the merged database.
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "study/plan.h"
@@ -13,7 +14,12 @@ class StudyFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path tasks() const { return path_ / "tasks"; }
   std::filesystem::path task(const std::string& id) const { return tasks() / (id + ".db"); }
-  std::filesystem::path picture(const std::string& id) const { return tasks() / (id + ".png"); }
+  std::filesystem::path pictures() const { return path_ / "pictures"; }
+  /// "longest_none_seed-1_0123abcd.png": condition and seed that the task is first of, in letters that are safe in all
+  /// names, and the beginning of its id, which says whether the picture is of this very run.
+  std::filesystem::path picture(const Plan& plan, std::size_t task) const;
+  /// The picture of the task with this id, whatever its condition is called by now; absent where there is none.
+  std::optional<std::filesystem::path> storedPicture(const std::string& id) const;
   std::filesystem::path merged() const { return path_ / "study.db"; }
 
  private:

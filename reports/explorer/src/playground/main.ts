@@ -195,7 +195,7 @@ class Playground {
     this.explorer?.leave();
     const root = element("div");
     this.grow.replaceChildren(root);
-    const data: Data = { runs: [run], units: Object.fromEntries(measures.cell), scale: this.told.scale, series: this.told.series, forces: [] };
+    const data: Data = { runs: [run], units: Object.fromEntries(measures.cell), scale: this.told.scale, series: this.told.series, clones: this.told.clones, forces: [] };
     this.explorer = new LiveExplorer(root, data, run);
   }
 }
