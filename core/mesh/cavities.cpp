@@ -78,7 +78,7 @@ std::size_t takePiece(const Cubes& cubes, Marks& marks, std::size_t cube) {
 constexpr double finest = 16;  // edges in a probe's radius
 
 Cubes cubesAround(std::span<const MeshView> meshes, double probe, double most) {
-  const Box box = measureBox(meshes);
+  const Box box = boxAround(meshes);
   const Vector size = box.high - box.low;
   const double along[] = {size.x, size.y, size.z};
   MORULA_CHECK(probe > 0 && std::isfinite(dot(size, size) / probe), "meshes whose vertices are not finite");

@@ -170,7 +170,7 @@ double Overlap::meanShare() const {
   return shares.empty() ? 0 : sum / static_cast<double>(shares.size());
 }
 
-Box measureBox(std::span<const MeshView> meshes) {
+Box boxAround(std::span<const MeshView> meshes) {
   Box box = measureBox(meshes[0].vertices);
   for (const MeshView& mesh : meshes) {
     const Box other = measureBox(mesh.vertices);
@@ -185,7 +185,7 @@ Box measureBox(std::span<const MeshView> meshes) {
 Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
   MORULA_CHECK(columns > 0, "no columns, no lines");
   if (meshes.empty()) return {};
-  const Box box = measureBox(meshes);
+  const Box box = boxAround(meshes);
   const Vector size = box.high - box.low;
   MORULA_CHECK(std::isfinite(dot(size, size)), "meshes whose vertices are not finite");
   if (!(size.x > 0 && size.y > 0))

@@ -14,7 +14,7 @@ struct MeshView {
 };
 
 /// The smallest box along the axes that holds them all. There must be one at least.
-Box measureBox(std::span<const MeshView> meshes);
+Box boxAround(std::span<const MeshView> meshes);
 
 struct Overlap {
   std::vector<double> volumes;  // [length³] per mesh, as the scan lines see it

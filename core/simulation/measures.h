@@ -118,12 +118,12 @@ std::vector<MeasureOnDemand> measuresOnDemand();
 /// One value of a measure on demand.
 struct TakenMeasure {
   Scope scope;
-  std::string name;
-  CellPath a, b;  // of a cell: a; of a pair: a < b
+  std::string name;  // as it was asked for
+  CellPath a, b;     // of a cell: a; of a pair: a < b
   double value;
   friend bool operator==(const TakenMeasure&, const TakenMeasure&) = default;
 };
-/// The values of the measures on demand of these names: of the world in the order of names, then cell by cell
+/// The values of the measures on demand of these names [asked_measure.h]: of the world in the order of names, then cell by cell
 /// and pair by pair, by path. What there is not to measure has no value.
 std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const std::string> names);
 

@@ -24,7 +24,7 @@ namespace {
 
 struct LineageOptions {
   std::string file, run, picture, cell;
-  std::optional<MeasureName> colour;  // of cells
+  std::optional<AskedMeasure> colour;  // of cells
   std::optional<PictureSize> size;
   bool labels = false;
   InputOptions input;
@@ -45,8 +45,8 @@ Tree stored(const LineageOptions& options) {
 }
 
 /// The measure of cells that branches are coloured by.
-MeasureName readColouring(const std::string& text) {
-  return parseMeasure(text.find('.') == text.npos ? "cell." + text : text);
+AskedMeasure readColouring(const std::string& text) {
+  return readMeasure(text.find('.') == text.npos ? "cell." + text : text);
 }
 
 /// The tree as a picture, in the scenario's or a measure's colours.

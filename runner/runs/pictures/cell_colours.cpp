@@ -8,7 +8,8 @@
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "drawing/palette.h"
-#include "simulation/measures.h"
+#include "simulation/asked_measure.h"
+#include "store/sample_values.h"
 
 namespace morula {
 
@@ -16,10 +17,9 @@ namespace {
 
 constexpr Colour notMeasured = neutralGrey;
 
-const CellMeasure* cellMeasure(std::string_view name) {
-  for (const CellMeasure& row : measures<CellContext>())
-    if (name == row.name) return &row;
-  return nullptr;
+AskedMeasure cellMeasure(std::string_view text) {
+  const auto dot = text.find('.');
+  return readMeasure((dot == text.npos ? "cell." : "") + std::string(text));
 }
 
 bool isDrawn(const CellShape& cell) { return cell.opacity > 0; }
@@ -75,7 +75,7 @@ void colourByGeneration(std::vector<OrganismPicture>& pictures,
 
 void colourByMeasure(std::vector<OrganismPicture>& pictures,
                      const std::vector<std::vector<std::optional<double>>>& values,
-                     const CellMeasure& measure) {
+                     const AskedMeasure& measure) {
   Range range;
   bool lacks = false;
   for (std::size_t p = 0; p < pictures.size(); ++p)
@@ -84,9 +84,6 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
       else if (const auto& value = values[p][i]) range.see(*value);
       else lacks = true;
   range = withoutRounding(range);
-  const std::string unit = measure.unit;
-  std::string title = measure.name;
-  std::replace(title.begin(), title.end(), '_', ' ');
   for (std::size_t p = 0; p < pictures.size(); ++p) {
     for (std::size_t i = 0; i < values[p].size(); ++i) {
       const double share =
@@ -94,9 +91,8 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
       pictures[p].cells[i].colour = values[p][i] ? scaleColour(share) : notMeasured;
     }
     if (range.low <= range.high)
-      pictures[p].instruments.colourBar = {title + (unit.empty() ? "" : " [" + unit + "]"), range.low,
-                                           range.high};
-    if (lacks) pictures[p].legend.push_back({notMeasured, title + " not measured"});
+      pictures[p].instruments.colourBar = {measure.title(), range.low, range.high};
+    if (lacks) pictures[p].legend.push_back({notMeasured, AskedMeasure{measure.name, measure.row}.title() + " not measured"});
   }
 }
 
@@ -116,14 +112,17 @@ Colouring parseColouring(std::string_view text) {
   if (text == "generation") return {.by = By::generation, .measure = {}};
   if (text.starts_with("clone:") && text.size() == 7 && text[6] >= '1' && text[6] <= '4')
     return {.by = By::clone, .founders = text[6] - '0', .measure = {}};
-  if (cellMeasure(text)) return {.by = By::measure, .measure = std::string(text)};
+  std::string wrong = "'" + std::string(text) + "' is nothing to colour cells by";
+  try {
+    if (AskedMeasure m = cellMeasure(text); m.scope == Scope::cell) return {.by = By::measure, .measure = m.name};
+  } catch (const InputError& error) {
+    if (text.find(' ') != text.npos) wrong = error.what();
+  }
   std::vector<std::string> known{"substance", "clone", "generation"};
   for (const CellMeasure& row : measures<CellContext>()) known.push_back(row.name);
   const std::string near = closest(text, known);
-  throw InputError("'" + std::string(text) +
-                   "' is nothing to colour cells by; needs substance, clone, clone:1 to " +
-                   "clone:4, generation, or a measure of cells (scenarios/MEASURES.md)" +
-                   (near.empty() ? "" : "; did you mean " + near + "?"));
+  throw InputError(wrong + "; needs substance, clone, clone:1 to clone:4, generation, or a measure of cells " +
+                   "(scenarios/MEASURES.md)" + (near.empty() ? "" : "; did you mean " + near + "?"));
 }
 
 std::vector<std::optional<double>> colourValues(const World& world, const Colouring& colouring,
@@ -134,17 +133,17 @@ std::vector<std::optional<double>> colourValues(const World& world, const Colour
   if (colouring.by != Colouring::By::measure) return values;
   Observation now(world);
   if (scenario.check.reference) now.reference = &*scenario.check.reference;
-  const CellMeasure& row = *cellMeasure(colouring.measure);
-  if (row.needs == Needs::bodies && !world.bodies) return values;
-  if (row.taken == Taken::withSamples) {
-    const auto cells = measureCells(now);
-    for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i][colouring.measure];
-    return values;
-  }
-  const std::vector<std::string> names{colouring.measure};
-  for (const TakenMeasure& taken : takeMeasures(now, names))
-    if (const int number = cellNumber(world.cells, taken.a); taken.scope == Scope::cell && number >= 0)
-      values[std::size_t(number)] = taken.value;
+  const AskedMeasure asked = *findMeasure(colouring.measure);
+  if (const auto unknown = unknownSubstance(asked, scenario.scene.dna.substances); !unknown.empty())
+    throw InputError(asked.name + ": " + unknown);
+  if (asked.needs == Needs::bodies && !world.bodies) return values;
+  Sample sample;
+  std::map<StateId, std::string> states;
+  sample.cells = measureCells(now);
+  for (const CellMeasures& c : sample.cells) states.emplace(c.state, world.biology->describe(c.state));
+  if (asked.onDemand) sample.more = takeMeasures(now, std::vector{asked.name});
+  for (const auto& [cell, value] : valuesIn(sample, asked, states))
+    values[std::size_t(cellNumber(world.cells, cell.a))] = value;
   return values;
 }
 
@@ -156,7 +155,7 @@ void colourCells(std::vector<OrganismPicture>& pictures,
   if (colouring.by == Colouring::By::clone) colourByClone(pictures, values, colouring.founders, scenario);
   if (colouring.by == Colouring::By::generation) colourByGeneration(pictures, values);
   if (colouring.by == Colouring::By::measure)
-    colourByMeasure(pictures, values, *cellMeasure(colouring.measure));
+    colourByMeasure(pictures, values, *findMeasure(colouring.measure));
 }
 
 }  // namespace morula

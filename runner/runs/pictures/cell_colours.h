@@ -16,10 +16,10 @@ struct Colouring {
   enum class By { substance, clone, generation, measure };
   By by = By::substance;
   int founders = 2;     // of clones: cells that stand so many divisions below the egg, 1 to 4
-  std::string measure;  // its name [simulation/measures.h]
+  std::string measure;  // of cells, as AskedMeasure::name [simulation/asked_measure.h]
 };
 
-/// "substance", "clone", "clone:3", "generation" or the name of a measure of cells. Throws InputError with what it
+/// "substance", "clone", "clone:3", "generation" or a measure of cells, also of some alone (shell_share of AAA*). Throws InputError with what it
 /// may be, and the measure that was probably meant.
 Colouring parseColouring(std::string_view text);
 

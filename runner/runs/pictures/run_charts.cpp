@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/did_you_mean.h"
 #include "base/error.h"
 #include "document/words.h"
 #include "drawing/palette.h"
 #include "pictures/cell_colours.h"
+#include "store/sample_values.h"
 
 namespace morula {
 
@@ -18,67 +18,20 @@ namespace {
 
 constexpr std::size_t mostLineLabels = 24;  // at the ends of lines
 
-template <class Of>
-void findMeasure(std::string_view name, Scope scope, std::optional<MeasureName>& found) {
-  for (const Measure<Of>& row : measures<Of>()) {
-    if (found || name != row.name) continue;
-    std::string title = row.name;
-    std::replace(title.begin(), title.end(), '_', ' ');
-    if (*row.unit) title += std::string(" [") + row.unit + "]";
-    found = MeasureName{scope, row.name, title};
-  }
-}
-
-template <class Of>
-void addNames(std::vector<std::string>& names) {
-  for (const Measure<Of>& row : measures<Of>()) names.push_back(row.name);
-}
-
 std::string nameOrPath(const CellPath& path, const Scenario& scenario) {
   return scenario.names.of(path).value_or(path.isEgg() ? "egg" : path.text());
 }
 
-bool isSampled(const MeasureName& measure) {
-  const auto has = [&](const auto& rows) {
-    return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return measure.name == row.name; });
-  };
-  return measure.scope == Scope::world  ? has(sampledMeasures<Observation>())
-         : measure.scope == Scope::cell ? has(sampledMeasures<CellContext>())
-                                        : has(sampledMeasures<Touch>());
-}
-
-struct Key {
-  CellPath a, b;
-  auto operator<=>(const Key&) const = default;
-};
-
-/// The values of the measure in one sample; the world's under an empty key.
-std::map<Key, double> valuesIn(const Sample& sample, const MeasureName& measure) {
-  std::map<Key, double> values;
-  const auto add = [&](const Key& key, const std::optional<double>& value) {
-    if (value) values[key] = *value;
-  };
-  if (!isSampled(measure)) {
-    for (const TakenMeasure& taken : sample.more)
-      if (taken.scope == measure.scope && taken.name == measure.name) add({taken.a, taken.b}, taken.value);
-  } else if (measure.scope == Scope::world) {
-    add({}, sample.world[measure.name]);
-  } else if (measure.scope == Scope::cell) {
-    for (const CellMeasures& cell : sample.cells) add({cell.path, {}}, cell[measure.name]);
-  } else {
-    for (const ContactMeasures& pair : sample.contacts) add({pair.a, pair.b}, pair[measure.name]);
-  }
-  return values;
-}
-
-[[noreturn]] void failWithout(const MeasureName& measure, const Scenario& scenario) {
+[[noreturn]] void failWithout(const AskedMeasure& measure, const Scenario& scenario) {
+  if (const auto unknown = unknownSubstance(measure, scenario.scene.dna.substances); !unknown.empty())
+    throw InputError(measure.name + ": " + unknown);
   throw InputError("no sample of " + scenario.scene.name + " has " + measure.name +
-                   (isSampled(measure)
+                   (!measure.onDemand
                         ? "; the scene has nothing that it could be measured of"
-                        : "; record.measures must name it: --set record.measures=[" + measure.name + "]"));
+                        : "; record.measures must name it: --set 'record.measures=[" + measure.name + "]'"));
 }
 
-std::string wordsOf(const Key& key, const MeasureName& measure, const Scenario& scenario) {
+std::string wordsOf(const MeasuredThing& key, const AskedMeasure& measure, const Scenario& scenario) {
   if (measure.scope == Scope::world) return measure.name;
   const std::string a = nameOrPath(key.a, scenario);
   return measure.scope == Scope::cell ? a : a + "–" + nameOrPath(key.b, scenario);
@@ -89,30 +42,10 @@ CellPath founderOf(const CellPath& path) { return CellPath::parse(path.text().su
 
 }  // namespace
 
-MeasureName parseMeasure(std::string_view text) {
-  std::string_view name = text, scope;
-  if (const auto dot = text.find('.'); dot != text.npos)
-    scope = text.substr(0, dot), name = text.substr(dot + 1);
-  std::optional<MeasureName> found;
-  if (scope.empty() || scope == "world") findMeasure<Observation>(name, Scope::world, found);
-  if (scope.empty() || scope == "cell") findMeasure<CellContext>(name, Scope::cell, found);
-  if (scope.empty() || scope == "pair") findMeasure<Touch>(name, Scope::pair, found);
-  if (found) return *found;
-  std::vector<std::string> names;
-  addNames<Observation>(names);
-  addNames<CellContext>(names);
-  addNames<Touch>(names);
-  const std::string near = closest(name, names);
-  throw InputError(
-      "'" + std::string(text) +
-      "' is no measure; needs one of scenarios/MEASURES.md, alone or with what it is of: cell.volume" +
-      (near.empty() ? "" : "; did you mean " + near + "?"));
-}
-
-Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scenario& scenario) {
-  std::map<Key, std::vector<Spot>> series;
+Chart seriesOf(const RunResults& results, const AskedMeasure& measure, const Scenario& scenario) {
+  std::map<MeasuredThing, std::vector<Spot>> series;
   for (const Sample& sample : results.samples)
-    for (const auto& [key, value] : valuesIn(sample, measure))
+    for (const auto& [key, value] : valuesIn(sample, measure, results.stateTexts))
       series[key].push_back({sample.world.time, value});
   if (series.empty()) failWithout(measure, scenario);
   const double end = results.samples.back().world.time;
@@ -125,9 +58,9 @@ Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scen
   for (auto& [founder, colour] : clones) colour = seriesColour(number++);
   Chart chart;
   chart.title = scenario.scene.name;
-  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), measure.title,
+  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), measure.title(),
                               counted(results.samples.size(), "sample"));
-  chart.xLabel = "time", chart.yLabel = measure.title;
+  chart.xLabel = "time", chart.yLabel = measure.title();
   chart.xScale = chart.yScale = Axis::Scale::linear;
   chart.dots = few && results.samples.size() <= 40;
   number = 0;
@@ -203,7 +136,7 @@ RosePicture divisionsOf(const RunResults& results, const Scenario& scenario) {
   return picture;
 }
 
-void colourTree(TreePicture& tree, const RunResults& results, const MeasureName& measure) {
+void colourTree(TreePicture& tree, const RunResults& results, const AskedMeasure& measure) {
   if (measure.scope != Scope::cell)
     throw InputError(measure.name + " is a measure of the " + name(measure.scope) +
                      ", and a tree shows cells");
@@ -213,7 +146,7 @@ void colourTree(TreePicture& tree, const RunResults& results, const MeasureName&
   };
   std::map<std::string, Mean> means;
   for (const Sample& sample : results.samples)
-    for (const auto& [key, value] : valuesIn(sample, measure)) {
+    for (const auto& [key, value] : valuesIn(sample, measure, results.stateTexts)) {
       Mean& mean = means[key.a.text()];
       mean.sum += value, ++mean.count;
     }
@@ -233,9 +166,9 @@ void colourTree(TreePicture& tree, const RunResults& results, const MeasureName&
   }
   if (means.empty())
     throw InputError("no sample has " + measure.name +
-                     (isSampled(measure) ? "" : "; record.measures must name it"));
+                     (measure.onDemand ? "; record.measures must name it" : ""));
   if (lacks) tree.legend.push_back({neutralGrey, "in no sample"});
-  tree.colourBar = ColourBar{measure.title + ", mean over a cell's samples", range.low, range.high};
+  tree.colourBar = ColourBar{measure.title() + ", mean over a cell's samples", range.low, range.high};
 }
 
 }  // namespace morula

@@ -87,7 +87,7 @@ struct Study {
   std::vector<StudyAxis>
       axes;  // as in the file; several bases are the first axis, `base`, whose levels override nothing
   std::vector<std::uint64_t> seeds;   // one or more, each once, in the order of the file
-  std::vector<std::string> measures;  // as StudyMeasure::name [study_measures.h], each once
+  std::vector<std::string> measures;  // as AskedMeasure::name [simulation/asked_measure.h], each once
   When when;
   Kept keep;
   RunLimits limits;

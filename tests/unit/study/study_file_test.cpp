@@ -6,7 +6,7 @@
 #include "scenario/schema.h"
 #include "studies.h"
 #include "study/override_text.h"
-#include "study/study_measures.h"
+#include "simulation/asked_measure.h"
 #include "study/study_schema.h"
 #include "yaml/source_text.h"
 // Last, because of CHECK:
@@ -88,19 +88,19 @@ TEST_CASE("Measures may say when they are taken, and limits have units") {
 
 TEST_CASE("Every measure of every table has one name in studies, and finds its row by it") {
   std::vector<std::string> names;
-  for (const StudyMeasure& m : studyMeasures()) {
+  for (const AskedMeasure& m : allMeasures()) {
     names.push_back(m.name);
-    REQUIRE(findStudyMeasure(m.name)->name == m.name);
+    REQUIRE(findMeasure(m.name)->name == m.name);
     std::string dashed = m.name;
     std::ranges::replace(dashed, '_', '-');
-    CHECK(findStudyMeasure(dashed)->name == m.name);
-    CHECK(findStudyMeasure(std::string(name(m.scope)) + "." + m.row)->name == m.name);
+    CHECK(findMeasure(dashed)->name == m.name);
+    CHECK(findMeasure(std::string(name(m.scope)) + "." + m.row)->name == m.name);
   }
   CHECK(names.size() ==
         measures<Observation>().size() + measures<CellContext>().size() + measures<Touch>().size());
   std::ranges::sort(names);
   CHECK(std::ranges::adjacent_find(names) == names.end());
-  CHECK(!findStudyMeasure("volume"));  // of the organism, or of a cell?
+  CHECK(!findMeasure("volume"));  // of the organism, or of a cell?
 }
 
 TEST_CASE("A measure of cells or pairs may be of some cells alone, and what selects none is said") {
