@@ -63,7 +63,8 @@ SolidMoments measureMoments(Points vertices, Faces faces) {
   SolidMoments m;
   Vector first;
   for (const auto& [i, j, k] : faces) {
-    const Vector a = vertices[i] - origin, b = vertices[j] - origin, c = vertices[k] - origin, sum = a + b + c;
+    const Vector a = vertices[i] - origin, b = vertices[j] - origin, c = vertices[k] - origin,
+                 sum = a + b + c;
     const double volume = dot(a, cross(b, c)) / 6;
     m.volume += volume;
     first += volume / 4 * sum;

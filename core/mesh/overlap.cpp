@@ -87,7 +87,6 @@ class Scan {
   }
 
  private:
-
   // Counting sort of (row, triangle): row r has rows_[rowStart_[r], rowStart_[r + 1]).
   void sortTrianglesByRow() {
     rowStart_.assign(y_.count + 1, 0);

@@ -37,8 +37,9 @@ struct Measure {
   const char* meaning;    // its definition, with its source; one line
   Needs needs = Needs::bodies;
   Taken taken = Taken::withSamples;
-  bool isWhole = false;        // a whole number
-  bool followsNumber = false;  // it changes with the number of cells, or with how small they are, though all else is alike
+  bool isWhole = false;  // a whole number
+  bool followsNumber =
+      false;  // it changes with the number of cells, or with how small they are, though all else is alike
   std::optional<double> (*get)(const Of&);  // absent: there is nothing to measure
   /// The same of the clones of cells so many divisions from the egg; null where it is not of clones.
   std::optional<double> (*ofClones)(const Of&, int depth) = nullptr;

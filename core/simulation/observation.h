@@ -77,7 +77,7 @@ class Observation {
   mutable std::vector<double> meshVolumes_;            // [meshLevel]
   mutable std::vector<std::uint32_t> divisionByPath_;  // places in world.divisions
   mutable std::optional<Point> organismCentre_;
-  mutable std::vector<Point> centres_;                 // [cell]; empty: not measured
+  mutable std::vector<Point> centres_;  // [cell]; empty: not measured
   mutable std::optional<Cavities> cavities_;
 };
 

@@ -153,11 +153,13 @@ Value measureCloneSpread(const Observation& now, int depth) {
     double volume = 0, second = 0;
     Vector first;
     for (const int cell : clone) {
-      const SolidMoments& m = cells.emplace_back(measureMoments(*now.world.bodies, now.world.bodies->slots[cell]));
+      const SolidMoments& m =
+          cells.emplace_back(measureMoments(*now.world.bodies, now.world.bodies->slots[cell]));
       volume += m.volume, first += m.volume * m.centre;
     }
     const Point centre = first / volume;
-    for (const SolidMoments& m : cells) second += m.second + m.volume * dot(m.centre - centre, m.centre - centre);
+    for (const SolidMoments& m : cells)
+      second += m.second + m.volume * dot(m.centre - centre, m.centre - centre);
     const double radius = cubeRoot(volume * 3 / (4 * std::numbers::pi));
     sum += std::sqrt(second / volume / 0.6) / radius;
     ++clones;

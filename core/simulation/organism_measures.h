@@ -7,7 +7,8 @@
 
 namespace morula {
 
-constexpr int cloneDepth = 2;  // [divisions] from the egg to a clone's founder if nothing else is said: four clones at most
+constexpr int cloneDepth =
+    2;  // [divisions] from the egg to a clone's founder if nothing else is said: four clones at most
 
 /// Divisions on the way from the egg to the youngest common ancestor of two cells, which may be one of them.
 int commonDepth(const CellPath& a, const CellPath& b);

@@ -83,8 +83,8 @@ int act(const ChartOptions& options) {
   std::ranges::replace(file, ' ', '-'), std::ranges::replace(file, '*', '+');
   if (!options.picture.empty()) file = options.picture;
   writePicture(draw(run, options, measure, scenario), file);
-  printEither(options.output,
-              {{"scenario", scenario.scene.name}, {"time", run.end}, {"pictures", {file}}}, file + "\n");
+  printEither(options.output, {{"scenario", scenario.scene.name}, {"time", run.end}, {"pictures", {file}}},
+              file + "\n");
   return fine;
 }
 
@@ -96,7 +96,8 @@ void addChart(CLI::App& app, Action& action) {
   auto& options = verb.does<ChartOptions>(act);
   verb.needs("file", options.file, "FILE", "A database or a scenario");
   verb.needs("what", options.what, "WHAT",
-             "A measure over time, such as cell.volume (scenarios/MEASURES.md), or of some cells, 'shell_share of AAA*'; "
+             "A measure over time, such as cell.volume (scenarios/MEASURES.md), or of some cells, "
+             "'shell_share of AAA*'; "
              "contacts: who touches whom; "
              "divisions: "
              "which way cells divided");

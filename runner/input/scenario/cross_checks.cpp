@@ -286,8 +286,8 @@ void checkMeasures(const Scenario& scenario, Reading& reading, const Node& root)
   }
   const RecordParameters& record = scenario.record;
   const auto isDuration = [](const std::string& name) { return name.starts_with("contact_duration"); };
-  if (std::ranges::any_of(record.measures, isDuration) && !record.every &&
-      !record.meshes && record.atCells.empty() && scenario.scene.cells.empty())
+  if (std::ranges::any_of(record.measures, isDuration) && !record.every && !record.meshes &&
+      record.atCells.empty() && scenario.scene.cells.empty())
     reading.problems.add(placeOf(root, "record.measures"), "record.measures",
                          "contact_duration would always be 0: between the egg and the end there is no sample",
                          "needs record.every or record.at-cells");

@@ -68,7 +68,8 @@ Parameter recordMeasures() {
   p.path = "record.measures";
   p.allowed = "a list of measures on demand, as [sister_contact, shell_share of AAA*]";
   p.meaning =
-      "Also taken at every sample, into table measure: those on demand of scenarios/MEASURES.md, and of some cells alone, "
+      "Also taken at every sample, into table measure: those on demand of scenarios/MEASURES.md, and of some "
+      "cells alone, "
       "as measures in STUDIES.md may be (count of skin)";
   p.absent = "none";
   p.later = true;
@@ -81,8 +82,8 @@ Parameter recordMeasures() {
       try {
         const AskedMeasure m = readMeasure(*text, IfSeveral::first);
         if (!m.onDemand)
-          reading.problems.add(item.place, path, "'" + *text + "' is taken at every sample without being asked",
-                               "remove it");
+          reading.problems.add(item.place, path,
+                               "'" + *text + "' is taken at every sample without being asked", "remove it");
         else if (std::ranges::find(s.record.measures, m.name) != s.record.measures.end())
           reading.problems.add(item.place, path, "'" + *text + "' stands there twice", "remove it");
         else s.record.measures.push_back(m.name);

@@ -86,7 +86,8 @@ std::vector<std::string> moreMeasures(const RunFacts& run) {
   for (const Sample& sample : run.results.samples)
     for (const TakenMeasure& taken : sample.more)
       if (known.insert(taken.name).second)
-        names.push_back(taken.scope == Scope::world ? taken.name : std::string(name(taken.scope)) + "." + taken.name);
+        names.push_back(taken.scope == Scope::world ? taken.name
+                                                    : std::string(name(taken.scope)) + "." + taken.name);
   return names;
 }
 

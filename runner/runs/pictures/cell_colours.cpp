@@ -90,9 +90,12 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
           values[p][i] && range.low < range.high ? (*values[p][i] - range.low) / (range.high - range.low) : 0;
       pictures[p].cells[i].colour = values[p][i] ? scaleColour(share) : notMeasured;
     }
-    if (range.low <= range.high)
-      pictures[p].instruments.colourBar = {measure.title(), range.low, range.high};
-    if (lacks) pictures[p].legend.push_back({notMeasured, AskedMeasure{measure.name, measure.row}.title() + " not measured"});
+    if (range.low <= range.high) pictures[p].instruments.colourBar = {measure.title(), range.low, range.high};
+    if (lacks) {
+      AskedMeasure bare = measure;
+      bare.unit.clear();
+      pictures[p].legend.push_back({notMeasured, bare.title() + " not measured"});
+    }
   }
 }
 
@@ -114,14 +117,16 @@ Colouring parseColouring(std::string_view text) {
     return {.by = By::clone, .founders = text[6] - '0', .measure = {}};
   std::string wrong = "'" + std::string(text) + "' is nothing to colour cells by";
   try {
-    if (AskedMeasure m = cellMeasure(text); m.scope == Scope::cell) return {.by = By::measure, .measure = m.name};
+    if (AskedMeasure m = cellMeasure(text); m.scope == Scope::cell)
+      return {.by = By::measure, .measure = m.name};
   } catch (const InputError& error) {
     if (text.find(' ') != text.npos) wrong = error.what();
   }
   std::vector<std::string> known{"substance", "clone", "generation"};
   for (const CellMeasure& row : measures<CellContext>()) known.push_back(row.name);
   const std::string near = closest(text, known);
-  throw InputError(wrong + "; needs substance, clone, clone:1 to clone:4, generation, or a measure of cells " +
+  throw InputError(wrong +
+                   "; needs substance, clone, clone:1 to clone:4, generation, or a measure of cells " +
                    "(scenarios/MEASURES.md)" + (near.empty() ? "" : "; did you mean " + near + "?"));
 }
 

@@ -75,7 +75,8 @@ std::optional<Interaction> interactionOf(const StudyComparison& c, std::size_t m
   for (const MeasureEffects& effects : c.effects)
     for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
       const FactorEffect& e = effects.analysis.effects[i];
-      if (effects.measure != measure || e.factors.size() < 2 || effects.corrected[i].value_or(1) >= 0.05) continue;
+      if (effects.measure != measure || e.factors.size() < 2 || effects.corrected[i].value_or(1) >= 0.05)
+        continue;
       const std::size_t one = effects.axes[e.factors[0]], two = effects.axes[e.factors[1]];
       if ((one != axis && two != axis) || !(e.share > most)) continue;
       most = e.share;

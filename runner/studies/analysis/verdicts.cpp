@@ -187,8 +187,9 @@ std::string levelsThatDiffer(const StudyComparison& c, const std::vector<const P
     if (isDifferent(*p)) differ.push_back(label(c, *p, p->a) + " and " + label(c, *p, p->b));
   }
   if (differ.empty()) return "";
-  for (const auto& [level, value] : means) words.push_back(label(c, *pairs[0], level) + " " + numberText(value, 3));
-  return join(words) + (pairs.size() == 1                 ? ""
+  for (const auto& [level, value] : means)
+    words.push_back(label(c, *pairs[0], level) + " " + numberText(value, 3));
+  return join(words) + (pairs.size() == 1               ? ""
                         : differ.size() == pairs.size() ? ": every two differ"
                                                         : ": " + join(differ) + " differ");
 }
@@ -220,9 +221,9 @@ std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const
     said.push_back({"no difference is shown" +
                         (most > 0 ? " (95 % intervals within ±" + numberText(most, 2) + ")" : std::string()),
                     silent});
-  std::string line = fmt::format("{}: what it does to {} depends on {} (interaction, {})", c.results.axes[axis].name,
-                                 c.measureName(interaction.of->measure), other.name,
-                                 effectText(*interaction.of, interaction.effect));
+  std::string line = fmt::format("{}: what it does to {} depends on {} (interaction, {})",
+                                 c.results.axes[axis].name, c.measureName(interaction.of->measure),
+                                 other.name, effectText(*interaction.of, interaction.effect));
   for (std::size_t i = 0; i < said.size(); ++i)
     line += fmt::format("{} with {} {}: {}", i ? ";" : ":", other.name, join(said[i].second), said[i].first);
   return line;
@@ -280,7 +281,8 @@ std::vector<std::string> axisVerdicts(const StudyComparison& c) {
 void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdicts) {
   std::vector<std::string> following;
   for (const std::size_t m : c.measures)
-    if (const auto known = findMeasure(c.measureName(m)); known && known->followsNumber && !tellsNothing(c, m))
+    if (const auto known = findMeasure(c.measureName(m));
+        known && known->followsNumber && !tellsNothing(c, m))
       following.push_back(known->name);
   Spread numbers;
   for (const ResultCondition& condition : c.results.conditions) {
@@ -292,10 +294,11 @@ void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdi
     numbers.low = std::min(numbers.low, average), numbers.high = std::max(numbers.high, average);
   }
   if (following.empty() || !(numbers.low < numbers.high)) return;
-  verdicts.push_back(fmt::format(
-      "numbers of cells differ between conditions, {} to {} in the mean, and {} {} with them, however cells lie",
-      numberText(numbers.low, 4), numberText(numbers.high, 4), join(following),
-      following.size() > 1 ? "change" : "changes"));
+  verdicts.push_back(
+      fmt::format("numbers of cells differ between conditions, {} to {} in the mean, and {} {} with them, "
+                  "however cells lie",
+                  numberText(numbers.low, 4), numberText(numbers.high, 4), join(following),
+                  following.size() > 1 ? "change" : "changes"));
 }
 
 /// What pairs of one seed save.

@@ -98,7 +98,8 @@ double noncentralFisherAbove(double f, double df1, double df2, double lambda) {
   }
   const double a = 0.5 * df2, b = 0.5 * df1, whole = df2 + df1 * f, x = df2 / whole, y = df1 * f / whole;
   double above = incompleteBeta(a, b, x, y);
-  double more = exponential(a * naturalLog(x) + b * naturalLog(y) - logGamma(a) - logGamma(b + 1) + logGamma(a + b));
+  double more =
+      exponential(a * naturalLog(x) + b * naturalLog(y) - logGamma(a) - logGamma(b + 1) + logGamma(a + b));
   double weight = exponential(-0.5 * lambda), left = 1, sum = 0;
   for (int j = 0; left > 1e-12 && j < 2000; ++j) {
     sum += weight * above, left -= weight;

@@ -104,8 +104,8 @@ double noncentralityOf(double share, double f, double df1, double df2) {
 
 Interval partialIntervalOf(const FactorEffect& e, double n) {
   const auto at = [&](double share) {
-    const double lambda = noncentralityOf(share, *e.f, e.epsilon * e.degreesOfFreedom,
-                                          e.epsilon * e.errorDegreesOfFreedom);
+    const double lambda =
+        noncentralityOf(share, *e.f, e.epsilon * e.degreesOfFreedom, e.epsilon * e.errorDegreesOfFreedom);
     return lambda / (lambda + e.epsilon * e.degreesOfFreedom * n);
   };
   return {at(0.025), at(0.975)};

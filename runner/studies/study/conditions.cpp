@@ -8,8 +8,8 @@
 #include "files/read_file.h"
 #include "loop/simulate.h"
 #include "scenario/loading.h"
-#include "study/condition_mistakes.h"
 #include "simulation/asked_measure.h"
+#include "study/condition_mistakes.h"
 #include "study/study_table.h"
 #include "values/measure_list.h"
 

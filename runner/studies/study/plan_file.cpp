@@ -4,9 +4,9 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
+#include "simulation/asked_measure.h"
 #include "study/conditions.h"
 #include "study/plan_parts.h"
-#include "simulation/asked_measure.h"
 #include "system/json_record.h"
 
 namespace morula {

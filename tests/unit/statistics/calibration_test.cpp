@@ -210,7 +210,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "The interval of partial η² holds it in 93 to 98 % of studies, of none, small and large effects, also where "
+    "The interval of partial η² holds it in 93 to 98 % of studies, of none, small and large effects, also "
+    "where "
     "contrasts vary unlike") {
   // Two axes, 2 × 3 levels; the first has the effect ±size, the second ±1 and 0. A seed moves all by a deviate of its own, and
   // with `unlike` the third level of the second axis by three times what moves the others.
@@ -220,11 +221,12 @@ TEST_CASE(
     for (const bool unlike : {false, true})
       for (const std::size_t n : seedCounts) {
         const double deviations[] = {1, 1, unlike ? 3. : 1.};
-        const double error = unlike ? 11. / 3 : 1;  // of one degree of freedom
+        const double error = unlike ? 11. / 3 : 1;      // of one degree of freedom
         const double squares[] = {6 * size * size, 4};  // of one seed
         std::array<int, 2> held{};
         for (std::uint64_t study = 0; study < of; ++study) {
-          Numbers numbers(11'000'000 + 100'000 * n + study + std::uint64_t(1e7 * size) + (unlike ? 50'000 : 0));
+          Numbers numbers(11'000'000 + 100'000 * n + study + std::uint64_t(1e7 * size) +
+                          (unlike ? 50'000 : 0));
           std::vector<double> values(6 * n);
           for (std::size_t r = 0; r < n; ++r) {
             const double shared = numbers.normal();

@@ -54,10 +54,13 @@ TEST_CASE("The normal distribution is that of erfc, and many degrees of freedom 
   CHECK(studentQuantile(0.975, 1e6) == Approx(normalQuantile(0.975)).epsilon(3e-6));  // differs by z³/4 df
 }
 
-TEST_CASE("The noncentral F distribution is what can be written down for two degrees of freedom, and its approximation is near") {
+TEST_CASE(
+    "The noncentral F distribution is what can be written down for two degrees of freedom, and its "
+    "approximation is near") {
   for (const double lambda : {0., 0.3, 5., 60., 900.})
     for (const double f : {0.1, 1., 7., 300.}) {
-      const double y2 = f / (1 + f), y4 = f / (2 + f), mu = 0.5 * lambda;  // of 2 and 2, and of 2 and 4 degrees of freedom
+      const double y2 = f / (1 + f), y4 = f / (2 + f),
+                   mu = 0.5 * lambda;  // of 2 and 2, and of 2 and 4 degrees of freedom
       INFO("λ " << lambda << ", F " << f);
       CHECK(noncentralFisherAbove(f, 2, 2, lambda) ==
             Approx(1 - y2 * std::exp(-mu * (1 - y2))).margin(1e-10));
@@ -67,7 +70,8 @@ TEST_CASE("The noncentral F distribution is what can be written down for two deg
     }
   for (const double df2 : {2., 9., 40.})
     for (const double f : {300., 1000., 3000.})
-      CHECK(std::abs(noncentralFisherAbove(f, 1, df2, 1000) - noncentralFisherAbove(f, 1, df2, 1000.1)) < 0.005);
+      CHECK(std::abs(noncentralFisherAbove(f, 1, df2, 1000) - noncentralFisherAbove(f, 1, df2, 1000.1)) <
+            0.005);
   CHECK(noncentralFisherAbove(0, 1, 5, 3) == 1);
 }
 
