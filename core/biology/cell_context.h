@@ -27,6 +27,12 @@ struct OtherCell {
   double distance;  // [length] of the two centres: the means of their vertices
 };
 
+/// Where a cell's centre lies in the shell.
+struct ShellPlace {
+  Vector along;    // [1] along x, y and z, over how far the shell reaches that way: −1 to 1
+  double out = 0;  // [1] 0 in the shell's middle, 1 on the shell
+};
+
 class CellContext {
  public:
   virtual ~CellContext() = default;
@@ -60,6 +66,11 @@ class CellContext {
   /// [1] The share of its surface that lies on the shell: a vertex there stands for a third of the area of its
   /// faces; 0 without a shell, and of a ball, which touches it in a point.
   virtual double shellShare() const { return 0; }
+  /// [length] From its centre to the organism's outer surface, as a ball with half the radius of a mean cell feels it
+  /// [mesh/cavities.h]; absent in a lineage-only scene.
+  virtual std::optional<double> surfaceDistance() const { return {}; }
+  /// Absent without a shell.
+  virtual std::optional<ShellPlace> placeInShell() const { return {}; }
   /// [1] Its largest over its second largest extent, as the measure elongation; 1 of a ball.
   virtual double elongation() const { return 1; }
   /// [1] Its volume at rest over the egg's: what divisions and growth have made of it.

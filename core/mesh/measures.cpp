@@ -56,6 +56,26 @@ Point measureCentroid(Points vertices) {
   return sum / static_cast<double>(vertices.size());
 }
 
+// The tetrahedron of the origin and a face (a, b, c) has 6 V = a · (b × c), ∫ x = V (a + b + c)/4 and ∫ |x|² = V (|a|² + |b|² +
+// |c|² + |a + b + c|²)/20; with the sign of V they add up over a closed surface.
+SolidMoments measureMoments(Points vertices, Faces faces) {
+  const Point origin = measureCentroid(vertices);
+  SolidMoments m;
+  Vector first;
+  for (const auto& [i, j, k] : faces) {
+    const Vector a = vertices[i] - origin, b = vertices[j] - origin, c = vertices[k] - origin,
+                 sum = a + b + c;
+    const double volume = dot(a, cross(b, c)) / 6;
+    m.volume += volume;
+    first += volume / 4 * sum;
+    m.second += volume / 20 * (dot(a, a) + dot(b, b) + dot(c, c) + dot(sum, sum));
+  }
+  const Vector mean = first / m.volume;
+  m.centre = origin + mean;
+  m.second -= m.volume * dot(mean, mean);
+  return m;
+}
+
 double sphericity(double volume, double area) {
   if (!(volume >= std::numeric_limits<double>::min() && area > 0)) return 0;
   const double root = cubeRoot(6 * volume);

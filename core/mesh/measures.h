@@ -27,6 +27,14 @@ double measureArea(Points vertices, Faces faces);
 /// [length] The mean of the vertices, which carry the mass: the thesis' centre of mass, not the volume's.
 Point measureCentroid(Points vertices);
 
+/// Of the solid that a closed surface encloses, of even density.
+struct SolidMoments {
+  double volume = 0;  // [length³]
+  Point centre;       // [length] of the volume, not of the vertices
+  double second = 0;  // [length⁵] ∫ |x − centre|² dV; of a ball 3/5 V r²
+};
+SolidMoments measureMoments(Points vertices, Faces faces);
+
 /// π^(1/3) (6V)^(2/3) / A: the area of the sphere with volume V over A. 1 for a sphere, 0.806 for a cube,
 /// 0 if there is no volume. [1]
 double sphericity(double volume, double area);

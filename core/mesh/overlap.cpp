@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 
 #include "base/error.h"
@@ -40,16 +41,19 @@ struct Crossing {
 
 class Scan {
  public:
-  Scan(std::span<const MeshView> meshes, const Box& box, int columns)
+  Scan(std::span<const MeshView> meshes, const Grid& x, const Grid& y)
       : meshes_(meshes),
-        x_{box.low.x, (box.high.x - box.low.x) / columns, columns},
-        y_{box.low.y, (box.high.y - box.low.y) / columns, columns},
-        crossings_(columns),
+        x_(x),
+        y_(y),
+        crossings_(x.count),
         inside_(meshes.size(), 0.0),
         shared_(meshes.size(), 0.0) {}
+  Scan(std::span<const MeshView> meshes, const Box& box, int columns)
+      : Scan(meshes, {box.low.x, (box.high.x - box.low.x) / columns, columns},
+             {box.low.y, (box.high.y - box.low.y) / columns, columns}) {}
 
   Overlap run() {
-    sweepAll();
+    sweepAll({});
     Overlap result;
     const double cell = x_.spacing * y_.spacing;
     for (std::size_t m = 0; m < meshes_.size(); ++m) {
@@ -62,23 +66,27 @@ class Scan {
 
   /// [length³] Of mesh number `mesh`, what lies in others too.
   double sharedVolume(int mesh) {
-    sweepAll();
+    sweepAll({});
     return shared_[mesh] * x_.spacing * y_.spacing;
   }
 
- private:
-  void sweepAll() {
+  /// Calls visit(column, row, from, to) for each stretch that lies in a mesh.
+  void sweepAll(const std::function<void(int, int, double, double)>& visit) {
     sortTrianglesByRow();
     for (int row = 0; row < y_.count; ++row) {
       collectCrossings(row);
-      for (auto& crossings : crossings_) {
+      for (int column = 0; column < x_.count; ++column) {
+        std::vector<Crossing>& crossings = crossings_[column];
         std::sort(crossings.begin(), crossings.end());
-        sweep(crossings);
+        sweep(crossings, [&](double from, double to) {
+          if (visit) visit(column, row, from, to);
+        });
         crossings.clear();
       }
     }
   }
 
+ private:
   // Counting sort of (row, triangle): row r has rows_[rowStart_[r], rowStart_[r + 1]).
   void sortTrianglesByRow() {
     rowStart_.assign(y_.count + 1, 0);
@@ -117,14 +125,14 @@ class Scan {
   }
 
   // Walks up one line and adds each stretch to those that it lies in.
-  void sweep(const std::vector<Crossing>& crossings) {
+  void sweep(const std::vector<Crossing>& crossings, const auto& visit) {
     around_.clear();
     double below = 0;
     for (const Crossing& c : crossings) {
       const double length = c.z - below;
       int count = 0;
       for (const auto& [mesh, winding] : around_) count += winding > 0;
-      if (count > 0) union_ += length;
+      if (count > 0) union_ += length, visit(below, c.z);
       for (const auto& [mesh, winding] : around_) {
         if (winding <= 0) continue;
         inside_[mesh] += length;
@@ -161,9 +169,7 @@ double Overlap::meanShare() const {
   return shares.empty() ? 0 : sum / static_cast<double>(shares.size());
 }
 
-Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
-  MORULA_CHECK(columns > 0, "no columns, no lines");
-  if (meshes.empty()) return {};
+Box boxAround(std::span<const MeshView> meshes) {
   Box box = measureBox(meshes[0].vertices);
   for (const MeshView& mesh : meshes) {
     const Box other = measureBox(mesh.vertices);
@@ -172,11 +178,23 @@ Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
     box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y),
                 std::max(box.high.z, other.high.z)};
   }
+  return box;
+}
+
+Overlap measureOverlap(std::span<const MeshView> meshes, int columns) {
+  MORULA_CHECK(columns > 0, "no columns, no lines");
+  if (meshes.empty()) return {};
+  const Box box = boxAround(meshes);
   const Vector size = box.high - box.low;
   MORULA_CHECK(std::isfinite(dot(size, size)), "meshes whose vertices are not finite");
   if (!(size.x > 0 && size.y > 0))
     return {std::vector<double>(meshes.size()), std::vector<double>(meshes.size()), 0};
   return Scan(meshes, box, columns).run();
+}
+
+void visitInside(std::span<const MeshView> meshes, const Point& low, double spacing, int columns, int rows,
+                 const std::function<void(int, int, double, double)>& visit) {
+  Scan(meshes, {low.x, spacing, columns}, {low.y, spacing, rows}).sweepAll(visit);
 }
 
 double measureSharedVolume(const MeshView& a, const MeshView& b, int columns) {

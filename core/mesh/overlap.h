@@ -1,5 +1,6 @@
 #pragma once
 // How much of the volume of closed meshes lies in more than one of them.
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,9 @@ struct MeshView {
   Points vertices;
   Faces faces;
 };
+
+/// The smallest box along the axes that holds them all. There must be one at least.
+Box boxAround(std::span<const MeshView> meshes);
 
 struct Overlap {
   std::vector<double> volumes;  // [length³] per mesh, as the scan lines see it
@@ -24,6 +28,11 @@ struct Overlap {
 /// that winds around it (inverted parts are nowhere). A mesh that no line meets has volume and share 0.
 /// Cost: triangles × lines through each, plus sorting the crossings of each line.
 Overlap measureOverlap(std::span<const MeshView> meshes, int columns = 256);
+
+/// The same lines, `spacing` apart, the first at half of it from `low`: calls visit(column, row, from, to) for each stretch
+/// [from, to) along z that lies in a mesh, row by row and upwards. Stretches of several meshes may meet.
+void visitInside(std::span<const MeshView> meshes, const Point& low, double spacing, int columns, int rows,
+                 const std::function<void(int, int, double, double)>& visit);
 
 /// [length³] What two closed meshes have in common: the same with lines only where both boxes are. 0 at no
 /// cost where the boxes do not meet.

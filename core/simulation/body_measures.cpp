@@ -48,6 +48,13 @@ double measureRestVolume(const Bodies& b, int slot) {
   return measureRestVolume(b, slot, measureMeshVolume(b, b.blocks[slot / blockLanes].meshLevel));
 }
 
+SolidMoments measureMoments(const Bodies& b, int slot) {
+  const Mesh surface = takeSurface(b, slot);
+  if (!b.areSpheres()) return measureMoments(surface.vertices, surface.faces);
+  const double radius = b.parameters.cell.radius * b.restScale[slot], volume = b.volume[slot];
+  return {volume, b.vertex(slot, 0), 0.6 * volume * radius * radius};
+}
+
 double measureKineticEnergy(const Bodies& b, int slot) {
   double sum = 0;
   for (int v = 0; v < b.vertexCount(slot); ++v) {
@@ -152,6 +159,18 @@ double measureShellShare(const BodyShape& shape, const ShellParameters& shell) {
       if (isOnShell(v)) onShell += twice / 3;
   }
   return all > 0 ? onShell / all : 0;
+}
+
+ShellPlace measurePlaceInShell(const ShellParameters& shell, const Point& place) {
+  const double* a = shell.semiAxes;
+  if (!shell.mesh) {
+    const Vector along{place.x / a[0], place.y / a[1], place.z / a[2]};
+    return {along, norm(along)};
+  }
+  const auto [low, high] = measureBox(shell.mesh->mesh.vertices);
+  const auto over = [](double x, double least, double most) { return x / (x < 0 ? -least : most); };
+  return {{over(place.x, low.x, high.x), over(place.y, low.y, high.y), over(place.z, low.z, high.z)},
+          measureReach(shell.mesh->planes, place)};
 }
 
 double measureShellVolume(const Bodies& b) {

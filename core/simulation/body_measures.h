@@ -1,6 +1,8 @@
 #pragma once
 // What is measured of bodies, without asking how they came to be as they are. `slot`: Bodies::slots.
+#include "biology/cell_context.h"
 #include "biology/physical_unit.h"
+#include "mesh/measures.h"
 #include "physics/bodies.h"
 
 namespace morula {
@@ -12,6 +14,8 @@ double measureMeshVolume(const Bodies& bodies, int meshLevel);
 /// [length³] PhysicalUnit::getRestVolume; `meshVolume`: measureMeshVolume of its mesh.
 double measureRestVolume(const Bodies& bodies, int slot, double meshVolume);
 double measureRestVolume(const Bodies& bodies, int slot);
+/// Of the solid, as it is now; of a sphere the ball's.
+SolidMoments measureMoments(const Bodies& bodies, int slot);
 
 /// [force·length] ½ Σ m v² over a cell's vertices.
 double measureKineticEnergy(const Bodies& bodies, int slot);
@@ -34,6 +38,9 @@ double measureInvertedShare(const BodyShape& shape);
 /// [1] The share of a surface that lies on the shell (where it holds surfaces: physics/shell_surface.h), to a millionth
 /// of its size: a vertex there stands for a third of the area of its faces. 0 of a ball, which touches it in a point.
 double measureShellShare(const BodyShape& shape, const ShellParameters& shell);
+
+/// Of a place in the shell: over the semi-axes, or over how far the mesh reaches along each axis.
+ShellPlace measurePlaceInShell(const ShellParameters& shell, const Point& place);
 
 /// [length³] What the scene's shell encloses.
 double measureShellVolume(const Bodies& bodies);

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "physics/bodies.h"
+#include "simulation/asked_measure.h"
 
 namespace morula {
 
@@ -123,39 +124,64 @@ std::vector<ContactMeasures> measureContacts(const Observation& now) {
 
 namespace {
 
-/// The row on demand that goes by this name; null if none does.
-template <class Of>
-const Measure<Of>* rowOnDemand(std::string_view name) {
-  for (const Measure<Of>& row : measures<Of>())
-    if (row.taken == Taken::onDemand && row.name == name) return &row;
-  return nullptr;
-}
-
 template <class Of>
 void describeRows(Scope scope, std::vector<MeasureOnDemand>& all) {
   for (const Measure<Of>& row : measures<Of>())
     if (row.taken == Taken::onDemand) all.push_back({scope, row.name, row.needs});
 }
 
-/// Of one thing: nothing if there is nothing to measure.
-template <class Of>
-void takeOne(const Observation& now, const Measure<Of>& row, Scope scope, const CellPath& a,
-             const CellPath& b, const Of& of, std::vector<TakenMeasure>& taken) {
-  if (!has(now, row.needs)) return;
-  if (const std::optional<double> value = row.get(of)) taken.push_back({scope, row.name, a, b, *value});
+/// Which of the living cells; empty: all.
+using Selected = std::vector<char>;
+
+Selected selectedCells(const Observation& now, const AskedMeasure& measure) {
+  Selected selected;
+  if (!measure.of) return selected;
+  const auto& paths = now.world.cells.path;
+  for (int i = 0; i < static_cast<int>(paths.size()); ++i)
+    selected.push_back(measure.of->has(paths[i], now.world.biology->describe(now.world.cells.state[i])));
+  return selected;
 }
 
-void takeOfCells(const Observation& now, const std::vector<const CellMeasure*>& rows,
+bool has(const Selected& selected, int cell) { return selected.empty() || selected[cell]; }
+
+/// A measure of cells or pairs that was asked for.
+template <class Of>
+struct AskedRow {
+  const Measure<Of>* row;
+  const std::string* name;
+  Selected selected;
+};
+
+/// Of one thing: nothing if there is nothing to measure.
+template <class Of>
+void takeOne(const Observation& now, const AskedRow<Of>& asked, Scope scope, const CellPath& a,
+             const CellPath& b, const Of& of, std::vector<TakenMeasure>& taken) {
+  if (!has(now, asked.row->needs)) return;
+  if (const std::optional<double> value = asked.row->get(of))
+    taken.push_back({scope, *asked.name, a, b, *value});
+}
+
+void takeOfWorld(const Observation& now, const AskedMeasure& asked, std::vector<TakenMeasure>& taken) {
+  if (!has(now, asked.needs)) return;
+  std::optional<double> value;
+  if (asked.isCount()) value = std::ranges::count(selectedCells(now, asked), 1);
+  else if (const WorldMeasure& row = measure<Observation>(asked.row); asked.of)
+    value = row.ofClones(now, asked.of->generation);
+  else value = row.get(now);
+  if (value) taken.push_back({Scope::world, asked.name, {}, {}, *value});
+}
+
+void takeOfCells(const Observation& now, const std::vector<AskedRow<CellContext>>& rows,
                  std::vector<TakenMeasure>& taken) {
   if (rows.empty()) return;
   for (int i = 0; i < static_cast<int>(now.world.cells.path.size()); ++i) {
     const ObservedCell cell(now, i);  // so that only one shape is in memory at a time
-    for (const CellMeasure* row : rows)
-      takeOne<CellContext>(now, *row, Scope::cell, cell.path, {}, cell, taken);
+    for (const auto& row : rows)
+      if (has(row.selected, i)) takeOne<CellContext>(now, row, Scope::cell, cell.path, {}, cell, taken);
   }
 }
 
-void takeOfPairs(const Observation& now, const std::vector<const PairMeasure*>& rows,
+void takeOfPairs(const Observation& now, const std::vector<AskedRow<Touch>>& rows,
                  std::vector<TakenMeasure>& taken) {
   if (rows.empty()) return;
   const std::vector<ContactArea>& contacts = now.contacts();
@@ -165,8 +191,9 @@ void takeOfPairs(const Observation& now, const std::vector<const PairMeasure*>& 
     const auto& [a, b, area] = contacts[i];
     const Touch touch{now.cell(a), now.cell(b), area,
                       durations.empty() ? std::nullopt : std::optional(durations[i])};
-    for (const PairMeasure* row : rows)
-      takeOne(now, *row, Scope::pair, touch.a.path, touch.b.path, touch, taken);
+    for (const auto& row : rows)
+      if (has(row.selected, a) || has(row.selected, b))
+        takeOne(now, row, Scope::pair, touch.a.path, touch.b.path, touch, taken);
   }
 }
 
@@ -182,14 +209,15 @@ std::vector<MeasureOnDemand> measuresOnDemand() {
 
 std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const std::string> names) {
   std::vector<TakenMeasure> taken;
-  std::vector<const CellMeasure*> ofCells;
-  std::vector<const PairMeasure*> ofPairs;
+  std::vector<AskedRow<CellContext>> ofCells;
+  std::vector<AskedRow<Touch>> ofPairs;
   for (const std::string& name : names) {
-    if (const auto* row = rowOnDemand<Observation>(name))
-      takeOne(now, *row, Scope::world, {}, {}, now, taken);
-    else if (const auto* ofCell = rowOnDemand<CellContext>(name)) ofCells.push_back(ofCell);
-    else if (const auto* ofPair = rowOnDemand<Touch>(name)) ofPairs.push_back(ofPair);
-    else MORULA_CHECK(false, "a measure on demand that no row names");
+    const std::optional<AskedMeasure> asked = findMeasure(name);
+    MORULA_CHECK(asked && asked->onDemand, "a measure on demand that no row names");
+    if (asked->scope == Scope::world) takeOfWorld(now, *asked, taken);
+    else if (asked->scope == Scope::cell)
+      ofCells.push_back({&measure<CellContext>(asked->row), &name, selectedCells(now, *asked)});
+    else ofPairs.push_back({&measure<Touch>(asked->row), &name, selectedCells(now, *asked)});
   }
   takeOfCells(now, ofCells, taken);
   takeOfPairs(now, ofPairs, taken);

@@ -37,8 +37,12 @@ struct Measure {
   const char* meaning;    // its definition, with its source; one line
   Needs needs = Needs::bodies;
   Taken taken = Taken::withSamples;
-  bool isWhole = false;                     // a whole number
+  bool isWhole = false;  // a whole number
+  bool followsNumber =
+      false;  // it changes with the number of cells, or with how small they are, though all else is alike
   std::optional<double> (*get)(const Of&);  // absent: there is nothing to measure
+  /// The same of the clones of cells so many divisions from the egg; null where it is not of clones.
+  std::optional<double> (*ofClones)(const Of&, int depth) = nullptr;
 };
 using WorldMeasure = Measure<Observation>;
 using CellMeasure = Measure<CellContext>;
@@ -115,12 +119,12 @@ std::vector<MeasureOnDemand> measuresOnDemand();
 /// One value of a measure on demand.
 struct TakenMeasure {
   Scope scope;
-  std::string name;
-  CellPath a, b;  // of a cell: a; of a pair: a < b
+  std::string name;  // as it was asked for
+  CellPath a, b;     // of a cell: a; of a pair: a < b
   double value;
   friend bool operator==(const TakenMeasure&, const TakenMeasure&) = default;
 };
-/// The values of the measures on demand of these names: of the world in the order of names, then cell by cell
+/// The values of the measures on demand of these names [asked_measure.h]: of the world in the order of names, then cell by cell
 /// and pair by pair, by path. What there is not to measure has no value.
 std::vector<TakenMeasure> takeMeasures(const Observation& now, std::span<const std::string> names);
 

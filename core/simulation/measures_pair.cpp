@@ -16,16 +16,16 @@ constexpr PairMeasure ofPair[] = {
      .meaning = "Of the contact: force over pressure, of either cell's vertices where the surfaces overlap, if it is 0.005 of the smaller one's surface at least; of two "
                 "balls the disc in which their surfaces meet",
      .needs = Needs::contact,
-     .get = [](const Touch& touch) -> Value { return touch.area; }},
+     .followsNumber = true, .get = [](const Touch& touch) -> Value { return touch.area; }},
     {.name = "contact_share", .meaning = "Area of the contact over the surface of the cell with less of it",
      .needs = Needs::contact, .taken = Taken::onDemand,
-     .get = [](const Touch& touch) -> Value {
+     .followsNumber = true, .get = [](const Touch& touch) -> Value {
        return touch.area / std::min(touch.a.physical()->getShape().area, touch.b.physical()->getShape().area);
      }},
     {.name = "kinship",
      .meaning = "Generations from their youngest common ancestor down to the later of the two: 1 for sisters, 2 for cousins",
      .needs = Needs::contact, .taken = Taken::onDemand, .isWhole = true,
-     .get = [](const Touch& touch) -> Value {
+     .followsNumber = true, .get = [](const Touch& touch) -> Value {
        const CellPath &a = touch.a.path, &b = touch.b.path;
        return double(std::max(a.depth(), b.depth()) - commonDepth(a, b));
      }},

@@ -1,8 +1,10 @@
 #include "simulation/observation.h"
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 
+#include "base/maths.h"
 #include "contacts/contacts.h"
 #include "division/principal_axis.h"
 #include "mesh/measures.h"
@@ -85,6 +87,23 @@ const Point& Observation::centreOf(int number) const {
   if (centres_.empty())
     for (int slot : world.bodies->slots) centres_.push_back(measureCentre(*world.bodies, slot));
   return centres_[number];
+}
+
+double Observation::probe() const {
+  const Bodies& b = *world.bodies;
+  double volume = 0;
+  for (const int slot : b.slots) volume += b.volume[slot];
+  return 0.5 * cubeRoot(volume / static_cast<double>(b.slots.size()) * 3 / (4 * std::numbers::pi));
+}
+
+const Cavities& Observation::cavities() const {
+  if (cavities_) return *cavities_;
+  std::vector<Mesh> surfaces;
+  for (const int slot : world.bodies->slots) surfaces.push_back(takeSurface(*world.bodies, slot));
+  std::vector<MeshView> meshes;
+  for (const Mesh& surface : surfaces) meshes.push_back({surface.vertices, surface.faces});
+  cavities_ = meshes.empty() ? Cavities{} : measureCavities(meshes, probe());
+  return *cavities_;
 }
 
 BodyUnit::BodyUnit(const Observation& observation, int slot)
@@ -206,6 +225,21 @@ std::span<const OtherCell> ObservedCell::otherCells() const {
 double ObservedCell::shellShare() const {
   if (!observation_.world.bodies || !observation_.world.bodies->parameters.shell) return 0;
   return measureShellShare(physical()->getShape(), *observation_.world.bodies->parameters.shell);
+}
+
+std::optional<double> ObservedCell::surfaceDistance() const {
+  if (!observation_.world.bodies || observation_.cavities().outside.empty()) return {};
+  const Point& centre = observation_.centreOf(number_);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point& probe : observation_.cavities().outside)
+    least = std::min(least, dot(probe - centre, probe - centre));
+  return std::sqrt(least) - observation_.probe();
+}
+
+std::optional<ShellPlace> ObservedCell::placeInShell() const {
+  const auto& bodies = observation_.world.bodies;
+  if (!bodies || !bodies->parameters.shell) return {};
+  return measurePlaceInShell(*bodies->parameters.shell, observation_.centreOf(number_));
 }
 
 double ObservedCell::elongation() const {

@@ -9,6 +9,7 @@
 #include "biology/cell_context.h"
 #include "biology/physical_unit.h"
 #include "contacts/contact_areas.h"
+#include "mesh/cavities.h"
 #include "simulation/reference.h"
 #include "simulation/world.h"
 
@@ -54,6 +55,11 @@ class Observation {
   /// [length] The mean of a cell's vertices; the world has bodies.
   const Point& centreOf(int number) const;
 
+  /// Of the surfaces of all cells, for a probe with half the radius of a ball with their mean volume; the world has bodies.
+  const Cavities& cavities() const;
+  /// [length] The probe's radius.
+  double probe() const;
+
   /// How often something was measured, so far.
   struct Counts {
     int shapes = 0, contacts = 0;
@@ -71,7 +77,8 @@ class Observation {
   mutable std::vector<double> meshVolumes_;            // [meshLevel]
   mutable std::vector<std::uint32_t> divisionByPath_;  // places in world.divisions
   mutable std::optional<Point> organismCentre_;
-  mutable std::vector<Point> centres_;                 // [cell]; empty: not measured
+  mutable std::vector<Point> centres_;  // [cell]; empty: not measured
+  mutable std::optional<Cavities> cavities_;
 };
 
 /// A body as an observation sees it.
@@ -109,6 +116,8 @@ class ObservedCell final : public CellContext {
   const Vector* inheritedPolarity() const override;
   std::span<const OtherCell> otherCells() const override;
   double shellShare() const override;
+  std::optional<double> surfaceDistance() const override;
+  std::optional<ShellPlace> placeInShell() const override;
   double elongation() const override;
   double size() const override;
   double sizeAtBirth() const override;

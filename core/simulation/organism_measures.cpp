@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
+#include "base/maths.h"
 #include "division/principal_axis.h"
 #include "division/superposition.h"
 #include "mesh/measures.h"
+#include "simulation/body_measures.h"
 #include "simulation/rank_correlation.h"
 
 namespace morula {
@@ -17,21 +20,28 @@ using Value = std::optional<double>;
 
 const std::vector<CellPath>& pathsOf(const Observation& now) { return now.world.cells.path; }
 
-/// Its clone's number; −1: none.
-int cloneOf(const CellPath& path) {
-  if (path.depth() < cloneDepth) return -1;
-  int clone = 0;
-  for (int i = 0; i < cloneDepth; ++i) clone = 2 * clone + (path.letter(i) ? 1 : 0);
-  return clone;
+/// [cell] The number of its clone among those that live, by path; −1: none.
+std::vector<int> cloneNumbers(const Observation& now, int depth) {
+  const auto& paths = pathsOf(now);
+  std::vector<int> numbers(paths.size(), -1);
+  int last = -1;
+  for (std::size_t i = 0; i < paths.size(); ++i) {  // a subtree is one range of paths
+    if (paths[i].depth() < depth) continue;
+    if (i == 0 || commonDepth(paths[i - 1], paths[i]) < depth) ++last;
+    numbers[i] = last;
+  }
+  return numbers;
 }
 
-constexpr int cloneCount = 1 << cloneDepth;
-
 /// The numbers of the living cells of each clone.
-std::vector<std::vector<int>> clonesOf(const Observation& now) {
-  std::vector<std::vector<int>> clones(cloneCount);
-  for (int i = 0; i < static_cast<int>(pathsOf(now).size()); ++i)
-    if (const int clone = cloneOf(pathsOf(now)[i]); clone >= 0) clones[clone].push_back(i);
+std::vector<std::vector<int>> clonesOf(const Observation& now, int depth) {
+  std::vector<std::vector<int>> clones;
+  const std::vector<int> numbers = cloneNumbers(now, depth);
+  for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
+    if (numbers[i] < 0) continue;
+    clones.resize(numbers[i] + 1);
+    clones[numbers[i]].push_back(i);
+  }
   return clones;
 }
 
@@ -81,10 +91,11 @@ Value measureRelativesInContact(const Observation& now, int relation) {
   return over(touching, pairs);
 }
 
-Value measureCloneContact(const Observation& now) {
+Value measureCloneContact(const Observation& now, int depth) {
+  const std::vector<int> clone = cloneNumbers(now, depth);
   double all = 0, within = 0;
   for (const auto& [a, b, area] : now.contacts()) {
-    const int one = cloneOf(pathsOf(now)[a]), other = cloneOf(pathsOf(now)[b]);
+    const int one = clone[a], other = clone[b];
     if (one < 0 || other < 0) continue;
     all += area;
     if (one == other) within += area;
@@ -101,16 +112,17 @@ Value measureHomotypicContact(const Observation& now) {
   return over(within, all);
 }
 
-Value measureMixing(const Observation& now) {
+Value measureMixing(const Observation& now, int depth) {
+  const std::vector<int> number = cloneNumbers(now, depth);
   double contacts = 0, mixed = 0;
   for (const auto& [a, b, area] : now.contacts()) {
-    const int one = cloneOf(pathsOf(now)[a]), other = cloneOf(pathsOf(now)[b]);
+    const int one = number[a], other = number[b];
     if (one < 0 || other < 0) continue;
     ++contacts;
     mixed += one != other ? 1 : 0;
   }
   double cells = 0, within = 0;  // ordered pairs of one clone
-  for (const auto& clone : clonesOf(now)) {
+  for (const auto& clone : clonesOf(now, depth)) {
     const double size = static_cast<double>(clone.size());
     cells += size, within += size * (size - 1);
   }
@@ -119,9 +131,9 @@ Value measureMixing(const Observation& now) {
   return (mixed / contacts) / ((pairs - within) / pairs);
 }
 
-Value measureCloneRadius(const Observation& now) {
+Value measureCloneRadius(const Observation& now, int depth) {
   double sum = 0, clones = 0;
-  for (const auto& clone : clonesOf(now)) {
+  for (const auto& clone : clonesOf(now, depth)) {
     if (clone.size() < 2) continue;
     std::vector<Point> centres;
     for (int cell : clone) centres.push_back(centreOf(now, cell));
@@ -134,7 +146,36 @@ Value measureCloneRadius(const Observation& now) {
   return over(sum, clones);
 }
 
-Value measureClonePieces(const Observation& now) {
+Value measureCloneSpread(const Observation& now, int depth) {
+  double sum = 0, clones = 0;
+  for (const auto& clone : clonesOf(now, depth)) {
+    std::vector<SolidMoments> cells;
+    double volume = 0, second = 0;
+    Vector first;
+    for (const int cell : clone) {
+      const SolidMoments& m =
+          cells.emplace_back(measureMoments(*now.world.bodies, now.world.bodies->slots[cell]));
+      volume += m.volume, first += m.volume * m.centre;
+    }
+    const Point centre = first / volume;
+    for (const SolidMoments& m : cells)
+      second += m.second + m.volume * dot(m.centre - centre, m.centre - centre);
+    const double radius = cubeRoot(volume * 3 / (4 * std::numbers::pi));
+    sum += std::sqrt(second / volume / 0.6) / radius;
+    ++clones;
+  }
+  return over(sum, clones);
+}
+
+std::optional<Lumen> measureLumen(const Observation& now) {
+  const Cavities& found = now.cavities();
+  if (found.outside.empty()) return {};
+  double cells = 0;
+  for (const int slot : now.world.bodies->slots) cells += measureMoments(*now.world.bodies, slot).volume;
+  return Lumen{found.volume / (cells + found.volume), found.largest / (cells + found.volume)};
+}
+
+Value measureClonePieces(const Observation& now, int depth) {
   const auto& paths = pathsOf(now);
   std::vector<int> first(paths.size());  // a cell of its piece, nearer to the piece's first one
   std::iota(first.begin(), first.end(), 0);
@@ -142,14 +183,15 @@ Value measureClonePieces(const Observation& now) {
     while (first[cell] != cell) cell = first[cell] = first[first[cell]];
     return cell;
   };
+  const std::vector<int> number = cloneNumbers(now, depth);
   for (const auto& [a, b, area] : now.contacts())
-    if (cloneOf(paths[a]) >= 0 && cloneOf(paths[a]) == cloneOf(paths[b])) {
+    if (number[a] >= 0 && number[a] == number[b]) {
       const int one = find(a), other = find(b);
       first[std::max(one, other)] = std::min(one, other);
     }
   double pieces = 0, clones = 0;
-  for (const auto& clone : clonesOf(now)) {
-    clones += clone.empty() ? 0 : 1;
+  for (const auto& clone : clonesOf(now, depth)) {
+    ++clones;
     for (int cell : clone) pieces += find(cell) == cell ? 1 : 0;
   }
   return over(pieces, clones);

@@ -75,6 +75,78 @@ TEST_CASE("Each measure that samples hold is in the database, in JSON, in golden
     CHECK(last(folder / "pair.db", "contact ORDER BY time DESC", name) != "null");
 }
 
+TEST_CASE(
+    "A measure of some cells alone may stand wherever one may: recorded, in charts, in colours and in "
+    "studies") {
+  const TemporaryFolder folder;
+  const std::string scene =
+      "morula: 1\nname: four\ndna: |\n  START: a0 skin\n  g1(divide|a0)\ncycle: {length: 0.125}\nstop: "
+      "{cycles: 3}\n"
+      "physics: {mesh: {icosphere: 1}, drag: 5, shell: {sphere: 1}, contact: {}}\n";
+  const auto write = [&](const std::string& measures) {
+    writeWhole(folder / "four.yaml", scene + "record: {every: 0.125, measures: [" + measures + "]}\n");
+  };
+  const auto wrong = [&](const std::string& measures) {
+    write(measures);
+    const auto answer = launch({"validate", folder / "four.yaml"});
+    CHECK(answer.code == 3);
+    return answer.err;
+  };
+  CHECK_THAT(wrong("shell_share of skni"),
+             ContainsSubstring("8:31: record.measures: the DNA has no substance 'skni'; "
+                               "did you mean skin?"));
+  CHECK_THAT(wrong("shell_shar of A"), ContainsSubstring("did you mean shell_share?"));
+  CHECK_THAT(wrong("volume of A*"),
+             ContainsSubstring("'volume of A*' is taken at every sample without being asked; remove it"));
+  CHECK_THAT(wrong("age of A B"), ContainsSubstring("'A B' selects no cells; needs a path"));
+  CHECK_THAT(wrong("lumen of A"),
+             ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
+  CHECK_THAT(wrong("shell_share of A, shell-share of A"), ContainsSubstring("stands there twice; remove it"));
+
+  write("shell-share of A*, count of skin, generation, clone_spread of generation 1");
+  const std::string db = folder / "four.db";
+  const auto run = launch({"run", folder / "four.yaml", "--no-pictures", "--quiet", "--db", db});
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const auto rows = [&](const std::string& condition) {
+    Database file(db, Database::Mode::existing, std::chrono::seconds(1));
+    return file.integer("SELECT count(*) FROM measure WHERE time = (SELECT max(time) FROM sample) AND " +
+                        condition);
+  };
+  CHECK(rows("name = 'shell_share of A*' AND scope = 'cell' AND a LIKE 'A%'") == 4);
+  CHECK(rows("name = 'shell_share of A*'") == 4);
+  CHECK(rows("name = 'count of skin' AND scope = 'world' AND value = 8") == 1);
+  CHECK(rows("name = 'clone_spread of generation 1' AND value > 1") == 1);
+  CHECK(launch({"replay", db}).code == 0);
+
+  for (const char* what : {"shell_share of A*", "generation of generation 3", "cell.volume of skin",
+                           "count of skin", "count of BB*", "volume of AAA", "pair.area of A*"}) {
+    INFO(what);
+    const auto chart = launch({"chart", db, what, "-o", folder / "chart.svg", "--quiet"});
+    CHECK(chart.err == "");
+    CHECK(chart.code == 0);
+    CHECK_THAT(readWhole(folder / "chart.svg"), ContainsSubstring("<svg"));
+  }
+  const auto saysOf = [&](const char* what) {
+    return launch({"chart", db, what, "-o", folder / "chart.svg"}).err;
+  };
+  CHECK_THAT(saysOf("shell_share of B*"), ContainsSubstring("--set 'record.measures=[shell_share of B*]'"));
+  CHECK_THAT(saysOf("age of skn"),
+             ContainsSubstring("age of skn: no cell ever holds a substance 'skn'; did you mean skin?"));
+  CHECK_THAT(saysOf("volumee of A"), ContainsSubstring("did you mean volume_over_mesh?") ||
+                                         ContainsSubstring("there is no measure 'volumee'"));
+  const auto coloured = launch(
+      {"render", folder / "four.yaml", "--colour", "shell_share of A*", "-o", folder / "a.png", "--quiet"});
+  CHECK(coloured.err == "");
+  CHECK(coloured.code == 0);
+  CHECK_THAT(
+      launch({"render", folder / "four.yaml", "--colour", "shell_share of A B", "-o", folder / "a.png"}).err,
+      ContainsSubstring("'A B' selects no cells"));
+  CHECK_THAT(launch({"render", folder / "four.yaml", "--colour", "clone_radius", "-o", folder / "a.png"}).err,
+             ContainsSubstring("is nothing to colour cells by"));
+  CHECK(launch({"lineage", db, "--colour", "volume of A*", "-o", folder / "tree.svg", "--quiet"}).code == 0);
+}
+
 TEST_CASE("schema --measures --markdown prints scenarios/MEASURES.md") {
   CHECK(launch({"schema", "--measures", "--markdown"}).out == readWhole("scenarios/MEASURES.md"));
 }

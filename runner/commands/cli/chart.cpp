@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "cli/verbs.h"
 #include "loop/simulate.h"
@@ -53,7 +55,7 @@ Picture ofSize(Picture picture, const std::optional<PictureSize>& size) {
   return picture;
 }
 
-Drawing draw(const RunToDraw& run, const ChartOptions& options, const std::optional<MeasureName>& measure,
+Drawing draw(const RunToDraw& run, const ChartOptions& options, const std::optional<AskedMeasure>& measure,
              const Scenario& scenario) {
   if (measure) return drawChart(ofSize(seriesOf(run.results, *measure, scenario), options.size));
   if (options.what == "contacts")
@@ -63,9 +65,9 @@ Drawing draw(const RunToDraw& run, const ChartOptions& options, const std::optio
 }
 
 int act(const ChartOptions& options) {
-  std::optional<MeasureName> measure;
+  std::optional<AskedMeasure> measure;
   if (options.what != "contacts" && options.what != "divisions") try {
-      measure = parseMeasure(options.what);
+      measure = readMeasure(options.what, IfSeveral::first);
     } catch (const InputError& error) {
       throw UsageError(std::string(error.what()) + "; or contacts, or divisions");
     }
@@ -77,11 +79,12 @@ int act(const ChartOptions& options) {
   if (options.time && *options.time > run.end)
     throw UsageError(fmt::format("--time: {} is after the end of the run, {:.6g}; needs at most that",
                                  exactText(*options.time), run.end));
-  const std::string file =
-      options.picture.empty() ? scenario.scene.name + "-" + options.what + ".svg" : options.picture;
+  std::string file = scenario.scene.name + "-" + options.what + ".svg";
+  std::ranges::replace(file, ' ', '-'), std::ranges::replace(file, '*', '+');
+  if (!options.picture.empty()) file = options.picture;
   writePicture(draw(run, options, measure, scenario), file);
-  printEither(options.output,
-              {{"scenario", scenario.scene.name}, {"time", run.end}, {"pictures", {file}}}, file + "\n");
+  printEither(options.output, {{"scenario", scenario.scene.name}, {"time", run.end}, {"pictures", {file}}},
+              file + "\n");
   return fine;
 }
 
@@ -93,7 +96,9 @@ void addChart(CLI::App& app, Action& action) {
   auto& options = verb.does<ChartOptions>(act);
   verb.needs("file", options.file, "FILE", "A database or a scenario");
   verb.needs("what", options.what, "WHAT",
-             "A measure over time, such as cell.volume (scenarios/MEASURES.md); contacts: who touches whom; "
+             "A measure over time, such as cell.volume (scenarios/MEASURES.md), or of some cells, "
+             "'shell_share of AAA*'; "
+             "contacts: who touches whom; "
              "divisions: "
              "which way cells divided");
   addRunChoice(verb, options.run);

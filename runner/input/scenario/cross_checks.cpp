@@ -11,7 +11,7 @@
 #include "physics/integrator.h"
 #include "scenario/bullet_fit.h"
 #include "scenario/scene_checks.h"
-#include "simulation/measures.h"
+#include "simulation/asked_measure.h"
 #include "simulation/start_variation.h"
 #include "simulation/world.h"
 #include "values/measure_list.h"
@@ -277,16 +277,17 @@ void checkInterval(const std::string& path, std::optional<double> every, double 
 void checkMeasures(const Scenario& scenario, Reading& reading, const Node& root) {
   const auto& reference = scenario.check.reference;
   std::set<Needs> asked;
-  for (const MeasureOnDemand& m : measuresOnDemand()) {
-    if (std::ranges::find(scenario.record.measures, m.name) == scenario.record.measures.end()) continue;
+  for (const std::string& name : scenario.record.measures) {
+    const AskedMeasure m = *findMeasure(name);
     asked.insert(m.needs);
     if (const std::string lacking = lackingFor(m.needs, scenario); !lacking.empty())
       reading.problems.add(placeOf(root, "record.measures"), "record.measures",
-                           std::string(m.name) + " would find nothing to measure", "needs " + lacking);
+                           m.name + " would find nothing to measure", "needs " + lacking);
   }
   const RecordParameters& record = scenario.record;
-  if (std::ranges::find(record.measures, "contact_duration") != record.measures.end() && !record.every &&
-      !record.meshes && record.atCells.empty() && scenario.scene.cells.empty())
+  const auto isDuration = [](const std::string& name) { return name.starts_with("contact_duration"); };
+  if (std::ranges::any_of(record.measures, isDuration) && !record.every && !record.meshes &&
+      record.atCells.empty() && scenario.scene.cells.empty())
     reading.problems.add(placeOf(root, "record.measures"), "record.measures",
                          "contact_duration would always be 0: between the egg and the end there is no sample",
                          "needs record.every or record.at-cells");

@@ -14,17 +14,20 @@ Json rowsAsJson() {
                     {"unit", m.unit},
                     {"meaning", m.meaning},
                     {"needs", name(m.needs)},
+                    {"follows_number", m.followsNumber},
+                    {"of_clones", m.ofClones != nullptr},
                     {"sampled", m.taken == Taken::withSamples}});
   return rows;
 }
 
 std::string tableOf(const char* title, const char* about, const Json& rows) {
   std::string text = std::string("## ") + title + "\n\n" + about +
-                     "\n\n| name | unit | needs | meaning |\n|---|---|---|---|\n";
+                     "\n\n| name | unit | needs | number of cells | meaning |\n|---|---|---|---|---|\n";
   for (const Json& row : rows) {
     const auto sampled = row.at("sampled").get<bool>();
     text += "| `" + row.at("name").get<std::string>() + "`" + (sampled ? "" : " (on demand)") + " | " +
             row.at("unit").get<std::string>() + " | " + row.at("needs").get<std::string>() + " | " +
+            (row.at("follows_number").get<bool>() ? "follows" : "") + " | " +
             row.at("meaning").get<std::string>() + " |\n";
   }
   return text + "\n";
@@ -44,7 +47,29 @@ std::string measuresAsMarkdown() {
       "them, and\nwhere `record: {measures: [...]}` names them: each value is then a row of the table "
       "`measure` and of "
       "`measure` in JSON.\n"
-      "What a scene does not have is not measured: NULL in the database, null in JSON, 0 in a golden.\n\n";
+      "What a scene does not have is not measured: NULL in the database, null in JSON, 0 in a golden.\n\n"
+      "Where a measure may stand (`record.measures`, `measures` of a study, `chart`, `--colour` of cells), "
+      "it may be "
+      "of some cells\nalone, `MEASURE of SELECTOR`; pairs are then those with one of these cells at least. "
+      "Such a "
+      "value has this name.\n\n"
+      "| selector | cells |\n|---|---|\n"
+      "| `AAA` | the cell with this path, A and B from the egg on |\n"
+      "| `AAA*` | that cell and all that descend from it |\n"
+      "| `generation 3` | all cells three divisions from the egg |\n"
+      "| `skin`, `s*` | all cells that hold the substance, or one that begins so |\n"
+      "| `clones` | the descendants of each cell two divisions from the egg; in a study one measure for "
+      "each, of AA*, "
+      "AB*, BA* and BB* |\n\n"
+      "`count of SELECTOR` is how many cells these are. A study takes the mean over the cells. Measures of "
+      "clones (`clone_` "
+      "and\n`mixing_index`) take `generation N` alone: their clones are then those of the cells N divisions "
+      "from the "
+      "egg.\n\n"
+      "Number of cells: what `follows` it changes with how many cells there are, or how small, though "
+      "nothing else differs. "
+      "Compare\nit between organisms of as many cells, or take another: `clone_spread` for "
+      "`clone_radius`.\n\n";
   text += tableOf("Of the organism", "Table `sample`, in goldens `organism`.", rowsAsJson<Observation>());
   text += tableOf("Of a cell", "Table `cell_sample`; what needs bodies alone is in `bullet_sample`, too.",
                   rowsAsJson<CellContext>());

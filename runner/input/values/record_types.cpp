@@ -1,37 +1,38 @@
 // What is recorded besides samples at regular times: at numbers of cells, and measures on demand.
 #include <algorithm>
 
-#include "base/did_you_mean.h"
-#include "files/text.h"
-#include "simulation/measures.h"
 #include "values/value_types.h"
 
 namespace morula::scenario {
 
 namespace {
 
-std::vector<std::string> namesOnDemand() {
-  std::vector<std::string> names;
-  for (const MeasureOnDemand& m : measuresOnDemand()) names.push_back(m.name);
-  return names;
-}
-
-template <class Of>
-bool isSampled(const std::string& name) {
-  return std::ranges::any_of(sampledMeasures<Of>(), [&](const Measure<Of>& m) { return m.name == name; });
-}
-
-/// What is wrong with a name that no measure on demand has.
-std::pair<std::string, std::string> complaintAbout(const std::string& name) {
-  if (isSampled<Observation>(name) || isSampled<CellContext>(name) || isSampled<Touch>(name))
-    return {"'" + name + "' is taken at every sample without being asked", "remove it"};
-  const auto known = namesOnDemand();
-  const std::string near = closest(name, known);
-  return {"there is no measure '" + name + "'",
-          near.empty() ? "needs some of " + join(known) : "did you mean " + near + "?"};
+std::vector<AskedMeasure> onDemand() {
+  std::vector<AskedMeasure> all = allMeasures();
+  std::erase_if(all, [](const AskedMeasure& m) { return !m.onDemand; });
+  return all;
 }
 
 }  // namespace
+
+Json measuresSchema(const std::vector<AskedMeasure>& known) {
+  Json names = Json::array();
+  for (const AskedMeasure& m : known) {
+    names.push_back(m.name);
+    std::string dashed = m.name;
+    std::ranges::replace(dashed, '_', '-');
+    if (dashed != m.name) names.push_back(dashed);
+  }
+  const Json ofSome{{"type", "string"}, {"pattern", "^[a-z][a-z._-]* of [^ ]+( [0-9]+)?$"}};
+  const Json items{{"anyOf", Json::array({Json{{"enum", names}}, ofSome})}};
+  return {{"type", "array"}, {"items", items}, {"minItems", 1}, {"uniqueItems", true}};
+}
+
+void addReadError(const Place& place, const std::string& path, const InputError& error, Problems& problems) {
+  const std::string what = error.what();  // "what is wrong; the remedy"
+  const auto end = what.rfind("; ");
+  problems.add(place, path, what.substr(0, end), what.substr(end + 2));
+}
 
 Parameter recordAtCells() {
   Parameter p;
@@ -65,26 +66,30 @@ Parameter recordAtCells() {
 Parameter recordMeasures() {
   Parameter p;
   p.path = "record.measures";
-  p.allowed = "a list of measures on demand, as [sister_contact, clone_radius]";
-  p.meaning = "Also taken at every sample, into table measure: those on demand of scenarios/MEASURES.md";
+  p.allowed = "a list of measures on demand, as [sister_contact, shell_share of AAA*]";
+  p.meaning =
+      "Also taken at every sample, into table measure: those on demand of scenarios/MEASURES.md, and of some "
+      "cells alone, "
+      "as measures in STUDIES.md may be (count of skin)";
   p.absent = "none";
   p.later = true;
-  p.schema = {
-      {"type", "array"}, {"items", {{"enum", namesOnDemand()}}}, {"minItems", 1}, {"uniqueItems", true}};
+  p.schema = measuresSchema(onDemand());
   p.read = [path = p.path, allowed = p.allowed](Scenario& s, const Node& node, Reading& reading) {
     if (!expectEntries(node, path, allowed, reading.problems)) return;
-    const auto known = namesOnDemand();
     for (const Node& item : node.items) {
-      const auto name = readText(item, path, "a measure's name", reading.problems);
-      if (!name) continue;
-      if (std::ranges::find(known, *name) == known.end()) {
-        const auto [wrong, right] = complaintAbout(*name);
-        reading.problems.add(item.place, path, wrong, right);
-      } else if (std::ranges::find(s.record.measures, *name) != s.record.measures.end()) {
-        reading.problems.add(item.place, path, "'" + *name + "' stands there twice", "remove it");
-      } else {
-        s.record.measures.push_back(*name);
-      }
+      const auto text = readText(item, path, "a measure's name", reading.problems);
+      if (!text) continue;
+      try {
+        const AskedMeasure m = readMeasure(*text, IfSeveral::first);
+        if (!m.onDemand)
+          reading.problems.add(item.place, path,
+                               "'" + *text + "' is taken at every sample without being asked", "remove it");
+        else if (std::ranges::find(s.record.measures, m.name) != s.record.measures.end())
+          reading.problems.add(item.place, path, "'" + *text + "' stands there twice", "remove it");
+        else s.record.measures.push_back(m.name);
+        if (m.of && m.of->kind == CellSelection::Kind::substance)
+          reading.substances.push_back({m.of->substance, item.place, path, m.of->substance.ends_with('*')});
+      } catch (const InputError& error) { addReadError(item.place, path, error, reading.problems); }
     }
   };
   p.write = [](const Scenario& s) { return s.record.measures.empty() ? Json() : Json(s.record.measures); };

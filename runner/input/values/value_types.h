@@ -1,6 +1,8 @@
 #pragma once
 // The kinds of values that parameters have. Each function makes a Parameter that reads, writes and describes
 // one field.
+#include "base/error.h"
+#include "simulation/asked_measure.h"
 #include "values/parameter.h"
 #include "yaml/numbers.h"
 
@@ -100,6 +102,10 @@ Parameter recordMeasures();
 Parameter becauseText();
 
 // For the kinds themselves.
+/// Of a list of these measures, also of some cells alone where they are of cells.
+Json measuresSchema(const std::vector<AskedMeasure>& known);
+/// What readMeasure complained about.
+void addReadError(const Place& place, const std::string& path, const InputError& error, Problems& problems);
 
 /// Says that the node is empty or of another kind than is allowed; nothing where it could not be read at all,
 /// which has been said.

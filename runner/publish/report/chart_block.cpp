@@ -85,9 +85,9 @@ std::vector<std::string> moreMeasures(const RunFacts& run) {
   std::set<std::string> known;
   for (const Sample& sample : run.results.samples)
     for (const TakenMeasure& taken : sample.more)
-      if (const std::string called = std::string(name(taken.scope)) + "." + taken.name;
-          known.insert(called).second)
-        names.push_back(called);
+      if (known.insert(taken.name).second)
+        names.push_back(taken.scope == Scope::world ? taken.name
+                                                    : std::string(name(taken.scope)) + "." + taken.name);
   return names;
 }
 
@@ -97,13 +97,14 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
     try {
       charts.add(svgPicture(draw(), caption, caption,
                             what == "divisions" ? Picture::Size::wide : Picture::Size::usual));
-      commands.push_back(commandFor(run, "chart", what + " -o " + what + ".svg"));
+      const std::string quoted = what.find(' ') == what.npos ? what : "'" + what + "'";
+      commands.push_back(commandFor(run, "chart", quoted + " -o " + what + ".svg"));
     } catch (const InputError&) {  // there is nothing of this kind in the run
     }
   };
   for (const std::string& measure : moreMeasures(run))
     add(measure, titleOfMeasure(measure) + (measure.starts_with("cell.") ? ": each cell" : ""), [&] {
-      Chart chart = seriesOf(run.results, parseMeasure(measure), run.scenario);
+      Chart chart = seriesOf(run.results, readMeasure(measure, IfSeveral::first), run.scenario);
       Chart small = timeChart(titleOfMeasure(measure), unitOfMeasure(measure));
       small.lines = std::move(chart.lines);
       small.legend = std::move(chart.legend);

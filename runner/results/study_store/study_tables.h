@@ -56,13 +56,6 @@ void listFields(T& task, auto&& field) {
         NullIf{resultHash.empty(), resultHash});
 }
 
-/// In a measure's name between what is measured and the cells that it is of: "shell_share of AAA*".
-inline constexpr std::string_view beforeSelection = " of ";
-/// "shell_share" of either.
-inline std::string withoutSelection(const std::string& measure) {
-  return measure.substr(0, measure.find(beforeSelection));
-}
-
 /// One value of one measure of a run: a scalar.
 struct ResultRow {
   std::string measure;

@@ -7,6 +7,8 @@
 #include "base/error.h"
 #include "drawing/palette.h"
 #include "pictures/pictures.h"
+#include "simulation/asked_measure.h"
+#include "store/sample_values.h"
 
 namespace morula {
 
@@ -14,36 +16,9 @@ namespace {
 
 constexpr Colour notMeasured = neutralGrey;
 
-template <class Of>
-void findMeasure(std::string_view name, Scope scope, std::optional<MeasureName>& found) {
-  for (const Measure<Of>& row : measures<Of>()) {
-    if (found || name != row.name) continue;
-    std::string title = row.name;
-    std::replace(title.begin(), title.end(), '_', ' ');
-    if (*row.unit) title += std::string(" [") + row.unit + "]";
-    found = MeasureName{scope, row.name, title};
-  }
-}
-
-template <class Of>
-void addNames(std::vector<std::string>& names) {
-  for (const Measure<Of>& row : measures<Of>()) names.push_back(row.name);
-}
-
-/// The measure of `only`, or of any scope; `name` without its scope.
-std::optional<MeasureName> measureNamed(std::string_view text, std::string& name, std::optional<Scope> only) {
+AskedMeasure cellMeasure(std::string_view text) {
   const auto dot = text.find('.');
-  const std::string_view scope = dot == text.npos ? "" : text.substr(0, dot);
-  name = dot == text.npos ? text : text.substr(dot + 1);
-  std::replace(name.begin(), name.end(), '-', '_');
-  const auto fits = [&](Scope s) {
-    return (scope.empty() || scope == morula::name(s)) && s == only.value_or(s);
-  };
-  std::optional<MeasureName> found;
-  if (fits(Scope::world)) findMeasure<Observation>(name, Scope::world, found);
-  if (fits(Scope::cell)) findMeasure<CellContext>(name, Scope::cell, found);
-  if (fits(Scope::pair)) findMeasure<Touch>(name, Scope::pair, found);
-  return found;
+  return readMeasure((dot == text.npos ? "cell." : "") + std::string(text));
 }
 
 bool isDrawn(const CellShape& cell) { return cell.opacity > 0; }
@@ -94,7 +69,7 @@ void colourByGeneration(std::vector<OrganismPicture>& pictures,
 
 void colourByMeasure(std::vector<OrganismPicture>& pictures,
                      const std::vector<std::vector<std::optional<double>>>& values,
-                     const MeasureName& measure) {
+                     const AskedMeasure& measure) {
   Range range;
   bool lacks = false;
   for (std::size_t p = 0; p < pictures.size(); ++p)
@@ -109,10 +84,12 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
           values[p][i] && range.low < range.high ? (*values[p][i] - range.low) / (range.high - range.low) : 0;
       pictures[p].cells[i].colour = values[p][i] ? scaleColour(share) : notMeasured;
     }
-    if (range.low <= range.high) pictures[p].instruments.colourBar = {measure.title, range.low, range.high};
-    if (lacks)
-      pictures[p].legend.push_back(
-          {notMeasured, measure.title.substr(0, measure.title.find(" [")) + " not measured"});
+    if (range.low <= range.high) pictures[p].instruments.colourBar = {measure.title(), range.low, range.high};
+    if (lacks) {
+      AskedMeasure bare = measure;
+      bare.unit.clear();
+      pictures[p].legend.push_back({notMeasured, bare.title() + " not measured"});
+    }
   }
 }
 
@@ -132,30 +109,19 @@ Colouring parseColouring(std::string_view text) {
   if (text == "generation") return {.by = By::generation, .measure = {}};
   if (text.starts_with("clone:") && text.size() == 7 && text[6] >= '1' && text[6] <= '4')
     return {.by = By::clone, .founders = text[6] - '0', .measure = {}};
-  std::string called;
-  if (auto measure = measureNamed(text, called, Scope::cell))
-    return {.by = By::measure, .measure = *std::move(measure)};
+  std::string wrong = "'" + std::string(text) + "' is nothing to colour cells by";
+  try {
+    if (AskedMeasure m = cellMeasure(text); m.scope == Scope::cell)
+      return {.by = By::measure, .measure = m.name};
+  } catch (const InputError& error) {
+    if (text.find(' ') != text.npos) wrong = error.what();
+  }
   std::vector<std::string> known{"substance", "clone", "generation"};
-  addNames<CellContext>(known);
-  const std::string near = closest(called, known);
-  throw InputError("'" + std::string(text) +
-                   "' is nothing to colour cells by; needs substance, clone, clone:1 to " +
-                   "clone:4, generation, or a measure of cells (scenarios/MEASURES.md)" +
-                   (near.empty() ? "" : "; did you mean " + near + "?"));
-}
-
-MeasureName parseMeasure(std::string_view text) {
-  std::string called;
-  if (auto found = measureNamed(text, called, {})) return *std::move(found);
-  std::vector<std::string> names;
-  addNames<Observation>(names);
-  addNames<CellContext>(names);
-  addNames<Touch>(names);
-  const std::string near = closest(called, names);
-  throw InputError(
-      "'" + std::string(text) +
-      "' is no measure; needs one of scenarios/MEASURES.md, alone or with what it is of: cell.volume" +
-      (near.empty() ? "" : "; did you mean " + near + "?"));
+  for (const CellMeasure& row : measures<CellContext>()) known.push_back(row.name);
+  const std::string near = closest(text.starts_with("cell.") ? text.substr(5) : text, known);
+  throw InputError(wrong +
+                   "; needs substance, clone, clone:1 to clone:4, generation, or a measure of cells " +
+                   "(scenarios/MEASURES.md)" + (near.empty() ? "" : "; did you mean " + near + "?"));
 }
 
 std::string founderOf(const std::string& path, int founders) {
@@ -181,18 +147,17 @@ std::vector<std::optional<double>> colourValues(const World& world, const Colour
   if (colouring.by != Colouring::By::measure) return values;
   Observation now(world);
   if (scenario.check.reference) now.reference = &*scenario.check.reference;
-  const CellMeasure& row =
-      *std::ranges::find(measures<CellContext>(), colouring.measure.name, &CellMeasure::name);
-  if (row.needs == Needs::bodies && !world.bodies) return values;
-  if (row.taken == Taken::withSamples) {
-    const auto cells = measureCells(now);
-    for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i][row.name];
-    return values;
-  }
-  const std::vector<std::string> names{row.name};
-  for (const TakenMeasure& taken : takeMeasures(now, names))
-    if (const int number = cellNumber(world.cells, taken.a); taken.scope == Scope::cell && number >= 0)
-      values[std::size_t(number)] = taken.value;
+  const AskedMeasure asked = *findMeasure(colouring.measure);
+  if (const auto unknown = unknownSubstance(asked, scenario.scene.dna.substances); !unknown.empty())
+    throw InputError(asked.name + ": " + unknown);
+  if (asked.needs == Needs::bodies && !world.bodies) return values;
+  Sample sample;
+  std::map<StateId, std::string> states;
+  sample.cells = measureCells(now);
+  for (const CellMeasures& c : sample.cells) states.emplace(c.state, world.biology->describe(c.state));
+  if (asked.onDemand) sample.more = takeMeasures(now, std::vector{asked.name});
+  for (const auto& [cell, value] : valuesIn(sample, asked, states))
+    values[std::size_t(cellNumber(world.cells, cell.a))] = value;
   return values;
 }
 
@@ -203,7 +168,8 @@ void colourCells(std::vector<OrganismPicture>& pictures,
   for (OrganismPicture& picture : pictures) picture.legend.clear();
   if (colouring.by == Colouring::By::clone) colourByClone(pictures, values, colouring.founders, scenario);
   if (colouring.by == Colouring::By::generation) colourByGeneration(pictures, values);
-  if (colouring.by == Colouring::By::measure) colourByMeasure(pictures, values, colouring.measure);
+  if (colouring.by == Colouring::By::measure)
+    colourByMeasure(pictures, values, *findMeasure(colouring.measure));
   else shareLegend(pictures);
 }
 

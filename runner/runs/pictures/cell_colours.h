@@ -1,6 +1,5 @@
 #pragma once
-// What the colour of a cell tells: its substances, its clone, its generation, or anything that is measured of it; and how
-// measures are named.
+// What the colour of a cell tells: its substances, its clone, its generation, or anything that is measured of it.
 #include <optional>
 #include <set>
 #include <string>
@@ -15,26 +14,15 @@
 
 namespace morula {
 
-/// A measure, of any scope.
-struct MeasureName {
-  Scope scope;
-  std::string name;
-  std::string title;  // with its unit, for an axis
-};
-
-/// "volume" or with its scope "cell.volume", '-' for '_' or not: without, the first of world, cell and pair that has the
-/// name. Throws InputError with the name that was probably meant.
-MeasureName parseMeasure(std::string_view text);
-
 struct Colouring {
   enum class By { substance, clone, generation, measure };
   By by = By::substance;
-  int founders = 2;  // of clones: cells that stand so many divisions below the egg, 1 to 4
-  MeasureName measure{};
+  int founders = 2;       // of clones: cells that stand so many divisions below the egg, 1 to 4
+  std::string measure{};  // of cells, as AskedMeasure::name [simulation/asked_measure.h]
 };
 
-/// "substance", "clone", "clone:3", "generation" or a measure of cells, as parseMeasure takes it. Throws InputError with
-/// what it may be, and the measure that was probably meant.
+/// "substance", "clone", "clone:3", "generation" or a measure of cells, also of some alone (shell_share of AAA*). Throws
+/// InputError with what it may be, and the measure that was probably meant.
 Colouring parseColouring(std::string_view text);
 
 /// The ancestor that the cell's clone is called by, `founders` divisions below the egg; a cell above it stands for itself.

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "document/words.h"
 #include "drawing/palette.h"
+#include "store/sample_values.h"
 
 namespace morula {
 
@@ -21,47 +22,16 @@ std::string nameOrPath(const CellPath& path, const Scenario& scenario) {
   return scenario.names.of(path).value_or(path.isEgg() ? "egg" : path.text());
 }
 
-bool isSampled(const MeasureName& measure) {
-  const auto has = [&](const auto& rows) {
-    return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return measure.name == row.name; });
-  };
-  return measure.scope == Scope::world  ? has(sampledMeasures<Observation>())
-         : measure.scope == Scope::cell ? has(sampledMeasures<CellContext>())
-                                        : has(sampledMeasures<Touch>());
-}
-
-struct Key {
-  CellPath a, b;
-  auto operator<=>(const Key&) const = default;
-};
-
-/// The values of the measure in one sample; the world's under an empty key.
-std::map<Key, double> valuesIn(const Sample& sample, const MeasureName& measure) {
-  std::map<Key, double> values;
-  const auto add = [&](const Key& key, const std::optional<double>& value) {
-    if (value) values[key] = *value;
-  };
-  if (!isSampled(measure)) {
-    for (const TakenMeasure& taken : sample.more)
-      if (taken.scope == measure.scope && taken.name == measure.name) add({taken.a, taken.b}, taken.value);
-  } else if (measure.scope == Scope::world) {
-    add({}, sample.world[measure.name]);
-  } else if (measure.scope == Scope::cell) {
-    for (const CellMeasures& cell : sample.cells) add({cell.path, {}}, cell[measure.name]);
-  } else {
-    for (const ContactMeasures& pair : sample.contacts) add({pair.a, pair.b}, pair[measure.name]);
-  }
-  return values;
-}
-
-[[noreturn]] void failWithout(const MeasureName& measure, const Scenario& scenario) {
+[[noreturn]] void failWithout(const AskedMeasure& measure, const Scenario& scenario) {
+  if (const auto unknown = unknownSubstance(measure, scenario.scene.dna.substances); !unknown.empty())
+    throw InputError(measure.name + ": " + unknown);
   throw InputError("no sample of " + scenario.scene.name + " has " + measure.name +
-                   (isSampled(measure)
+                   (!measure.onDemand
                         ? "; the scene has nothing that it could be measured of"
-                        : "; record.measures must name it: --set record.measures=[" + measure.name + "]"));
+                        : "; record.measures must name it: --set 'record.measures=[" + measure.name + "]'"));
 }
 
-std::string wordsOf(const Key& key, const MeasureName& measure, const Scenario& scenario) {
+std::string wordsOf(const MeasuredThing& key, const AskedMeasure& measure, const Scenario& scenario) {
   if (measure.scope == Scope::world) return measure.name;
   const std::string a = nameOrPath(key.a, scenario);
   return measure.scope == Scope::cell ? a : a + "–" + nameOrPath(key.b, scenario);
@@ -71,10 +41,10 @@ constexpr int founders = Colouring{}.founders;
 
 }  // namespace
 
-Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scenario& scenario) {
-  std::map<Key, std::vector<Spot>> series;
+Chart seriesOf(const RunResults& results, const AskedMeasure& measure, const Scenario& scenario) {
+  std::map<MeasuredThing, std::vector<Spot>> series;
   for (const Sample& sample : results.samples)
-    for (const auto& [key, value] : valuesIn(sample, measure))
+    for (const auto& [key, value] : valuesIn(sample, measure, results.stateTexts))
       series[key].push_back({sample.world.time, value});
   if (series.empty()) failWithout(measure, scenario);
   const double end = results.samples.back().world.time;
@@ -85,9 +55,9 @@ Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scen
   std::size_t number = 0;
   Chart chart;
   chart.title = scenario.scene.name;
-  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), measure.title,
+  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), measure.title(),
                               counted(results.samples.size(), "sample"));
-  chart.xLabel = "time", chart.yLabel = measure.title;
+  chart.xLabel = "time", chart.yLabel = measure.title();
   chart.xScale = chart.yScale = Axis::Scale::linear;
   chart.dots = few && results.samples.size() <= 40;
   for (auto& [key, points] : series) {
@@ -181,13 +151,13 @@ void colourTree(TreePicture& tree, const RunResults& results, const Colouring& c
     std::size_t count = 0;
   };
   std::map<std::string, Mean> means;
-  const MeasureName measure =
-      colouring.by == By::measure ? colouring.measure : MeasureName{Scope::cell, "generation", "generation"};
+  const AskedMeasure measure =
+      colouring.by == By::measure ? *findMeasure(colouring.measure) : readMeasure("cell.generation");
   if (colouring.by == By::generation)
     for (const LineageNode& node : tree.nodes) means[node.path] = {double(node.path.size()), 1};
   else
     for (const Sample& sample : results.samples)
-      for (const auto& [key, value] : valuesIn(sample, measure)) {
+      for (const auto& [key, value] : valuesIn(sample, measure, results.stateTexts)) {
         Mean& mean = means[key.a.text()];
         mean.sum += value, ++mean.count;
       }
@@ -207,7 +177,7 @@ void colourTree(TreePicture& tree, const RunResults& results, const Colouring& c
   }
   if (lacks) tree.legend.push_back({neutralGrey, "in no sample"});
   tree.colourBar =
-      ColourBar{measure.title + (colouring.by == By::measure ? ", mean over a cell's samples" : ""),
+      ColourBar{measure.title() + (colouring.by == By::measure ? ", mean over a cell's samples" : ""),
                 range.low, range.high};
 }
 

@@ -2,7 +2,6 @@
 // From what a run left behind to charts: a measure over time, who touches whom, which way cells divided.
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "charts/chart.h"
@@ -10,15 +9,16 @@
 #include "charts/rose.h"
 #include "pictures/cell_colours.h"
 #include "scenario/scenario.h"
+#include "simulation/asked_measure.h"
 #include "store/records.h"
 #include "trees/lineage_tree.h"
 
 namespace morula {
 
-/// One line of the world, or one for each cell or pair, over all samples. Few lines have colours of their own and
+/// One line of the world, or one for each cell or pair that is asked for, over all samples. Few lines have colours of their own and
 /// labels at their ends, many have those of their clones. Throws InputError where no sample has the measure, which says
 /// what a scenario must record.
-Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scenario& scenario);
+Chart seriesOf(const RunResults& results, const AskedMeasure& measure, const Scenario& scenario);
 
 /// Contact areas of the cells in the last sample that is not after `time`; cells by path. Throws InputError where
 /// there is none, or no contact in the scene.

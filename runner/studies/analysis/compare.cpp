@@ -82,6 +82,7 @@ StudyComparison compareStudy(StudyResults results, const CompareOptions& options
     for (std::size_t i = 0; i < r.conditions.size(); ++i) c.conditions.push_back(summaryOf(r, m, i));
   comparePairs(c, options.within);
   compareFactors(c);
+  splitPairs(c);
   compareOverTime(c);
   return c;
 }

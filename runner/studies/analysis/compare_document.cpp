@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "analysis/compare_parts.h"
 #include "analysis/compare_tables.h"
 #include "analysis/measure_words.h"
 #include "base/number_text.h"
@@ -100,6 +101,15 @@ Document comparedTables(const StudyComparison& c) {
       std::ranges::copy_if(pairs, std::back_inserter(ofAxis), [&](const auto& p) { return p.axis == axis; });
       add(name + " by " + c.results.axes[axis].name + ", seed by seed", pairTable(c, ofAxis));
     }
+    for (const std::size_t axis : c.by)
+      if (const auto interaction = interactionOf(c, m, axis)) {
+        std::vector<PairComparison> ofAxis;
+        std::ranges::copy_if(c.split, std::back_inserter(ofAxis),
+                             [&](const auto& p) { return p.measure == m && p.axis == axis; });
+        add(name + " by " + c.results.axes[axis].name + " at each level of " +
+                c.results.axes[interaction->other].name,
+            pairTable(c, ofAxis));
+      }
     add(name + ": equivalence, two one-sided tests", equivalenceTable(c, pairs));
     for (const MeasureEffects& e : ofMeasure(c.effects, m)) {
       add(name + ": main effects and interactions", effectTable(c, e));
@@ -132,6 +142,7 @@ Json toJson(const StudyComparison& c) {
           {"verdicts", verdictsOf(c)},
           {"conditions", jsonOf(conditionTable(c, c.conditions))},
           {"pairs", jsonOf(pairTable(c, c.pairs))},
+          {"split", jsonOf(pairTable(c, c.split))},
           {"effects", effects},
           {"courses", courses}};
 }

@@ -69,6 +69,22 @@ std::optional<MeasureEffects> effectsOf(const StudyComparison& c, std::size_t me
 
 }  // namespace
 
+std::optional<Interaction> interactionOf(const StudyComparison& c, std::size_t measure, std::size_t axis) {
+  std::optional<Interaction> strongest;
+  double most = 0;
+  for (const MeasureEffects& effects : c.effects)
+    for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
+      const FactorEffect& e = effects.analysis.effects[i];
+      if (effects.measure != measure || e.factors.size() < 2 || effects.corrected[i].value_or(1) >= 0.05)
+        continue;
+      const std::size_t one = effects.axes[e.factors[0]], two = effects.axes[e.factors[1]];
+      if ((one != axis && two != axis) || !(e.share > most)) continue;
+      most = e.share;
+      strongest = Interaction{&effects, i, one == axis ? two : one};
+    }
+  return strongest;
+}
+
 void compareFactors(StudyComparison& c) {
   const auto axes = comparedAxes(c);
   if (axes.empty()) return;

@@ -136,26 +136,51 @@ std::optional<double> PairComparison::intervalRatio() const {
   return paired.interval->width() / unpaired->interval->width();
 }
 
-void comparePairs(StudyComparison& c, bool within) {
-  for (const std::size_t m : c.measures)
-    for (const std::size_t axis : comparedAxes(c))
-      for (const Fixed& at : fixedLevels(c, axis, within)) {
-        const std::size_t levels = c.results.axes[axis].labels.size();
-        for (std::size_t a = 0; a < levels; ++a)
-          for (std::size_t b = a + 1; b < levels; ++b) {
-            auto pair = compare(c.results, m, axis, a, b, at);
-            if (pair.seeds > 0) c.pairs.push_back(std::move(pair));
-          }
-      }
+namespace {
+
+/// Every two levels of an axis, with these of the others.
+void addPairs(const StudyComparison& c, std::size_t measure, std::size_t axis, const Fixed& at,
+              std::vector<PairComparison>& pairs) {
+  const std::size_t levels = c.results.axes[axis].labels.size();
+  for (std::size_t a = 0; a < levels; ++a)
+    for (std::size_t b = a + 1; b < levels; ++b) {
+      auto pair = compare(c.results, measure, axis, a, b, at);
+      if (pair.seeds > 0) pairs.push_back(std::move(pair));
+    }
+}
+
+void correctDifferences(const StudyComparison& c, std::vector<PairComparison>& pairs) {
   const auto constant = constantMeasures(c);
   correct(
-      c.pairs,
+      pairs,
       [&](PairComparison& p) {
         const bool tested = p.known == Known::estimated && !p.sameRuns && !constant.contains(p.measure);
         return tested ? std::optional(p.paired.p) : std::nullopt;
       },
       [](PairComparison& p, double corrected) { p.corrected = corrected; });
+}
+
+}  // namespace
+
+void comparePairs(StudyComparison& c, bool within) {
+  for (const std::size_t m : c.measures)
+    for (const std::size_t axis : comparedAxes(c))
+      for (const Fixed& at : fixedLevels(c, axis, within)) addPairs(c, m, axis, at, c.pairs);
+  correctDifferences(c, c.pairs);
   testEquivalences(c);
+}
+
+void splitPairs(StudyComparison& c) {
+  for (const std::size_t m : c.measures)
+    for (const std::size_t axis : comparedAxes(c)) {
+      const auto interaction = interactionOf(c, m, axis);
+      for (std::size_t l = 0; interaction && l < c.results.axes[interaction->other].labels.size(); ++l) {
+        Fixed at(c.results.axes.size());
+        at[interaction->other] = l;
+        addPairs(c, m, axis, at, c.split);
+      }
+    }
+  correctDifferences(c, c.split);
 }
 
 }  // namespace morula

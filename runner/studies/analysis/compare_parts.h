@@ -1,5 +1,7 @@
 #pragma once
 // The parts of compareStudy, one file each.
+#include <optional>
+
 #include "analysis/comparison.h"
 
 namespace morula {
@@ -8,6 +10,16 @@ namespace morula {
 void comparePairs(StudyComparison& comparison, bool within);
 /// Fills `effects`.
 void compareFactors(StudyComparison& comparison);
+/// The strongest interaction of an axis with another that is shown for a measure, by its place among the effects. None: there
+/// is none. After compareFactors.
+struct Interaction {
+  const MeasureEffects* of;
+  std::size_t effect, other;  // other: axis
+};
+std::optional<Interaction> interactionOf(const StudyComparison& comparison, std::size_t measure,
+                                         std::size_t axis);
+/// Fills `split`; after compareFactors.
+void splitPairs(StudyComparison& comparison);
 /// Fills `courses`.
 void compareOverTime(StudyComparison& comparison);
 

@@ -205,7 +205,15 @@ Table effectTable(const StudyComparison& c, const MeasureEffects& of) {
       {{"", "measure", ""}, [&](const Row&) { return c.measureName(of.measure); }},
       {{"", "by", ""}, [=](const Row& e) { return join(axesOf(e), " x "); }},
       {{"eta_squared", "value", "η²"}, [](const Row& e) { return number(e.share, 3); }},
-      {{"partial_eta_squared", "", ""}, [](const Row& e) { return number(e.partial); }},
+      {{"partial_eta_squared", "", "partial"}, [](const Row& e) { return number(e.partial, 3); }},
+      {{"partial_low", "", "95 %"},
+       [](const Row& e) {
+         return number(e.partialInterval ? std::optional(e.partialInterval->low) : std::nullopt, 2);
+       }},
+      {{"partial_high", "", "interval"},
+       [](const Row& e) {
+         return number(e.partialInterval ? std::optional(e.partialInterval->high) : std::nullopt, 2);
+       }},
       {{"f", "effect", "F"}, [](const Row& e) { return number(e.f, 3); }},
       {{"df", "", "df"},
        [](const Row& e) {

@@ -102,6 +102,8 @@ struct StudyComparison {
   std::vector<ConditionSummary> conditions;  // by measure, then condition
   std::vector<PairComparison> pairs;         // by measure, axis, what is fixed, levels
   std::vector<MeasureEffects> effects;
+  /// Of axes that interact with another one: their levels at each level of that one; a family of their own for Holm.
+  std::vector<PairComparison> split;
   std::vector<TimeCourse> courses;  // of measures that were taken at several times
 
   const std::string& measureName(std::size_t m) const { return results.measures[m]; }
@@ -110,7 +112,8 @@ struct StudyComparison {
 /// Throws UsageError for axes, measures and margins that the study has not.
 StudyComparison compareStudy(StudyResults results, const CompareOptions& options);
 
-/// Sentences: first what each axis decides on, then what differs, what is equivalent and what tells nothing, then where no
+/// Sentences: first whether each axis matters to each measure, how much and between which levels, at each level of another axis
+/// where the two interact; then what differs, what is equivalent and what tells nothing, then where no
 /// difference is shown; these by measure and pair.
 std::vector<std::string> verdictsOf(const StudyComparison& comparison);
 /// Runs that failed, are missing or are not sane, a line each; and groups of conditions that are the same runs.

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
-#include "simulation/measures.h"
-#include "study_store/study_tables.h"
+#include "simulation/asked_measure.h"
 
 namespace morula {
 
@@ -19,6 +17,7 @@ constexpr std::array known{
     KnownWords{"clone_contact", "more", "less"},
     KnownWords{"homotypic_contact", "more", "less"},
     KnownWords{"clone_radius", "wider", "tighter"},
+    KnownWords{"clone_spread", "more spread out", "more compact"},
     KnownWords{"clone_components", "more", "fewer"},
     KnownWords{"mixing_index", "more mixed", "less mixed"},
     KnownWords{"sphericity", "rounder", "less round"},
@@ -32,29 +31,8 @@ constexpr std::array known{
     KnownWords{"area", "larger", "smaller"},
 };
 
-struct Row {
-  std::size_t place;
-  std::string unit;
-};
-
-template <class Of>
-std::optional<Row> rowIn(const std::string& scope, const std::string& measure, std::size_t& before) {
-  const auto rows = measures<Of>();
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (measure == rows[i].name || measure == scope + "." + rows[i].name)
-      return Row{before + i, rows[i].unit};
-  before += rows.size();
-  return std::nullopt;
-}
-
-Row rowOf(const std::string& name) {
-  const std::string measure = withoutSelection(name);
-  std::size_t before = 0;
-  if (const auto row = rowIn<Observation>("world", measure, before)) return *row;
-  if (const auto row = rowIn<CellContext>("cell", measure, before)) return *row;
-  if (const auto row = rowIn<Touch>("pair", measure, before)) return *row;
-  return {before, ""};
-}
+/// "shell_share" of "shell_share of AAA*".
+std::string rowOf(const std::string& measure) { return measure.substr(0, measure.find(" of ")); }
 
 }  // namespace
 
@@ -62,13 +40,16 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
   std::string plain = measure;
   std::ranges::replace(plain, '_', ' ');
   std::ranges::replace(plain, '.', ' ');
-  const std::string row = withoutSelection(measure);
+  const std::string row = rowOf(measure);
   for (const KnownWords& w : known)
     if (row == w.measure) return {plain, w.more, w.less};
   return {plain, "higher", "lower"};
 }
 
-std::string unitOfMeasure(const std::string& measure) { return rowOf(measure).unit; }
+std::string unitOfMeasure(const std::string& measure) {
+  const auto known = findMeasure(measure);
+  return known ? known->unit : "";
+}
 
 std::string titleOfMeasure(const std::string& measure) {
   std::string title = wordsOfMeasure(measure).noun;
@@ -78,6 +59,10 @@ std::string titleOfMeasure(const std::string& measure) {
   return title + (unit.empty() ? "" : " [" + unit + "]");
 }
 
-std::size_t placeOfMeasure(const std::string& measure) { return rowOf(measure).place; }
+std::size_t placeOfMeasure(const std::string& measure) {
+  const auto& all = allMeasures();
+  const auto known = findMeasure(rowOf(measure));
+  return std::ranges::find(all, known ? known->name : "", &AskedMeasure::name) - all.begin();
+}
 
 }  // namespace morula

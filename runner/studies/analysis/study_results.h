@@ -19,6 +19,7 @@ struct ResultTask {
   std::string runId;                            // "" while it is missing
   std::string stateHash;                        // of its last state; "" unless done
   std::vector<std::vector<TimedValue>> values;  // [measure] by time; empty: there was nothing to measure
+  std::size_t cells = 0;                        // at its end; 0 unless done
   bool isSane = true;                           // the end passed all checks of kind sanity (check_result)
 };
 

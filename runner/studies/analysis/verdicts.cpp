@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "analysis/compare_parts.h"
 #include "analysis/measure_words.h"
 #include "base/number_text.h"
 #include "files/text.h"
+#include "simulation/asked_measure.h"
 
 namespace morula {
 
@@ -127,30 +129,15 @@ std::string pairVerdict(const StudyComparison& c, const PairComparison& pair) {
                      numberText(pair.meanB, 3), place(c, pair), estimate(pair), pair.of.size());
 }
 
-std::string equivalenceVerdict(const StudyComparison& c, const PairComparison& pair) {
+/// Behind what is said of the difference: "; equivalent within ±0.1, 90 % interval 0.04 to 0.06, p = 0.01 after Holm".
+std::string equivalenceText(const PairComparison& pair) {
+  if (!pair.equivalence) return "";
   const auto& same = *pair.equivalence;
   const double p = same.verdict == Equivalent::no ? same.correctedBeyond : same.corrected;
-  return fmt::format("{}: {} within ±{} under {} and {}{}: difference {}{}{}", c.measureName(pair.measure),
-                     name(same.verdict), numberText(same.test.margin, 3), label(c, pair, pair.a),
-                     label(c, pair, pair.b), place(c, pair), numberText(pair.paired.difference, 2),
-                     intervalText("90 %", same.test.interval),
+  const bool isSmall = same.verdict == Equivalent::yes && isDifferent(pair);
+  return fmt::format("; {}{} within ±{}{}{}", isSmall ? "small as it is, " : "", name(same.verdict),
+                     numberText(same.test.margin, 3), intervalText("90 %", same.test.interval),
                      pair.known == Known::estimated ? ", " + pText(p) + " after Holm" : "");
-}
-
-/// Interactions; main effects: axisVerdicts.
-void addInteractions(const StudyComparison& c, std::size_t measure, Verdicts& verdicts) {
-  for (const MeasureEffects& effects : c.effects) {
-    if (effects.measure != measure) continue;
-    for (std::size_t i = 0; i < effects.analysis.effects.size(); ++i) {
-      const FactorEffect& e = effects.analysis.effects[i];
-      const auto& p = effects.corrected[i];
-      if (e.factors.size() < 2 || !p || *p >= 0.05) continue;
-      verdicts.known.push_back(
-          fmt::format("{}: what {} does depends on {} (interaction, η² {}, {} after Holm)",
-                      c.measureName(measure), c.results.axes[effects.axes[e.factors[0]]].name,
-                      c.results.axes[effects.axes[e.factors[1]]].name, numberText(e.share, 2), pText(p)));
-    }
-  }
 }
 
 void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdicts) {
@@ -167,22 +154,91 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
   }
   for (const PairComparison& pair : c.pairs) {
     if (pair.measure != measure) continue;
+    const bool isFixed = std::ranges::any_of(pair.at, [](const auto& level) { return level.has_value(); });
+    // What holds in the mean over an axis that it depends on is said at each level of that one [axisVerdicts].
+    if (!pair.equivalence && (isSilent || (!isFixed && interactionOf(c, measure, pair.axis)))) continue;
     auto& part = isDifferent(pair) || pair.equivalence ? verdicts.known : verdicts.open;
-    if (!isSilent) part.push_back(pairVerdict(c, pair));
-    if (pair.equivalence) part.push_back(equivalenceVerdict(c, pair));
+    part.push_back(pairVerdict(c, pair) + equivalenceText(pair));
   }
-  if (!isSilent) addInteractions(c, measure, verdicts);
 }
 
-/// "division: decides on clone_radius (η² 0.62, p = 0.001 after Holm): longest 0.742, random 0.794".
+/// "η² 0.62, partial η² 0.9, 95 % interval 0.7 to 0.95, p = 0.001 after Holm"
+std::string effectText(const MeasureEffects& effects, std::size_t effect) {
+  const FactorEffect& e = effects.analysis.effects[effect];
+  return fmt::format("η² {}{}, {} after Holm", numberText(e.share, 2),
+                     e.partialInterval ? fmt::format(", partial η² {}{}", numberText(*e.partial, 2),
+                                                     intervalText("95 %", e.partialInterval))
+                                       : "",
+                     pText(effects.corrected[effect]));
+}
+
+/// Every two of some levels, as `pairs` compares them: "longest 0.742, random 0.794, x 0.922: every two differ". "" if no
+/// two are shown to.
+std::string levelsThatDiffer(const StudyComparison& c, const std::vector<const PairComparison*>& pairs) {
+  std::map<std::size_t, double> means;
+  std::vector<std::string> differ, words;
+  for (const PairComparison* p : pairs) {
+    means[p->a] = p->meanA, means[p->b] = p->meanB;
+    if (isDifferent(*p)) differ.push_back(label(c, *p, p->a) + " and " + label(c, *p, p->b));
+  }
+  if (differ.empty()) return "";
+  for (const auto& [level, value] : means)
+    words.push_back(label(c, *pairs[0], level) + " " + numberText(value, 3));
+  return join(words) + (pairs.size() == 1               ? ""
+                        : differ.size() == pairs.size() ? ": every two differ"
+                                                        : ": " + join(differ) + " differ");
+}
+
+/// "a: what it does to volume depends on b (interaction, η² …): with b x: 1 10.1, 2 11; with b y, z: no difference is shown
+/// (95 % intervals within ±0.2)".
+std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const Interaction& interaction) {
+  const ResultAxis& other = c.results.axes[interaction.other];
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // of which levels
+  std::vector<std::string> silent;
+  double most = 0;
+  for (std::size_t l = 0; l < other.labels.size(); ++l) {
+    std::vector<const PairComparison*> pairs;
+    for (const PairComparison& p : c.split)
+      if (p.measure == interaction.of->measure && p.axis == axis && p.at[interaction.other] == l)
+        pairs.push_back(&p);
+    if (pairs.empty()) continue;
+    const std::string text = levelsThatDiffer(c, pairs);
+    if (text.empty()) {
+      silent.push_back(other.labels[l]);
+      for (const PairComparison* p : pairs)
+        if (const auto& i = p->paired.interval) most = std::max({most, -i->low, i->high});
+    } else if (const auto same = std::ranges::find(said, text, [](const auto& s) { return s.first; });
+               same != said.end())
+      same->second.push_back(other.labels[l]);
+    else said.push_back({text, {other.labels[l]}});
+  }
+  if (!silent.empty())
+    said.push_back({"no difference is shown" +
+                        (most > 0 ? " (95 % intervals within ±" + numberText(most, 2) + ")" : std::string()),
+                    silent});
+  std::string line = fmt::format("{}: what it does to {} depends on {} (interaction, {})",
+                                 c.results.axes[axis].name, c.measureName(interaction.of->measure),
+                                 other.name, effectText(*interaction.of, interaction.effect));
+  for (std::size_t i = 0; i < said.size(); ++i)
+    line += fmt::format("{} with {} {}: {}", i ? ";" : ":", other.name, join(said[i].second), said[i].first);
+  return line;
+}
+
+/// "division: decides on clone_radius (η² 0.62, 95 % interval …): longest 0.742, random 0.794".
 std::string effectVerdict(const StudyComparison& c, const MeasureEffects& effects, std::size_t axis) {
   const ResultAxis& of = c.results.axes[effects.axes[axis]];
   std::vector<std::string> means;
   for (std::size_t l = 0; l < of.labels.size(); ++l)
     means.push_back(of.labels[l] + " " + numberText(effects.means[axis][l], 3));
-  return fmt::format("{}: decides on {} (η² {}, {} after Holm): {}", of.name, c.measureName(effects.measure),
-                     numberText(effects.analysis.effects[axis].share, 2), pText(effects.corrected[axis]),
-                     join(means));
+  std::vector<const PairComparison*> pairs;
+  for (const PairComparison& p : c.pairs)
+    if (p.measure == effects.measure && p.axis == effects.axes[axis] &&
+        std::ranges::none_of(p.at, [](const auto& level) { return level.has_value(); }))
+      pairs.push_back(&p);
+  std::string which = levelsThatDiffer(c, pairs);
+  if (which.empty()) which = join(means) + (pairs.size() > 1 ? ": no two of them are shown to differ" : "");
+  return fmt::format("{}: decides on {} ({}): {}", of.name, c.measureName(effects.measure),
+                     effectText(effects, axis), which);
 }
 
 /// A line for each axis and measure that it decides on, and one for all others; not where a pair of levels says it all.
@@ -193,23 +249,51 @@ std::vector<std::string> axisVerdicts(const StudyComparison& c) {
     const ResultAxis& axis = c.results.axes[axes[a]];
     if (axes.size() == 1 && axis.labels.size() < 3) continue;
     std::vector<std::string> others;
-    double most = 0, least = 1;
+    double least = 1;
     for (const MeasureEffects& effects : c.effects) {
       const auto& p = effects.corrected[a];
-      if (!p || tellsNothing(c, effects.measure)) continue;
-      if (*p < 0.05) {
+      if (tellsNothing(c, effects.measure)) continue;
+      if (const auto interaction = interactionOf(c, effects.measure, axes[a])) {
+        lines.push_back(interactionVerdict(c, axes[a], *interaction));
+      } else if (p && *p < 0.05) {
         lines.push_back(effectVerdict(c, effects, a));
-        continue;
+      } else if (p) {
+        const auto& interval = effects.analysis.effects[a].partialInterval;
+        others.push_back(c.measureName(effects.measure) + " (η² " +
+                         numberText(effects.analysis.effects[a].share, 2) +
+                         (interval ? ", partial η² at most " + numberText(interval->high, 2) : "") + ")");
+        least = std::min(least, *p);
       }
-      others.push_back(c.measureName(effects.measure));
-      most = std::max(most, effects.analysis.effects[a].share), least = std::min(least, *p);
     }
-    if (others.empty()) continue;
-    lines.push_back(fmt::format("{}: no effect is shown on {} (η² {}{}, p {} {} after Holm)", axis.name,
-                                join(others), others.size() > 1 ? "at most " : "", numberText(most, 2),
-                                others.size() > 1 ? "at least" : "=", numberText(least, 2)));
+    if (!others.empty())
+      lines.push_back(fmt::format("{}: no effect is shown on {}; p {} {} after Holm", axis.name, join(others),
+                                  others.size() > 1 ? "at least" : "=", numberText(least, 2)));
   }
   return lines;
+}
+
+/// Where conditions end with other numbers of cells: which measures follow that, whatever else differs.
+void addNumbersOfCells(const StudyComparison& c, std::vector<std::string>& verdicts) {
+  std::vector<std::string> following;
+  for (const std::size_t m : c.measures)
+    if (const auto known = findMeasure(c.measureName(m));
+        known && known->followsNumber && !tellsNothing(c, m))
+      following.push_back(known->name);
+  Spread numbers;
+  for (const ResultCondition& condition : c.results.conditions) {
+    std::vector<double> cells;
+    for (const std::size_t t : condition.tasks)
+      if (t != noTask && c.results.tasks[t].cells > 0) cells.push_back(double(c.results.tasks[t].cells));
+    if (cells.empty()) continue;
+    const double average = mean(cells);
+    numbers.low = std::min(numbers.low, average), numbers.high = std::max(numbers.high, average);
+  }
+  if (following.empty() || !(numbers.low < numbers.high)) return;
+  verdicts.push_back(
+      fmt::format("numbers of cells differ between conditions, {} to {} in the mean, and {} {} with them, "
+                  "however cells lie",
+                  numberText(numbers.low, 4), numberText(numbers.high, 4), join(following),
+                  following.size() > 1 ? "change" : "changes"));
 }
 
 /// What pairs of one seed save.
@@ -247,6 +331,7 @@ std::vector<std::string> verdictsOf(const StudyComparison& c) {
   std::vector<std::string> all = axisVerdicts(c);
   all.insert(all.end(), verdicts.known.begin(), verdicts.known.end());
   all.insert(all.end(), verdicts.open.begin(), verdicts.open.end());
+  addNumbersOfCells(c, all);
   addCommonRandomNumbers(c, all);
   return all;
 }

@@ -90,6 +90,26 @@ double fisherAbove(double f, double df1, double df2) {
   return incompleteBeta(0.5 * df2, 0.5 * df1, df2 / whole, df1 * f / whole);
 }
 
+double noncentralFisherAbove(double f, double df1, double df2, double lambda) {
+  if (!(f > 0)) return 1;
+  if (lambda > 1000) {
+    const double mean = df1 + lambda;
+    return fisherAbove(f * df1 / mean, mean * mean / (df1 + 2 * lambda), df2);
+  }
+  const double a = 0.5 * df2, b = 0.5 * df1, whole = df2 + df1 * f, x = df2 / whole, y = df1 * f / whole;
+  double above = incompleteBeta(a, b, x, y);
+  double more =
+      exponential(a * naturalLog(x) + b * naturalLog(y) - logGamma(a) - logGamma(b + 1) + logGamma(a + b));
+  double weight = exponential(-0.5 * lambda), left = 1, sum = 0;
+  for (int j = 0; left > 1e-12 && j < 2000; ++j) {
+    sum += weight * above, left -= weight;
+    above += more;  // I_x(a, b + 1) = I_x(a, b) + x^a y^b / (b B(a, b)) [DLMF 8.17.21]
+    more *= y * (a + b + j) / (b + j + 1);
+    weight *= 0.5 * lambda / (j + 1);
+  }
+  return sum + left * above;
+}
+
 double normalBelow(double z) {
   if (z < 0) return 1 - normalBelow(-z);
   if (!(z < 8.5)) return 1;

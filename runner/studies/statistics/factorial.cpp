@@ -90,6 +90,27 @@ double epsilonOf(std::span<const double> deviations, std::size_t groups, double 
   return 0.25 * low + 0.75 * high;
 }
 
+/// The noncentrality with which F is above `f` in this share of studies; 0 if it is so more often without any.
+double noncentralityOf(double share, double f, double df1, double df2) {
+  double low = 0, high = 1;
+  if (noncentralFisherAbove(f, df1, df2, 0) >= share) return 0;
+  while (noncentralFisherAbove(f, df1, df2, high) < share) low = high, high *= 2;
+  for (int turn = 0; turn < 40; ++turn) {
+    const double middle = 0.5 * (low + high);
+    (noncentralFisherAbove(f, df1, df2, middle) < share ? low : high) = middle;
+  }
+  return high;
+}
+
+Interval partialIntervalOf(const FactorEffect& e, double n) {
+  const auto at = [&](double share) {
+    const double lambda =
+        noncentralityOf(share, *e.f, e.epsilon * e.degreesOfFreedom, e.epsilon * e.errorDegreesOfFreedom);
+    return lambda / (lambda + e.epsilon * e.degreesOfFreedom * n);
+  };
+  return {at(0.025), at(0.975)};
+}
+
 void test(FactorEffect& e, const Design& design, const Contrasts& contrasts, double whole, double size) {
   const double n = static_cast<double>(design.replicates);
   const double each = static_cast<double>(design.cells / contrasts.groups);
@@ -111,6 +132,7 @@ void test(FactorEffect& e, const Design& design, const Contrasts& contrasts, dou
   e.f = e.squares / (e.errorSquares / (n - 1));
   e.epsilon = epsilonOf(deviations, contrasts.groups, e.degreesOfFreedom);
   e.p = fisherAbove(*e.f, e.epsilon * e.degreesOfFreedom, e.epsilon * e.errorDegreesOfFreedom);
+  e.partialInterval = partialIntervalOf(e, n);
   if (repeats(contrasts.values, contrasts.groups))
     e.p = std::max(*e.p, signFlipP(contrasts.values, contrasts.groups));
 }

@@ -11,10 +11,16 @@
 // Lecoutre 1991]: ε = 0.25 ε_GG + 0.75 ε_HF. Simulated studies without any effect (calibration_test.cpp) then have
 // p < 0.05 in 3.3 to 6.5 % from 5 seeds on and in 10 % at most with 3, for d up to 4; with d = 8 and one contrast that varies
 // more than all others in 7 % with 5 seeds and 11 % with 3.
+//
+// The interval is of partial η² in infinitely many seeds, σ² / (σ² + error), with the variance σ² of the effect's contrasts and
+// that of the error, both of one seed: λ / (λ + d n), with the noncentralities λ for which F is the 97.5 % and the 2.5 % quantile
+// [Steiger 2004; ε d for d, as in the test]. It holds that in 93 to 98 % of simulated studies from 5 seeds on (the same test).
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "statistics/mean.h"
 
 namespace morula {
 
@@ -28,6 +34,7 @@ struct FactorEffect {
   double errorDegreesOfFreedom = 0;  // d (n − 1)
   double epsilon = 1;                // ε
   std::optional<double> partial{};   // partial η²: squares / (squares + error); absent without error
+  std::optional<Interval> partialInterval{};  // 95 %
   std::optional<double> f{},
       p{};  // absent where the effect does not differ between seeds; p as compare_means.h has it
 };

@@ -3,7 +3,7 @@
 
 #include "base/did_you_mean.h"
 #include "files/text.h"
-#include "study/study_measures.h"
+#include "simulation/asked_measure.h"
 #include "study/study_table.h"
 #include "values/value_types.h"
 
@@ -64,7 +64,7 @@ class ClaimReader {
     if (!text || study_.measures.empty()) return;
     std::string name = *text;
     try {
-      if (const auto measure = findStudyMeasure(name)) name = measure->name;
+      if (const auto measure = findMeasure(name)) name = measure->name;
     } catch (const InputError&) {  // no selection: then it is none of the study's either
     }
     if (std::ranges::find(study_.measures, name) == study_.measures.end())

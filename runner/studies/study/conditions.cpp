@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/did_you_mean.h"
 #include "base/error.h"
-#include "biology/substance_pattern.h"
 #include "files/folders.h"
 #include "files/read_file.h"
 #include "loop/simulate.h"
 #include "scenario/loading.h"
+#include "simulation/asked_measure.h"
 #include "study/condition_mistakes.h"
-#include "study/study_measures.h"
 #include "study/study_table.h"
 #include "values/measure_list.h"
 
@@ -49,10 +47,10 @@ void takeOver(Scenario& scenario, const Study& study) {
   if (study.when.moments == Moments::every) scenario.record.every = study.when.every;
   bool comparesContacts = false, comparesPositions = false;
   for (const std::string& name : study.measures) {
-    const StudyMeasure m = *findStudyMeasure(name);
+    const AskedMeasure m = *findMeasure(name);
     comparesContacts |= m.needs == Needs::referenceContacts;
     comparesPositions |= m.needs == Needs::referencePositions;
-    if (m.onDemand) scenario.record.measures.push_back(m.row);
+    if (m.onDemand) scenario.record.measures.push_back(m.name);
   }
   auto reference = std::move(scenario.check.reference);
   scenario.check = {};
@@ -61,26 +59,13 @@ void takeOver(Scenario& scenario, const Study& study) {
   if (comparesContacts || comparesPositions) scenario.check.reference = std::move(reference);
 }
 
-/// "" unless the measure is of cells with a substance that the scene's DNA does not know.
-std::string unknownSubstance(const StudyMeasure& m, const Scene& scene) {
-  if (!m.of || m.of->kind != CellSelection::Kind::substance) return "";
-  std::vector<std::string> names;
-  for (const std::string& name : scene.dna.substances) {
-    if (fits(m.of->substance, name)) return "";
-    names.push_back(name);
-  }
-  const std::string near = closest(m.of->substance, names);
-  return "no cell ever holds a substance '" + m.of->substance + "'" +
-         (near.empty() ? "; needs one of its DNA" : "; did you mean " + near + "?");
-}
-
 void checkMeasures(const Study& study, const Condition& condition, ConditionMistakes& mistakes) {
   for (std::size_t i = 0; i < study.measures.size(); ++i) {
     const auto place = [&] {
       return scenario::placeText(study.file, study.measurePlaces[i]) + ": measures: ";
     };
-    const StudyMeasure m = *findStudyMeasure(study.measures[i]);
-    if (const std::string unknown = unknownSubstance(m, condition.scenario.scene); !unknown.empty())
+    const AskedMeasure m = *findMeasure(study.measures[i]);
+    if (const auto unknown = unknownSubstance(m, condition.scenario.scene.dna.substances); !unknown.empty())
       mistakes.add(condition.number, place() + m.name + ": " + unknown);
     if (const std::string lacking = lackingFor(m.needs, condition.scenario); !lacking.empty())
       mistakes.add(condition.number, place() + m.name + " would find nothing to measure; needs " + lacking);

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "parts/prediction.h"
-#include "study/study_measures.h"
+#include "simulation/asked_measure.h"
 #include "system/clock.h"
 
 namespace morula::study {

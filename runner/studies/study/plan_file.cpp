@@ -4,9 +4,9 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
+#include "simulation/asked_measure.h"
 #include "study/conditions.h"
 #include "study/plan_parts.h"
-#include "study/study_measures.h"
 #include "system/json_record.h"
 
 namespace morula {
@@ -159,10 +159,8 @@ Study studyOf(const Json& json) {
   auto s = fromJson<Study>(json);
   for (const StudyAxis& axis : s.axes)
     if (axis.levels.empty()) throw FileError("an axis has no levels");
-  try {
-    for (const std::string& name : s.measures)
-      if (!findStudyMeasure(name)) throw FileError("this build knows no measure '" + name + "'");
-  } catch (const InputError& error) { throw FileError(error.what()); }
+  for (const std::string& name : s.measures)
+    if (!findMeasure(name)) throw FileError("this build knows no measure '" + name + "'");
   if (s.seeds.empty() || s.bases.empty()) throw FileError("there are no seeds or no scenarios");
   return s;
 }

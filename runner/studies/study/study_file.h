@@ -90,7 +90,7 @@ inline constexpr auto choices<Says> =
 
 /// A sentence on the results that must go on holding.
 struct Claim {
-  std::string measure;      // as StudyMeasure::name
+  std::string measure;      // as AskedMeasure::name
   Says says = Says::lower;  // mean: of a condition, not of a pair
   std::vector<std::optional<std::size_t>> a,
       b = {};               // [axis] the level; absent: the mean over all. Of a condition: a
@@ -107,7 +107,7 @@ struct Study {
   std::vector<StudyAxis>
       axes;  // as in the file; several bases are the first axis, `base`, whose levels override nothing
   std::vector<std::uint64_t> seeds;   // one or more, each once, in the order of the file
-  std::vector<std::string> measures;  // as StudyMeasure::name [study_measures.h], each once
+  std::vector<std::string> measures;  // as AskedMeasure::name [simulation/asked_measure.h], each once
   When when;
   Kept keep;
   RunLimits limits;

@@ -5,7 +5,7 @@
 #include "base/did_you_mean.h"
 #include "base/error.h"
 #include "files/text.h"
-#include "study/study_measures.h"
+#include "simulation/asked_measure.h"
 #include "study/study_table.h"
 #include "study_store/study_tables.h"
 #include "values/value_types.h"
@@ -93,48 +93,21 @@ const std::string measuresAllowed =
     "a list of measures, as [sister-contact, shell-share of AAA*], or {names: [...], when: each-division}";
 const std::string whenAllowed = "end, each-division or {every: T}";
 
-/// What was probably meant by a name that no measure has.
-std::string remedyFor(std::string text) {
-  text = withoutSelection(text);
-  if (text == "count") return "say of which cells, as count of skin";
-  std::ranges::replace(text, '-', '_');
-  std::vector<std::string> names, scopes;
-  for (const StudyMeasure& m : studyMeasures()) {
-    names.push_back(m.name);
-    if (m.row == text) scopes.push_back(m.name);
-  }
-  if (!scopes.empty()) return "write " + join(scopes, " or ");
-  const std::string near = closest(text, names);
-  return near.empty() ? "morula schema --measures lists all" : "did you mean " + near + "?";
-}
-
 void readMeasureNames(Study& study, const Node& node, const std::string& path, Problems& problems) {
   if (!scenario::expectEntries(node, path, measuresAllowed, problems)) return;
   for (const Node& item : node.items) {
     const auto text = scenario::readText(item, path, "a measure's name", problems);
     if (!text) continue;
-    std::optional<StudyMeasure> m;
     try {
-      m = findStudyMeasure(*text);
-    } catch (const InputError& error) {
-      const std::string what = error.what();  // "what is wrong; the remedy"
-      const auto end = what.rfind("; ");
-      problems.add(item.place, path, what.substr(0, end), what.substr(end + 2));
-      continue;
-    }
-    if (!m) {
-      const std::string remedy = remedyFor(*text);
-      problems.add(item.place, path,
-                   remedy.starts_with("say")     ? "'count' is of some cells"
-                   : remedy.starts_with("write") ? "'" + *text + "' is measured of more than one thing"
-                                                 : "there is no measure '" + *text + "'",
-                   remedy);
-    } else if (std::ranges::find(study.measures, m->name) != study.measures.end()) {
-      problems.add(item.place, path, "'" + *text + "' stands there twice", "remove it");
-    } else {
-      study.measures.push_back(m->name);
-      study.measurePlaces.push_back(item.place);
-    }
+      for (const AskedMeasure& m : eachClone(readMeasure(*text))) {
+        if (std::ranges::find(study.measures, m.name) != study.measures.end()) {
+          problems.add(item.place, path, "'" + *text + "' stands there twice", "remove it");
+          break;
+        }
+        study.measures.push_back(m.name);
+        study.measurePlaces.push_back(item.place);
+      }
+    } catch (const InputError& error) { addReadError(item.place, path, error, problems); }
   }
 }
 
@@ -166,19 +139,6 @@ void readMeasures(Study& study, const Node& node, Problems& problems) {
     readMeasureNames(study, names->value, "measures.names", problems);
   else problems.add(node.place, "measures.names", "is missing", "needs " + measuresAllowed);
   if (const auto* when = node.find("when")) readWhen(study, when->value, problems);
-}
-
-Json measureNamesSchema() {
-  Json names = Json::array();
-  for (const StudyMeasure& m : studyMeasures()) {
-    names.push_back(m.name);
-    std::string dashed = m.name;
-    std::ranges::replace(dashed, '_', '-');
-    if (dashed != m.name) names.push_back(dashed);
-  }
-  const Json ofSome{{"type", "string"}, {"pattern", "^[a-z][a-z._-]* of [^ ]+( [0-9]+)?$"}};
-  const Json items{{"anyOf", Json::array({Json{{"enum", names}}, ofSome})}};
-  return {{"type", "array"}, {"items", items}, {"minItems", 1}, {"uniqueItems", true}};
 }
 
 }  // namespace
@@ -219,7 +179,7 @@ Key seedsKey() {
 }
 
 Key measuresKey() {
-  const Json names = measureNamesSchema();
+  const Json names = scenario::measuresSchema(allMeasures());
   const Json when{
       {"oneOf", Json::array({{{"enum", Json::array({"end", "each-division"})}},
                              {{"type", "object"},
@@ -235,7 +195,10 @@ Key measuresKey() {
       "path of daughters from "
       "the egg on; with `*` all that descend from it), neighbours of skin (cells that hold a substance; s* "
       "for all that begin so), "
-      "elongation of generation 3; `count of skin` counts them. when: end, the default: of the last state; "
+      "elongation of generation 3; `count of skin` counts them; shell-share of clones is one of each clone, "
+      "AA* to BB*; of "
+      "the organism's clones at another depth: clone-radius of generation 3. when: end, the default: of the "
+      "last state; "
       "each-division: also of "
       "the first, and after each step in which cells divided; {every: T}: also of the first, and every T "
       "units of time. "

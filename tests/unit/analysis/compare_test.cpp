@@ -205,9 +205,84 @@ TEST_CASE("Main effects and interaction are those of the design") {
   CHECK(effects.means[0][2] - effects.means[0][0] == Approx(2.75).margin(0.2));
   REQUIRE(effects.analysis.effects.size() == 3);
   for (const FactorEffect& e : effects.analysis.effects) CHECK(*e.p < 1e-6);
-  CHECK(std::ranges::any_of(verdictsOf(c), [](const std::string& line) {
-    return line.starts_with("volume: what a does depends on b (interaction");
-  }));
+  const auto verdicts = verdictsOf(c);
+  for (const auto& line : verdicts) UNSCOPED_INFO(line);
+  CHECK(verdicts[0].starts_with("a: what it does to volume depends on b (interaction, η² "));
+  CHECK_THAT(verdicts[0], ContainsSubstring("partial η² ") && ContainsSubstring(": with b x: 1 ") &&
+                              ContainsSubstring(": every two differ; with b y: 1 "));
+  CHECK(verdicts[1].starts_with("b: what it does to volume depends on a (interaction, η² "));
+  // Nothing is said of the mean over an axis that it depends on, and every pair of levels stands at each level of the other.
+  for (const auto& line : verdicts) CHECK(!line.starts_with("volume: "));
+  CHECK(c.split.size() == 2 * 3 + 3);
+  std::vector<double> p;
+  for (const PairComparison& pair : c.split) p.push_back(pair.paired.p);
+  const auto corrected = correctHolm(p);
+  for (std::size_t i = 0; i < p.size(); ++i) CHECK(c.split[i].corrected == corrected[i]);
+  CHECK_THAT(textOf(describe(c)), ContainsSubstring("volume by a at each level of b"));
+  CHECK(toJson(c)["split"].size() == 9);
+}
+
+TEST_CASE(
+    "Where what one axis does depends on another, levels with no difference are told together with a bound") {
+  MadeStudy study;
+  study.axes = {{"a", {"1", "2", "3"}}, {"b", {"x", "y", "z"}}};
+  study.values = [](const std::vector<int>& l, int seed) {
+    return std::map<std::string, double>{
+        {"volume", 10 + (l[1] == 1 && l[0] == 2 ? 3 : 0) + noise(seed, 5) +
+                       0.1 * noise(seed, std::uint64_t(30 + 3 * l[0] + l[1]))}};
+  };
+  const auto verdicts = verdictsOf(compared(study));
+  for (const auto& line : verdicts) UNSCOPED_INFO(line);
+  CHECK_THAT(verdicts[0], ContainsSubstring(": with b y: 1 ") &&
+                              ContainsSubstring(": 1 and 3, 2 and 3 differ; with b x, z: "
+                                                "no difference is shown (95 % intervals within ±0."));
+  CHECK_THAT(verdicts[1], ContainsSubstring("; with a 1, 2: no difference is shown"));
+}
+
+TEST_CASE(
+    "An axis that decides says how much, with an interval, and between which levels; one that does not, at "
+    "most how much") {
+  MadeStudy study;
+  study.axes = {{"a", {"1", "2", "3"}}, {"b", {"x", "y"}}};
+  study.cells = [](const std::vector<int>& l) { return 60 + l[0]; };
+  study.values = [](const std::vector<int>& l, int seed) {
+    const double z = noise(seed, 5) + 0.3 * noise(seed, std::uint64_t(30 + 3 * l[0] + l[1]));
+    return std::map<std::string, double>{{"clone_radius", 10 + (l[0] == 2 ? 1 : 0) + z},
+                                         {"clone_spread", 1 + 0.1 * z}};
+  };
+  const auto verdicts = verdictsOf(compared(study));
+  for (const auto& line : verdicts) UNSCOPED_INFO(line);
+  const auto line = [&](const std::string& begin) {
+    const auto at = std::ranges::find_if(verdicts, [&](const auto& v) { return v.starts_with(begin); });
+    return at == verdicts.end() ? std::string() : *at;
+  };
+  CHECK_THAT(line("a: decides on clone_radius (η² 0."),
+             ContainsSubstring(", partial η² 0.") && ContainsSubstring(", 95 % interval 0.") &&
+                 ContainsSubstring("): 1 9.9") && ContainsSubstring(": 1 and 3, 2 and 3 differ"));
+  CHECK_THAT(line("b: no effect is shown on "), ContainsSubstring("clone_radius (η² 0.") &&
+                                                    ContainsSubstring(", partial η² at most 0.") &&
+                                                    ContainsSubstring("clone_spread (η² "));
+  CHECK(
+      says(verdicts,
+           "numbers of cells differ between conditions, 60 to 62 in the mean, and clone_radius changes with "
+           "them, however cells lie"));
+  study.cells = [](const std::vector<int>&) { return 64; };
+  for (const auto& sentence : verdictsOf(compared(study))) CHECK(!sentence.starts_with("numbers of cells"));
+}
+
+TEST_CASE("A difference that is shown and within the margin is one sentence") {
+  const auto c = compared(policies(), {.by = {}, .measures = {}, .margins = {"0.1"}});
+  int sentences = 0;
+  for (const auto& line : verdictsOf(c)) {
+    if (!line.starts_with("clone_radius: ")) continue;
+    ++sentences;
+    if (line.find("tighter under longest") != line.npos)
+      CHECK_THAT(line, ContainsSubstring("; small as it is, equivalent within ±0.1, 90 % interval "));
+    else
+      CHECK_THAT(line, ContainsSubstring("no difference is shown") &&
+                           ContainsSubstring("; equivalent within ±0.1, "));
+  }
+  CHECK(sentences == 2);
 }
 
 TEST_CASE("Equivalent, different or not decided, by margins of a number, a share of the mean or a measure") {

@@ -61,6 +61,7 @@ void insertTask(Database& db, const MadeStudy& study, const std::string& task, c
            trouble == "failed" ? "numerical failure: too fast" : "", run);
   if (!run) return;
   insertRun(db, *run, trouble.empty() ? "state of " + task : "");
+  if (study.cells) Statement(db, "UPDATE run SET cells = ? WHERE run_id = ?").run(study.cells(levels), *run);
   if (!trouble.empty()) return;
   for (const auto& [measure, value] : study.values(levels, seed))
     for (const double t : study.times)

@@ -2,6 +2,7 @@
 #include "simulation/organism_measures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
@@ -45,9 +46,23 @@ std::optional<double> valueOf(const char* name, const World& world, const Refere
   return taken[0].value;
 }
 
-const std::vector<std::string> ofWorlds{"organism_elongation", "sister_contact",    "cousin_contact",
-                                        "clone_contact",       "homotypic_contact", "clone_radius",
-                                        "clone_components",    "mixing_index",      "lineage_space"};
+double takenOf(const std::string& name, const World& world) {
+  return takeMeasures(Observation(world), std::vector{name}).at(0).value;
+}
+
+/// A cube of edge 1/n, the one with these numbers of those that fill the unit cube.
+Mesh boxAt(const Point& number, int n) {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i)
+    mesh.vertices.push_back((number + Vector{double(i & 1), double(i >> 1 & 1), double(i >> 2)}) / n);
+  mesh.faces = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+const std::vector<std::string> ofWorlds{
+    "organism_elongation", "sister_contact",   "cousin_contact", "clone_contact", "homotypic_contact",
+    "clone_radius",        "clone_components", "mixing_index",   "lineage_space", "clone_spread"};
 
 constexpr double third = 1.0 / 3;
 
@@ -72,6 +87,105 @@ TEST_CASE("Relatives dealt out in a row: AAA ABA BAA BBA AAB ABB BAB BBB") {
   CHECK(*valueOf("clone_radius", world) == Approx(2 * 1.75).epsilon(1e-12));
   CHECK(valueOf("clone_components", world) == 2);
   CHECK(*valueOf("mixing_index", world) == Approx(1 / (48.0 / 56)).epsilon(1e-12));
+}
+
+TEST_CASE("Spread of clones: a ball, two balls a known distance apart, a chain, whatever their sizes are") {
+  // Of n balls of radius 1 with centres at xᵢ: √(1 + 5/3 mean |xᵢ − x|²) / ∛n
+  const World single = row({0, 1, 2, 3});  // four clones of one ball
+  CHECK(*valueOf("clone_spread", single) == Approx(1).epsilon(1e-12));
+  CHECK(*valueOf("clone_spread", row({0, 1, 2, 3, 4, 5, 6, 7})) ==
+        Approx(std::sqrt(1 + 5. / 3 * 0.875 * 0.875) / std::cbrt(2)).epsilon(1e-12));
+  const World eight = row({0, 1, 2, 3, 4, 5, 6, 7});
+  const double chain = 1.75 * 1.75 * (0.25 + 2.25) / 2;  // four in a row: ±½ and ±3/2 of 1.75
+  CHECK(takenOf("clone_spread of generation 1", eight) ==
+        Approx(std::sqrt(1 + 5. / 3 * chain) / std::cbrt(4)).epsilon(1e-12));
+  CHECK(takenOf("clone_spread of generation 3", eight) == Approx(1).epsilon(1e-12));
+  CHECK(takenOf("clone_radius of generation 2", eight) == valueOf("clone_radius", eight));
+  CHECK(takenOf("clone_radius of generation 1", eight) == Approx(std::sqrt(chain)).epsilon(1e-12));
+  CHECK(takenOf("clone_components of generation 0", eight) == 1);
+  // A cube of 64 cubes is as compact as one of 8: √(3/12)/√(3/5 (3/4π)^(2/3)) of a cube of edge 1
+  const double cube = std::sqrt(0.25 / 0.6) / std::cbrt(0.75 / std::numbers::pi);
+  for (const int n : {1, 2, 4}) {
+    double volume = 0, second = 0;
+    for (int i = 0; i < n * n * n; ++i) {
+      const Mesh piece = boxAt({double(i % n), double(i / n % n), double(i / (n * n))}, n);
+      const SolidMoments m = measureMoments(piece.vertices, piece.faces);
+      volume += m.volume,
+          second += m.second + m.volume * dot(m.centre - Point{.5, .5, .5}, m.centre - Point{.5, .5, .5});
+    }
+    CHECK(std::sqrt(second / volume / 0.6) / std::cbrt(volume * 0.75 / std::numbers::pi) ==
+          Approx(cube).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("How far a cell lies below the surface, and where in the shell") {
+  std::vector<Point> places;
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j)
+      for (int k = -1; k <= 1; ++k) places.push_back(1.9 * Vector{double(i), double(j), double(k)});
+  std::swap(places[13], places.back());  // the last one, BBB…, is in the middle
+  const World crowd = balls(places);
+  const std::vector<std::string> names{"surface_distance"};
+  const auto taken = takeMeasures(Observation(crowd), names);
+  REQUIRE(taken.size() == 27);
+  double farthest = 0;  // how far out the mesh reaches that stands for a ball
+  for (const Point& v : measureShape(*crowd.bodies, 13).surface.vertices) farthest = std::max(farthest, norm(v - places[13]));
+  REQUIRE(farthest < 1.2);
+  constexpr double twiceEdge = 0.12;
+  for (const TakenMeasure& m : taken) {
+    INFO(m.a.text());
+    if (&m == &taken.back()) CHECK(m.value > 2);
+    else CHECK(m.value < farthest + twiceEdge);
+    CHECK(m.value > 2 - farthest - twiceEdge);
+  }
+  CHECK(valueOf("lumen", row({0, 1, 2})) == 0);
+
+  Scene shelled = scenes::ellipsoid();
+  World world = makeWorld(shelled, {Isa::scalar, 1});
+  while (!finished(world)) step(world);
+  const double* a = world.bodies->parameters.shell->semiAxes;
+  const std::vector<std::string> ofShell{"shell_x", "shell_y", "shell_z", "shell_r"};
+  const auto cells = measureCells(world);
+  const auto values = takeMeasures(Observation(world), ofShell);
+  REQUIRE(values.size() == 4 * cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Vector at{cells[i].at("x") / a[0], cells[i].at("y") / a[1], cells[i].at("z") / a[2]};
+    CHECK(values[4 * i].value == Approx(at.x).margin(1e-12));
+    CHECK(values[4 * i + 1].value == Approx(at.y).margin(1e-12));
+    CHECK(values[4 * i + 2].value == Approx(at.z).margin(1e-12));
+    CHECK(values[4 * i + 3].value == Approx(norm(at)));
+    CHECK(norm(at) < 1);
+  }
+  const auto mesh =
+      std::make_shared<const ConvexShell>(ConvexShell{boxAt({-0.5, -0.25, -0.5}, 1), {{{1, 0, 0}, 0.5}}});
+  const ShellPlace place = measurePlaceInShell({{}, mesh}, {0.25, -0.125, 0});
+  CHECK(place.along == Vector{0.5, -0.5, 0});
+  CHECK(place.out == 0.5);
+}
+
+TEST_CASE(
+    "Measures of some cells alone: rows of these, how many they are, and what is no measure on demand") {
+  const World eight = row({0, 1, 2, 3, 4, 5, 6, 7});
+  const std::vector<std::string> names{"count of AA*",         "generation of AAB", "generation",
+                                       "kinship of AA*",       "count of a0",       "count of clones",
+                                       "count of generation 2"};
+  std::map<std::string, int> rows;
+  for (const TakenMeasure& m : takeMeasures(Observation(eight), names)) {
+    ++rows[m.name];
+    if (m.name == "count of AA*") CHECK(m.value == 2);
+    if (m.name == "count of a0" || m.name == "count of clones") CHECK(m.value == 8);
+    if (m.name == "count of generation 2") CHECK(m.value == 0);
+    if (m.name == "generation of AAB") CHECK(m.a.text() == "AAB");
+  }
+  CHECK(rows == std::map<std::string, int>{{"count of AA*", 1},
+                                           {"count of a0", 1},
+                                           {"count of clones", 1},
+                                           {"count of generation 2", 1},
+                                           {"generation", 8},
+                                           {"generation of AAB", 1},
+                                           {"kinship of AA*", 2}});
+  for (const char* wrong : {"volume of AA*", "cells of AA*", "count", "clone_radius of AA*", "age of a b"})
+    CHECK_THROWS_AS(takeMeasures(Observation(eight), std::vector<std::string>{wrong}), BugError);
 }
 
 TEST_CASE("Kinship and distance: by hand for three cells, AA, AB and B") {
@@ -228,7 +342,8 @@ TEST_CASE("Of each cell: how the divisions that made it lay, its extents, and ho
 TEST_CASE("The share on the shell: of a tetrahedron one corner, then all") {
   const std::vector<Point> corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   BodyShape shape{{corners, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}}, {}, 1, 1, {}, false};
-  const double far = std::sqrt(3.0), out = far - 1 / far;  // edges of l² = 8: the surface is l²/8far below a corner
+  const double far = std::sqrt(3.0),
+               out = far - 1 / far;  // edges of l² = 8: the surface is l²/8far below a corner
   CHECK(measureShellShare(shape, ShellParameters{{out, out, out}}) == Approx(1));
   CHECK(measureShellShare(shape, ShellParameters{{2, 2, 2}}) == 0);
   for (std::size_t i = 1; i < 4; ++i)

@@ -54,6 +54,27 @@ TEST_CASE("The normal distribution is that of erfc, and many degrees of freedom 
   CHECK(studentQuantile(0.975, 1e6) == Approx(normalQuantile(0.975)).epsilon(3e-6));  // differs by z³/4 df
 }
 
+TEST_CASE(
+    "The noncentral F distribution is what can be written down for two degrees of freedom, and its "
+    "approximation is near") {
+  for (const double lambda : {0., 0.3, 5., 60., 900.})
+    for (const double f : {0.1, 1., 7., 300.}) {
+      const double y2 = f / (1 + f), y4 = f / (2 + f),
+                   mu = 0.5 * lambda;  // of 2 and 2, and of 2 and 4 degrees of freedom
+      INFO("λ " << lambda << ", F " << f);
+      CHECK(noncentralFisherAbove(f, 2, 2, lambda) ==
+            Approx(1 - y2 * std::exp(-mu * (1 - y2))).margin(1e-10));
+      CHECK(noncentralFisherAbove(f, 2, 4, lambda) ==
+            Approx(1 - y4 * std::exp(-mu * (1 - y4)) * (1 + (1 - y4) * (1 + mu * y4))).margin(1e-10));
+      CHECK(noncentralFisherAbove(f, 3, 7, 0) == Approx(fisherAbove(f, 3, 7)).epsilon(1e-12));
+    }
+  for (const double df2 : {2., 9., 40.})
+    for (const double f : {300., 1000., 3000.})
+      CHECK(std::abs(noncentralFisherAbove(f, 1, df2, 1000) - noncentralFisherAbove(f, 1, df2, 1000.1)) <
+            0.005);
+  CHECK(noncentralFisherAbove(0, 1, 5, 3) == 1);
+}
+
 TEST_CASE("A quantile is where the distribution has that share") {
   Worst error;
   for (const double share : {1e-6, 0.025, 0.05, 0.3, 0.5, 0.9, 0.975, 0.999}) {

@@ -4,9 +4,9 @@
 
 #include "base/error.h"
 #include "scenario/schema.h"
+#include "simulation/asked_measure.h"
 #include "studies.h"
 #include "study/override_text.h"
-#include "study/study_measures.h"
 #include "study/study_schema.h"
 #include "yaml/source_text.h"
 // Last, because of CHECK:
@@ -88,35 +88,42 @@ TEST_CASE("Measures may say when they are taken, and limits have units") {
 
 TEST_CASE("Every measure of every table has one name in studies, and finds its row by it") {
   std::vector<std::string> names;
-  for (const StudyMeasure& m : studyMeasures()) {
+  for (const AskedMeasure& m : allMeasures()) {
     names.push_back(m.name);
-    REQUIRE(findStudyMeasure(m.name)->name == m.name);
+    REQUIRE(findMeasure(m.name)->name == m.name);
     std::string dashed = m.name;
     std::ranges::replace(dashed, '_', '-');
-    CHECK(findStudyMeasure(dashed)->name == m.name);
-    CHECK(findStudyMeasure(std::string(name(m.scope)) + "." + m.row)->name == m.name);
+    CHECK(findMeasure(dashed)->name == m.name);
+    CHECK(findMeasure(std::string(name(m.scope)) + "." + m.row)->name == m.name);
   }
   CHECK(names.size() ==
         measures<Observation>().size() + measures<CellContext>().size() + measures<Touch>().size());
   std::ranges::sort(names);
   CHECK(std::ranges::adjacent_find(names) == names.end());
-  CHECK(!findStudyMeasure("volume"));  // of the organism, or of a cell?
+  CHECK(!findMeasure("volume"));  // of the organism, or of a cell?
 }
 
 TEST_CASE("A measure of cells or pairs may be of some cells alone, and what selects none is said") {
-  CHECK(
-      studyOf(ballStudyWith("[sister-contact, clone_radius]",
-                            "[shell-share of AAA*, count of skin, elongation of generation 3, cell.volume of s*]"))
-          .measures == std::vector<std::string>{"shell_share of AAA*", "count of skin",
-                                                "elongation of generation 3", "cell.volume of s*"});
+  CHECK(studyOf(ballStudyWith(
+                    "[sister-contact, clone_radius]",
+                    "[shell-share of AAA*, count of skin, elongation of generation 3, cell.volume of s*]"))
+            .measures == std::vector<std::string>{"shell_share of AAA*", "count of skin",
+                                                  "elongation of generation 3", "cell.volume of s*"});
   const auto wrong = [](const char* measure) -> std::string {
     try {
       studyOf(ballStudyWith("[sister-contact, clone_radius]", "['" + std::string(measure) + "']"));
       return "";
     } catch (const InputError& error) { return error.what(); }
   };
-  CHECK_THAT(wrong("clone-radius of AAA*"),
-             ContainsSubstring("'clone-radius' is of the organism as a whole and takes no 'of'"));
+  CHECK(studyOf(
+            ballStudyWith("[sister-contact, clone_radius]", "[age of clones, clone-radius of generation 3]"))
+            .measures == std::vector<std::string>{"age of AA*", "age of AB*", "age of BA*", "age of BB*",
+                                                  "clone_radius of generation 3"});
+  CHECK_THAT(wrong("lumen of AAA*"),
+             ContainsSubstring("'lumen' is of the organism as a whole and takes no 'of'"));
+  CHECK_THAT(wrong("clone-radius of AAA*"), ContainsSubstring("'clone-radius' is of all clones, in the mean; "
+                                                              "needs generation N behind 'of'"));
+  CHECK_THAT(wrong("age of genration 3"), ContainsSubstring("selects no cells; did you mean generation 3?"));
   CHECK_THAT(wrong("shell-share of A*B"), ContainsSubstring("'A*B' selects no cells; needs a path (AAA"));
   CHECK_THAT(wrong("shell-share of generation x"),
              ContainsSubstring("is no generation; needs a whole number"));
@@ -140,7 +147,9 @@ TEST_CASE("A selection has the cells that it says") {
   CHECK(!has("skin", "A", "s1 skins"));
   CHECK(has("s*", "A", "b s1"));
   CHECK(!has("ABC", "AB", "AB"));  // a substance
-  for (const char* text : {"AB", "AB*", "generation 2", "skin", "s*"})
+  CHECK(has("clones", "AB", ""));
+  CHECK(!has("clones", "A", ""));
+  for (const char* text : {"AB", "AB*", "generation 2", "skin", "s*", "clones"})
     CHECK(parseSelection(text).text() == text);
 }
 

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "catch.h"
-#include "study/study_measures.h"
+#include "simulation/asked_measure.h"
 #include "tasks/shard.h"
 
 using namespace morula;
@@ -65,7 +65,7 @@ TEST_CASE("names that two tables have are told apart") {
   sample.world["volume"] = 8;
   sample.cells.resize(2);
   sample.cells[0]["volume"] = 3, sample.cells[1]["volume"] = 5;
-  for (const StudyMeasure& m : studyMeasures())
+  for (const AskedMeasure& m : allMeasures())
     if (m.row == "volume" && m.scope == Scope::cell) CHECK(valuesOf({sample}, {}, {m.name}).at(0).value == 4);
     else if (m.row == "volume" && m.scope == Scope::world)
       CHECK(valuesOf({sample}, {}, {m.name}).at(0).value == 8);

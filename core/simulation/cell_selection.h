@@ -13,8 +13,9 @@ namespace morula {
 ///   AAA*           that cell and all that descend from it
 ///   generation 3   all cells three divisions from the egg
 ///   skin, s*       all cells that hold the substance, or one that begins so
+///   clones         the descendants of each cell two divisions from the egg
 struct CellSelection {
-  enum class Kind { cell, clone, generation, substance };
+  enum class Kind { cell, clone, generation, substance, clones };
   Kind kind;
   CellPath path{};          // of a cell or a clone
   int generation = 0;       // [divisions] from the egg
@@ -28,7 +29,7 @@ struct CellSelection {
 
 /// What may stand behind "of", for messages.
 inline constexpr const char* selectionAllowed =
-    "a path (AAA, or AAA* with all that descend from it), generation N, or a substance (skin, s*)";
+    "a path (AAA, or AAA* with all that descend from it), generation N, clones, or a substance (skin, s*)";
 
 /// Reads it. Throws InputError that says what is wrong.
 CellSelection parseSelection(const std::string& text);

@@ -1,16 +1,19 @@
-#include "study/cell_selection.h"
+#include "simulation/cell_selection.h"
 
 #include <algorithm>
+#include <charconv>
+#include <vector>
 
+#include "base/did_you_mean.h"
 #include "base/error.h"
 #include "biology/substance_pattern.h"
-#include "yaml/numbers.h"
+#include "simulation/organism_measures.h"
 
 namespace morula {
 
 namespace {
 
-constexpr std::string_view generationWord = "generation ";
+constexpr std::string_view generationWord = "generation ", clonesWord = "clones";
 
 bool isPath(std::string_view text) {
   return !text.empty() && text.size() <= CellPath::maxDepth &&
@@ -27,6 +30,8 @@ std::string CellSelection::text() const {
       return path.text() + "*";
     case Kind::generation:
       return std::string(generationWord) + std::to_string(generation);
+    case Kind::clones:
+      return std::string(clonesWord);
     case Kind::substance:
       break;
   }
@@ -41,6 +46,8 @@ bool CellSelection::has(const CellPath& cell, std::string_view substances) const
       return path.isAncestorOf(cell);
     case Kind::generation:
       return cell.depth() == generation;
+    case Kind::clones:
+      return cell.depth() >= cloneDepth;
     case Kind::substance:
       break;
   }
@@ -50,17 +57,27 @@ bool CellSelection::has(const CellPath& cell, std::string_view substances) const
 CellSelection parseSelection(const std::string& text) {
   using enum CellSelection::Kind;
   if (text.starts_with(generationWord)) {
-    const auto number = scenario::parseNatural(text.substr(generationWord.size()));
-    if (!number.wrong.empty() || number.value > CellPath::maxDepth)
+    const std::string_view digits = std::string_view(text).substr(generationWord.size());
+    int number = -1;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (read.ptr != digits.data() + digits.size() || number < 0 || number > CellPath::maxDepth ||
+        (digits.size() > 1 && digits[0] == '0'))
       throw InputError("'" + text + "' is no generation; needs a whole number from 0 to " +
                        std::to_string(CellPath::maxDepth) + " behind it");
-    return {.kind = generation, .generation = static_cast<int>(number.value)};
+    return {.kind = generation, .generation = number};
   }
+  if (text == clonesWord) return {.kind = clones};
   if (isPath(text)) return {.kind = cell, .path = CellPath::parse(text)};
   if (text.ends_with('*') && isPath(std::string_view(text).substr(0, text.size() - 1)))
     return {.kind = clone, .path = CellPath::parse(std::string_view(text).substr(0, text.size() - 1))};
-  if (text.empty() || text.find(' ') != text.npos || text.find('*') < text.size() - 1)
-    throw InputError("'" + text + "' selects no cells; needs " + selectionAllowed);
+  if (text.empty() || text.find(' ') != text.npos || text.find('*') < text.size() - 1) {
+    const auto space = text.find(' ');
+    const bool isNear =
+        space != text.npos && !closest(text.substr(0, space), std::vector<std::string>{"generation"}).empty();
+    throw InputError("'" + text + "' selects no cells; " +
+                     (isNear ? "did you mean generation" + text.substr(space) + "?"
+                             : std::string("needs ") + selectionAllowed));
+  }
   return {.kind = substance, .substance = text};
 }
 
