@@ -262,7 +262,8 @@ TEST_CASE("the claims of a shipped study hold of its results, and others would n
       .execute(
           "UPDATE result SET value = 0.6 * value WHERE measure = 'clone_radius' AND run_id IN (SELECT run_id "
           "FROM replicate "
-          "JOIN task USING (task_id) WHERE condition_id = (SELECT min(condition_id) + 1 FROM condition))");
+          "JOIN task USING (task_id) WHERE replicate.condition_id = (SELECT min(condition_id) + 1 FROM "
+          "condition))");
   const auto failing = launch({"study", "check", database, "--reports", temporary / "reports"});
   CHECK(failing.code == 1);
   CHECK_THAT(
