@@ -62,7 +62,7 @@ def shell(command, folder):
 
 
 # What differs from one build, machine or day to another.
-VARIES = ((r"\b[0-9a-f]{16}\b", "ID"), (r"\S*/pending/\S+", "PENDING"), (r"\d+\.\d+ MB", "SIZE MB"),
+VARIES = ((r"\b[0-9a-f]{16}\b", "ID"), (r"\S*\.pending/\S+", "PENDING"), (r"\d+\.\d+ MB", "SIZE MB"),
           (r"\d+:\d\d of CPU time", "CPU of CPU time"),
           (r"hash is \w+, and \w+ was", "hash is HASH, and HASH was"))
 MOST = 12  # lines

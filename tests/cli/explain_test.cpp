@@ -72,7 +72,7 @@ TEST_CASE("explain names the kind of difference, and where it begins") {
     CHECK(json["class"] == "INPUT_CHANGED");
     CHECK(json["first_step"] == 1);
     CHECK(json["last_equal_step"] == 0);
-    CHECK(json["field"] == "velocity");
+    CHECK(json["field"] == "acceleration");
     CHECK(json["cell"] == "");
     CHECK_THAT(json["text"].get<std::string>(),
                ContainsSubstring("where it began: the same up to step 0, different at step 1\n") &&

@@ -324,6 +324,33 @@ TEST_CASE("every answer of the shipped studies is what its command says") {
   }
 }
 
+TEST_CASE("the claims of a shipped study hold of its results, and others would not") {
+  const TemporaryFolder temporary;
+  const std::string database = databaseOf(temporary, "models");
+  const Json json = jsonOf({"study", "check", database});
+  CHECK(json["missing"] == 0);
+  REQUIRE(json["claims"].size() == 3);
+  for (const Json& claim : json["claims"]) {
+    INFO(claim.dump());
+    CHECK(claim["holds"] == true);
+  }
+  // The results of another law, as a changed simulator might give them.
+  Database(database, Database::Mode::existing, std::chrono::seconds(1))
+      .execute(
+          "UPDATE result SET value = 0.6 * value WHERE measure = 'clone_radius' AND run_id IN (SELECT run_id "
+          "FROM replicate "
+          "JOIN task USING (task_id) WHERE replicate.condition_id = (SELECT min(condition_id) + 1 FROM "
+          "condition))");
+  const auto failing = launch({"study", "check", database, "--reports", temporary / "reports"});
+  CHECK(failing.code == 1);
+  CHECK_THAT(
+      failing.out,
+      ContainsSubstring("models: 2 of 3 claims hold\n  FAIL  clone_radius: thesis-law equivalent to shell "
+                        "within 5%\n        clone_radius: different within"));
+  CHECK_THAT(readWhole(temporary / "reports/junit.xml"),
+             ContainsSubstring("failures=\"1\"") && ContainsSubstring("models.study.yaml:"));
+}
+
 TEST_CASE("the statistics in the golden of elegans-128 are those of its study") {
   const TemporaryFolder temporary;
   namespace fs = std::filesystem;

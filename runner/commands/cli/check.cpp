@@ -133,7 +133,11 @@ int writePage(const std::filesystem::path& folder, const Execution& how, bool qu
 /// With the names that the scenario gives its cells.
 CheckReport withNames(CheckReport report, const CellNames& names) {
   report.change = morula::withNames(report.change, names.function());
-  for (CheckResult& r : report.results) r.message = morula::withNames(r.message, names.function());
+  for (CheckResult& r : report.results) {
+    r.message = morula::withNames(r.message, names.function());
+    if (r.cell) r.field += " of " + morula::withNames(cellName(*r.cell), names.function());
+    r.cell.reset();
+  }
   return report;
 }
 

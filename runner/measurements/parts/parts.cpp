@@ -138,7 +138,7 @@ void addRecord(std::vector<Part>& parts, const Scenario& scenario, const RunAsk&
     parts.push_back(
         {"hashes", true, "of the states on the way", golden.empty() ? why.of({"check"}) : golden});
   else parts.push_back(absent("hashes", "a golden file, or check"));
-  parts.push_back(golden.empty() ? absent("golden", "morula review --accept")
+  parts.push_back(golden.empty() ? absent("golden", "morula review SCENARIO --accept")
                                  : Part{"golden", true, "the result against the accepted one", golden});
   if (!ask.pictures) parts.push_back(absent("pictures", "a run without --no-pictures"));
   else

@@ -63,7 +63,8 @@ std::string followingInWords(const CheckResult& r) {
 }  // namespace
 
 std::string failedInWords(const CheckResult& failed) {
-  if (failed.check == "golden" && failed.failureClass == "SETUP") return "there is no golden";
+  if (failed.check == "golden")
+    return failed.failureClass == "SETUP" ? "there is no golden" : "the golden cannot be used";
   if (failed.check == "run") return "the run failed";
   if (failed.kind == "claim") return "the results say otherwise";
   if (failed.kind == "sanity") return "its end is not sane";

@@ -21,48 +21,11 @@ namespace morula {
 
 namespace {
 
-/// Lines that only one of the two has, in order: "  - theirs", "  + ours"; at most forty. "" if they are
-/// equal.
-std::string differingLines(const std::string& theirs, const std::string& ours) {
-  constexpr std::size_t most = 40, far = 50;  // lines shown; how far to look for where the two meet again
-  const auto a = linesOf(theirs), b = linesOf(ours);
-  std::vector<std::string> shown;
-  std::size_t i = 0, j = 0;
-  while (i < a.size() || j < b.size()) {
-    if (i < a.size() && j < b.size() && a[i] == b[j]) {
-      ++i, ++j;
-      continue;
-    }
-    // The nearest place behind at which both go on with the same line.
-    std::size_t skipA = a.size() - i, skipB = b.size() - j;
-    for (std::size_t sum = 1; sum < std::min(far, (a.size() - i) + (b.size() - j)); ++sum) {
-      bool met = false;
-      for (std::size_t k = 0; k <= sum && !met; ++k)
-        if (i + k < a.size() && j + (sum - k) < b.size() && a[i + k] == b[j + (sum - k)])
-          skipA = k, skipB = sum - k, met = true;
-      if (met) break;
-    }
-    for (std::size_t k = 0; k < skipA; ++k) shown.push_back("  - " + a[i + k] + '\n');
-    for (std::size_t k = 0; k < skipB; ++k) shown.push_back("  + " + b[j + k] + '\n');
-    i += skipA, j += skipB;
-  }
-  std::string text;
-  for (std::size_t k = 0; k < std::min(most, shown.size()); ++k) text += shown[k];
-  if (shown.size() > most) text += "  and " + std::to_string(shown.size() - most) + " lines more\n";
-  return text;
-}
-
 /// Two runs of this program that compute in different ways.
 void lookForNondeterminism(const Scenario& scenario, const WhyQuestion& question, Findings& f) {
   f.where = explainTwice(scenario, question.execution, question.every);
   f.failureClass = f.where.failureClass;
   f.text += (f.failureClass.empty() ? "two runs of this program: " : "") + f.where.text;
-}
-
-std::string resolvedOf(const std::vector<SourceText>& documents) {
-  for (const auto& d : documents)
-    if (d.role == "resolved") return d.content;
-  return {};
 }
 
 /// Runs the scenario to its end and tells how the result differs from `before`, in words.
@@ -117,10 +80,10 @@ void compareWithStored(const Scenario& scenario, const WhyQuestion& question, Fi
   try {
     theirs = storedScenario(question.database, stored.id);
     before = goldenOf(stored, store.results(stored.id), *theirs);
-  } catch (const InputError&) {  // stored by a Morula with other keys: the lines still tell
+  } catch (const InputError& unreadable) {  // stored by a Morula with other keys
     if (otherInput)
-      f.text += "(-: theirs, +: here, all defaults filled in)\n" +
-                differingLines(resolvedOf(store.documents(stored.id)), scenario.resolved);
+      f.text += "what has changed cannot be told: this program does not read the stored scenario: " +
+                firstLine(unreadable.what()) + '\n';
   }
   if (otherInput) {
     if (!before) return;
