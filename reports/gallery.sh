@@ -18,7 +18,7 @@ draw fifteen-real.png worm/real-fifteen "${seen[@]}"
 draw fifteen-measured.png worm/embryo --time 16.7 "${seen[@]}"
 scratch=$(mktemp -d)
 trap 'rm -r "$scratch"' EXIT
-shares="[{of: P0, share: 0.592}, {of: AB, share: 0.504}, {of: P1, share: 0.574}, {of: ABa, share: 0.481},
+shares="[{of: P0, share: 0.592}, {of: AB, share: 0.5035}, {of: P1, share: 0.574}, {of: ABa, share: 0.481},
   {of: ABp, share: 0.525}, {of: EMS, share: 0.531}, {of: P2, share: 0.672}, {of: ABal, share: 0.459},
   {of: ABar, share: 0.475}, {of: ABpl, share: 0.578}, {of: ABpr, share: 0.534}, {of: MS, share: 0.496},
   {of: E, share: 0.52}, {of: C, share: 0.463}]"
