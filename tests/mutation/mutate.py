@@ -243,7 +243,7 @@ def main():
                         print(*(str(x).replace("\t", " ") for x in row), sep="\t", file=out)
                 result, by = known[key]
                 why = accepted.get((file, mutant.old, mutant.new))
-                if result == "survived" and why: result, by = "equivalent", why
+                if result == "survived" and why: result, by = "equivalent" if why.startswith("Equivalent:") else "not seen", why
                 if result == "survived": unexplained.append(said)
                 found[result] += 1
                 print(f"{said}\n    {result}{by and ': ' + by}", flush=True)
@@ -253,12 +253,14 @@ def main():
         print("interrupted; the next run goes on from here")
         unexplained.append("not all mutants were tried")
     if options.list: return 0
-    columns = "killed", "survived", "equivalent", "does not compile"
+    columns = "killed", "survived", "not seen", "equivalent", "does not compile"
     table.append(("all", sum((f for _, f in table), collections.Counter())))
     print(f"\n{'':46}{'mutants':>9}" + "".join(f"{c:>18}" for c in columns))
     for file, found in table:
-        mutants = found["killed"] + found["survived"] + found["equivalent"]
+        mutants = sum(found[c] for c in columns[:4])
         print(f"{file:46}{mutants:9}" + "".join(f"{found[c]:18}" for c in columns))
+    total = table[-1][1]
+    print(f"killed: {total['killed'] / max(1, sum(total[c] for c in columns[:3])):.1%} of those that are not equivalent")
     if unexplained: print("\nneither killed nor explained in equivalent.txt:", *unexplained, sep="\n")
     return 1 if unexplained else 0
 
