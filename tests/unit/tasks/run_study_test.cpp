@@ -63,8 +63,10 @@ TEST_CASE("a picture is kept of the first seed of each condition, if asked for")
     if (!stored) continue;
     CHECK(*stored == study.folder.picture(study.plan, t));
     std::string name = stored->filename().string();
-    for (const std::string& label : study.plan.conditions[task.condition].labels)
-      CHECK(name.starts_with(label)), name.erase(0, label.size() + 1);
+    for (const std::string& label : study.plan.conditions[task.condition].labels) {
+      CHECK(name.starts_with(label));
+      name.erase(0, label.size() + 1);
+    }
     CHECK(name == "seed-" + std::to_string(task.seed) + "_" + task.id.substr(0, 8) + ".png");
   }
 }
