@@ -184,7 +184,7 @@ TEST_CASE("Any condition and seed of a study can be explored, as many as asked f
   const std::set<std::string> first(all.begin(), all.begin() + 2);
   CHECK(first.contains("much, seed 1"));  // beside little or some, which hardly differ
   CHECK(titles({"--explore", "5"}).size() == 5);
-  CHECK(titles({"--size-limit", "200k"}).size() < 9);
+  CHECK(titles({"--size-limit", "20k"}).size() < 9);
 }
 
 TEST_CASE("What report refuses, and why") {
