@@ -35,7 +35,7 @@ std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, dou
 
 }  // namespace
 
-double textSizeFor(int width, int height) { return std::clamp(std::min(width, height) / 56.0, 10.0, 40.0); }
+double textSizeFor(int width, int height) { return std::clamp(std::min(width, height) / 56.0, 11.0, 40.0); }
 
 Bands bandsFor(const Annotations& annotations, int width, int height, double textSize) {
   const double size = textSize > 0 ? textSize : textSizeFor(width, height);

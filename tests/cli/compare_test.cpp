@@ -97,6 +97,8 @@ TEST_CASE("What compare cannot do it says, and what would be right") {
   refuses({"compare", file, "-o", folder / "all.gif"}, 2, "needs a name that ends in");
   const std::string picture = folder / "grid.png";
   refuses({"compare", file, "--moments", "3"}, 2, "--moments: only with --pictures");
+  refuses({"compare", file, "--colour", "clone"}, 2, "--colour: only with --pictures");
+  refuses({"compare", file, "--pictures", picture, "--colour", "volum"}, 2, "did you mean volume?");
   refuses({"compare", file, "--pictures", picture, "--moments", "3", "--at-cells", "4"}, 2,
           "give one of them");
   refuses({"compare", file, "--pictures", picture, "--moments", "13"}, 2, "--moments");
@@ -119,7 +121,8 @@ TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
   writeWhole(folder / "pair.study.yaml",
              "morula-study: 1\nname: pair\nbase: pair.yaml\n"
              "vary: {drag: {little: {physics.drag: 4}, much: {physics.drag: 8}}}\n"
-             "seeds: 1..4\nmeasures: {names: [sphericity, cells], when: {every: 0.5}}\n");
+             "seeds: 1..4\nmeasures: {names: [sphericity, cells], when: {every: 0.5}}\nkeep: {pictures: "
+             "first-seed}\n");
   const std::string study = folder / "pair.study.yaml", to = folder / "results";
   const auto run = launch({"study", "run", study, "--out", to, "--quiet"});
   INFO(run.err);
@@ -130,7 +133,7 @@ TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
   REQUIRE(compared.code == 0);
   CHECK(readWhole(folder / "all.png").substr(1, 3) == "PNG");
   for (const std::vector<std::string>& moments : std::vector<std::vector<std::string>>{
-           {"--moments", "1"}, {"--at-times", "0.5,1.25"}, {"--at-cells", "2,3"}}) {
+           {"--moments", "1"}, {"--colour", "clone:1"}, {"--at-times", "0.5,1.25"}, {"--at-cells", "2,3"}}) {
     std::vector<std::string> ask{"compare", to, "--pictures", folder / "some.png", "--quiet"};
     ask.insert(ask.end(), moments.begin(), moments.end());
     const auto some = launch(ask);
@@ -138,6 +141,21 @@ TEST_CASE("A study is run, merged and compared, and its organisms are drawn") {
     CHECK(some.code == 0);
     CHECK(readWhole(folder / "some.png") != readWhole(folder / "all.png"));
   }
+  // The ends are taken from the pictures that the study keeps: here from other ones, which lie in their places.
+  const std::string some = folder / "some.png";
+  const auto drawn = [&](const std::string& colour) {
+    CHECK(launch({"compare", to, "--pictures", some, "--moments", "1", "--colour", colour, "--quiet"}).code ==
+          0);
+    return readWhole(some);
+  };
+  const std::string before = drawn("substance"), clones = drawn("clone");
+  for (const auto& entry : std::filesystem::directory_iterator(to + "/pictures"))
+    std::filesystem::copy_file(folder / "all.png", entry.path(),
+                               std::filesystem::copy_options::overwrite_existing);
+  CHECK(drawn("substance") != before);
+  CHECK(drawn("clone") == clones);
+  std::filesystem::remove_all(to + "/pictures");
+  CHECK(drawn("substance") != before);  // computed again, without the words that stored ones have
   const json answer = json::parse(compared.out);
   CHECK(answer.at("conditions").size() == 4);
   CHECK(answer.at("conditions").at(0).at("n") == 4);

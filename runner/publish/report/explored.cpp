@@ -90,8 +90,9 @@ int exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Exp
 int exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
   // What stands on the page besides takes up to a third of it; base64 takes 4 bytes for 3.
   const std::size_t room = question.mostBytes / 2;
-  const auto bytesOfLeast = [](const Frames& frames) {
-    return frames.frames.empty() ? 0 : leastFrames * frames.frames.back().bytes.size();
+  const auto bytesOfLeast = [](const Frames& frames) {  // the last one is larger by its forces on vertices
+    const std::size_t n = frames.frames.size();
+    return n == 0 ? 0 : bytesOf(frames) * std::min(leastFrames, n) / n + frames.frames.back().bytes.size();
   };
   std::size_t taken = 0;
   for (const Frames* frames : explored.frames) taken += bytesOfLeast(*frames);

@@ -238,10 +238,8 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   if (answer.bytes.size() > question.mostBytes)
     answer.remarks.push_back("the page takes " + std::to_string(answer.bytes.size()) +
                              " bytes, more than --size-limit");
-  for (const ExplorerRun& run : explored.runs)
-    if (const Frames* f = run.frames; f && !page.program.empty() && f->frames.size() < f->worlds.size())
-      answer.remarks.push_back(run.title + ": " + std::to_string(f->frames.size()) + " of " +
-                               std::to_string(f->worlds.size()) + " frames fit into the page");
+  if (const std::string thinned = thinnedText(explored.runs); !thinned.empty() && !page.program.empty())
+    answer.remarks.push_back(thinned);
   return answer;
 }
 

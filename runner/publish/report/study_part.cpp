@@ -1,5 +1,6 @@
 #include "report/study_part.h"
 
+#include <map>
 #include <set>
 
 #include "analysis/comparison.h"
@@ -19,7 +20,7 @@ namespace morula {
 namespace {
 
 constexpr std::size_t mostDrawn = 12;      // conditions of which a run is made again
-constexpr std::size_t mostShown = 48;      // stored pictures
+constexpr std::size_t mostShown = 24;      // stored pictures
 constexpr std::size_t mostSentences = 16;  // that are seen without being asked for
 
 Database openStudy(const std::string& file) {
@@ -31,15 +32,18 @@ Document stripsDocument(const StudyComparison& c) {
   SmallMultiples all = stripsOf(c);
   Document document, charts;
   document.note(all.words.caption);
-  const auto add = [](Document& to, const SmallMultiples& chart, const std::string& what) {
-    to.add(svgPicture(drawSmallMultiples(chart), what, ""));
-  };
-  if (!all.words.legend.empty())
-    add(document, {.words = {"", "", all.words.legend}, .panels = {}}, "what colours and shapes mean");
+  // Shapes as letters, so that colours are told apart in grey, too.
+  static const std::map<Marker, std::string> letters{
+      {Marker::disc, "●"},    {Marker::square, "■"}, {Marker::triangle, "▲"}, {Marker::diamond, "◆"},
+      {Marker::hanging, "▼"}, {Marker::plus, "✚"},   {Marker::ring, "○"}};
+  LineKey key;
+  for (const LegendEntry& entry : all.words.legend)
+    key.lines.push_back({entry.colour, false, letters.at(entry.marker) + " " + entry.label});
+  if (!key.lines.empty()) document.add(std::move(key));
   for (Panel& panel : all.panels) {
     const std::string what =
         panel.title + ": all values of each condition, with their means and 95 % intervals";
-    add(charts, {.words = {}, .panels = {std::move(panel)}}, what);
+    charts.add(svgPicture(drawSmallMultiples({.words = {}, .panels = {std::move(panel)}}), what, ""));
   }
   return document.add(Group{Group::Kind::charts, "", std::move(charts)});
 }
@@ -117,7 +121,9 @@ int addOrganisms(PagePart& part, const std::string& database, bool quiet) {
                       {programWord() + " compare " + shellWord(database) + " --pictures grid.png"}};
   if (const auto stored = storedPictures(results, database)) {
     Document pictures;
-    for (std::size_t k = 0; k < std::min(mostShown, stored->files.size()); ++k)
+    std::vector<std::size_t> order = byDifference(compareStudy(results, {}));
+    order.resize(std::min(mostShown, order.size()));
+    for (const std::size_t k : order)
       pictures.add(Picture{"image/png", readFile(stored->files[k]),
                            "the organism at the end of " + results.nameOf(results.conditions[k]),
                            results.nameOf(results.conditions[k])});

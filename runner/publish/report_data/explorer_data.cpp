@@ -140,12 +140,27 @@ std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs) {
   return all;
 }
 
+std::string thinnedText(const std::vector<ExplorerRun>& runs) {
+  std::vector<std::size_t> kept;
+  std::size_t taken = 0;
+  std::string title;
+  for (const ExplorerRun& run : runs)
+    if (const Frames* f = run.frames; f && !f->frames.empty() && f->frames.size() < f->worlds.size()) {
+      kept.push_back(f->frames.size());
+      taken = f->worlds.size();
+      title = run.title;
+    }
+  if (kept.empty()) return "";
+  const auto [least, most] = std::ranges::minmax(kept);
+  return (kept.size() == 1 ? title : counted(kept.size(), "run")) + ": " + std::to_string(least) +
+         (least < most ? " to " + std::to_string(most) : "") + " of " + std::to_string(taken) +
+         " frames fit into the page";
+}
+
 Document leftOutOf(const std::vector<ExplorerRun>& runs) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // with the runs that it is of
+  Document all;
   const auto say = [&](const ExplorerRun& run, const std::string& what) {
-    auto same = std::ranges::find(said, what, [](const auto& s) { return s.first; });
-    if (same == said.end()) same = said.insert(said.end(), {what, {}});
-    same->second.push_back(run.title);
+    all.note((runs.size() > 1 ? run.title + ": " : "") + what);
   };
   for (const ExplorerRun& run : runs) {
     if (run.lineage->size() > mostTreeCells)
@@ -153,22 +168,13 @@ Document leftOutOf(const std::vector<ExplorerRun>& runs) {
                    std::to_string(run.lineage->size()) + ".");
     if (!run.scenario->scene.mechanics)
       say(run, "These cells have no bodies: there is a tree, and nothing to see in three dimensions.");
-    if (!run.frames) continue;
-    const std::size_t kept = run.frames->frames.size(), taken = run.frames->worlds.size();
-    if (kept == 0 && taken > 0)
+    if (run.frames && run.frames->frames.empty() && !run.frames->worlds.empty())
       say(run,
           "One frame alone would make the page too large: a larger --size-limit shows it in three "
           "dimensions.");
-    else if (kept < taken)
-      say(run, "Thinned: " + std::to_string(kept) + " of " + std::to_string(taken) +
-                   " frames fit into the page; a larger --size-limit keeps more.");
   }
-  Document all;
-  for (const auto& [what, titles] : said)
-    all.note((titles.size() > 2 ? counted(titles.size(), "run") + ": "
-              : runs.size() > 1 ? listed(titles) + ": "
-                                : "") +
-             what);
+  if (const std::string thinned = thinnedText(runs); !thinned.empty())
+    all.note("Thinned: " + thinned + "; a larger --size-limit keeps more.");
   return all;
 }
 

@@ -123,11 +123,14 @@ void colourAlike(std::vector<TakenTile>& taken, const Colouring& colouring, cons
   for (TakenTile& t : taken)
     if (!t.tile.empty) pictures.push_back(std::move(t.tile.picture)), values.push_back(std::move(t.values));
   colourCells(pictures, values, colouring, scenario);
+  std::set<std::string> known;
   for (const OrganismPicture& picture : pictures)
-    for (const LegendEntry& entry : picture.legend)
-      if (entry.shown &&
-          std::ranges::find(grid.legend, entry.label, &LegendEntry::label) == grid.legend.end())
-        grid.legend.push_back(entry);
+    for (const LegendEntry& entry : picture.legend) {
+      if (!entry.shown || !known.insert(entry.label).second) continue;
+      const auto same = std::ranges::find(grid.legend, entry.colour, &LegendEntry::colour);
+      if (same == grid.legend.end()) grid.legend.push_back(entry);
+      else same->label += ", " + entry.label;
+    }
   if (!pictures.empty()) grid.colourBar = pictures[0].instruments.colourBar;
   auto next = pictures.begin();
   for (TakenTile& t : taken)

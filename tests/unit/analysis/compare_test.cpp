@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/comparison.h"
+#include "analysis/differing.h"
 #include "base/random.h"
 #include "catch.h"
 #include "database/database.h"
@@ -79,6 +80,19 @@ TEST_CASE("Sentences say what differs, what does not and what tells nothing") {
   CHECK_THAT(verdicts[4], ContainsSubstring("no difference is shown"));  // behind what is known
   CHECK_THAT(verdicts.back(),
              ContainsSubstring("common random numbers: the interval of a paired difference is 0."));
+}
+
+TEST_CASE("Conditions that differ most come first, and those without values last") {
+  MadeStudy study;
+  study.axes = {{"where", {"middle", "low", "nothing", "near low", "high"}}};
+  study.seeds = 3;
+  study.values = [](const std::vector<int>& levels, int seed) -> std::map<std::string, double> {
+    const double places[] = {5, 0, 0, 0.5, 9.8};  // the two farthest apart: low and high
+    if (levels[0] == 2) return {};
+    return {{"neighbours", places[levels[0]] + 0.01 * seed}, {"sphericity", 1}};
+  };
+  // From low and high the middle is farther than what lies near low.
+  CHECK(byDifference(compared(study)) == std::vector<std::size_t>{1, 4, 0, 3, 2});
 }
 
 TEST_CASE("A condition whose seeds change nothing has one run, is named, and has no interval") {

@@ -4,7 +4,9 @@
 #include "base/error.h"
 #include "catch.h"
 #include "diagnose/vertex_forces.h"
+#include "drawing/palette.h"
 #include "pictures/picture_maker.h"
+#include "pictures/pictures.h"
 #include "scenario/scenario.h"
 #include "simulation/hash.h"
 #include "simulation/measures.h"
@@ -203,11 +205,44 @@ TEST_CASE("cells are coloured by measures, generations and clones, and the bar's
   CHECK(clones.legend[1].label == "B");
   CHECK(clones.cells[0].colour == clones.legend[0].colour);
   CHECK(clones.cells[1].colour == clones.legend[1].colour);
-  for (const char* wrong : {"volum", "clone:0", "clone:5", "clone:", ""}) {
+  CHECK(clones.cells[0].colour == cloneColour("A"));
+  for (const char* same : {"cell.volume", "volume-over-rest", "cell.volume_over_rest"})
+    CHECK(pictureBy(same).instruments.colourBar);
+  for (const char* wrong :
+       {"volum", "clone:0", "clone:5", "clone:", "", "world.volume", "cell.cells", "pair.area"}) {
     CAPTURE(wrong);
     CHECK_THROWS_AS(parseColouring(wrong), InputError);
   }
   CHECK_THROWS_WITH(parseColouring("volum"), ContainsSubstring("did you mean volume?"));
+}
+
+TEST_CASE("a film shows in each picture what is in it, and keeps room for the rest; mixtures are called so",
+          "[colours]") {
+  Scenario s = scenario(squeezed);
+  PictureWishes wishes;
+  wishes.colouring = parseColouring("clone");
+  PictureMaker maker(s, wishes);
+  maker.add(worldOf(s, 0));
+  maker.add(worldOf(s, 2.2));
+  const Pictures film = maker.take();
+  const auto shownIn = [&](std::size_t i) {
+    std::vector<std::string> labels;
+    for (const LegendEntry& entry : film[i].legend)
+      if (entry.shown) labels.push_back(entry.label);
+    return labels;
+  };
+  CHECK(shownIn(0) == std::vector<std::string>{"egg"});
+  CHECK(shownIn(1) == std::vector<std::string>{"A", "B"});
+  CHECK(film[0].legend.size() == film[1].legend.size());
+
+  s.colours = {{"a", "#ff0000"}, {"b*", "#0000ff"}};
+  Palette palette(s);
+  const Colour mauve = palette.colourOf("a b1 other");
+  REQUIRE(palette.legend().size() == 1);  // neither red nor blue is seen
+  CHECK(palette.legend()[0].label == "a + b*");
+  CHECK(palette.legend()[0].colour == mauve);
+  palette.colourOf("a");
+  CHECK(palette.legend().size() == 2);
 }
 
 }  // namespace morula

@@ -35,7 +35,9 @@ std::ptrdiff_t count(const Image& image, int left, int right, bool (*kind)(Colou
 }  // namespace
 
 TEST_CASE("organisms of a grid have one scale", "[comparison]") {
-  const Image image = drawOrganismGrid(twoByTwo()).pixels();
+  const auto pages = drawOrganismGrid(twoByTwo());
+  REQUIRE(pages.size() == 1);
+  const Image image = pages[0].pixels();
   const int side = 340, first = image.width - 12 - 2 * side;
   const auto large = count(image, first, first + side, isReddish),
              small = count(image, first + side, first + 2 * side, isReddish);
@@ -57,6 +59,48 @@ TEST_CASE("a grid that does not fit is refused", "[comparison]") {
   CHECK_THROWS_WITH(drawOrganismGrid(many), ContainsSubstring("41 rows"));
   many.rows.pop_back(), many.tiles.pop_back();
   CHECK_NOTHROW(drawOrganismGrid(many));  // nothing in any tile
+}
+
+TEST_CASE(
+    "a grid goes on beside itself, and then on further pages, none of them longer than a sheet of paper",
+    "[comparison]") {
+  const auto gridOf = [](std::size_t rows, std::size_t columns) {
+    OrganismGrid grid;
+    grid.title = "title";
+    grid.columns.assign(columns, "column");
+    for (std::size_t i = 0; i < rows; ++i) grid.rows.push_back({"row " + std::to_string(i)});
+    grid.tiles.assign(rows * columns, tile(1, red));
+    return grid;
+  };
+  for (const std::size_t columns : {1, 2, 5, 12})
+    for (const std::size_t rows : {1, 12, 24, 40}) {
+      CAPTURE(rows, columns);
+      OrganismGrid grid = gridOf(rows, columns);
+      for (OrganismTile& t : grid.tiles) t.empty = true;  // where they lie, not how they look
+      for (const Drawing& page : drawOrganismGrid(grid))
+        CHECK(page.height() <= 1.45 * std::max(page.width(), 800));
+    }
+  // Each row once, whatever the page: 13 red balls of equal size.
+  const OrganismGrid one = gridOf(1, 1), many = gridOf(13, 2);
+  const auto reds = [](const std::vector<Drawing>& pages) {
+    std::ptrdiff_t n = 0;
+    for (const Drawing& page : pages) {
+      const Image image = page.pixels();
+      n += std::count_if(image.pixels.begin(), image.pixels.end(), isReddish);
+    }
+    return double(n);
+  };
+  const auto pages = drawOrganismGrid(many);
+  REQUIRE(pages.size() > 1);
+  const double side = 180.0 / 340;  // of the smaller tiles
+  CHECK(reds(pages) == Approx(26 * side * side * reds(drawOrganismGrid(one))).epsilon(0.05));
+}
+
+TEST_CASE("a picture that is there is shown as it is", "[comparison]") {
+  OrganismGrid grid = twoByTwo();
+  for (OrganismTile& t : grid.tiles) t = {{}, false, "", Image(40, 40, {1, 2, 3})};
+  const Image image = drawOrganismGrid(grid)[0].pixels();
+  CHECK(std::ranges::count(image.pixels, Colour{1, 2, 3}) == 4 * 40 * 40);
 }
 
 }  // namespace morula

@@ -61,6 +61,43 @@ TEST_CASE("the first series are told apart by all eyes, and on paper", "[palette
     }
 }
 
+TEST_CASE("clones are told apart by all eyes and, of three divisions, in grey", "[palette]") {
+  const auto founders = [](int divisions) {
+    std::vector<std::string> paths{""};
+    for (int d = 0; d < divisions; ++d) {
+      std::vector<std::string> next;
+      for (const std::string& path : paths) next.push_back(path + "A"), next.push_back(path + "B");
+      paths = next;
+    }
+    return paths;
+  };
+  for (const int divisions : {1, 2, 3, 4}) {
+    const auto paths = founders(divisions);
+    for (const Matrix& eye : eyes)
+      for (std::size_t i = 0; i < paths.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+          const Colour a = cloneColour(paths[i]), b = cloneColour(paths[k]);
+          CAPTURE(&eye - eyes, paths[i], paths[k]);
+          CHECK(difference(eye, a, b) > (divisions < 4 ? 25 : 10));
+          if (&eye == eyes && divisions < 4)
+            CHECK(std::abs(seen(eye, a)[0] - seen(eye, b)[0]) > (divisions < 3 ? 14 : 7));
+        }
+        CHECK(difference(eye, cloneColour(paths[i]), {0xfa, 0xfa, 0xf8}) > 15);
+      }
+  }
+}
+
+TEST_CASE("a clone has one colour, whatever else there is, and no two that live together share it",
+          "[palette]") {
+  CHECK(cloneColour("") == cloneColour("A"));
+  CHECK(cloneColour("BA") == cloneColour("B"));
+  CHECK(cloneColour("ABBAB") == cloneColour("ABBA"));  // four letters count
+  // Daughters of cells, from the egg on: that of B has a colour which no other has by then.
+  for (const std::string path : {"", "A", "B", "AB", "BB", "ABA", "BBB"})
+    CHECK(!(cloneColour(path + "A") == cloneColour(path + "B")));
+  CHECK(!(cloneColour("B") == cloneColour("AB")));  // as long as B has not divided
+}
+
 TEST_CASE("no two series have one colour", "[palette]") {
   for (std::size_t i = 0; i < manySeries; ++i)
     for (std::size_t k = 0; k < i; ++k) {

@@ -54,7 +54,21 @@ TEST_CASE("a picture is kept of the first seed of each condition, if asked for")
   const SmallStudy s(smallStudy + "keep: {pictures: first-seed}\n");
   const PlannedStudy study = s.open();
   s.run(study);
-  CHECK(filesBelow(study.folder.tasks(), ".png").size() == 4);
+  const auto pictures = filesBelow(study.folder.path(), ".png");
+  REQUIRE(pictures.size() == 4);
+  for (std::size_t t = 0; t < study.plan.tasks.size(); ++t) {
+    const Task& task = study.plan.tasks[t];
+    const auto stored = study.folder.storedPicture(task.id);
+    CHECK(stored.has_value() == keepsPicture(study.plan, t));
+    if (!stored) continue;
+    CHECK(*stored == study.folder.picture(study.plan, t));
+    std::string name = stored->filename().string();
+    for (const std::string& label : study.plan.conditions[task.condition].labels) {
+      CHECK(name.starts_with(label));
+      name.erase(0, label.size() + 1);
+    }
+    CHECK(name == "seed-" + std::to_string(task.seed) + "_" + task.id.substr(0, 8) + ".png");
+  }
 }
 
 TEST_CASE("a failure is a result with its reason") {
