@@ -48,7 +48,7 @@ AskedMeasure readRow(const std::string& text, bool hasCells, IfSeveral several) 
     if (m.name == row || withScope(m) == row ||
         (isFirst && !(hasCells && m.scope == Scope::world && !m.ofClones)))
       return m;
-    names.push_back(m.name);
+    names.push_back(m.row);
     if (m.row == row) scopes.push_back(m.name);
   }
   if (row == "count") throw InputError("'count' is of some cells; say of which cells, as count of skin");

@@ -150,7 +150,8 @@ Json toJson(const StudyComparison& c) {
 std::string toCsv(const StudyComparison& c) {
   std::vector<std::pair<std::string, Table>> kinds{{"value", valueTable(c)},
                                                    {"condition", conditionTable(c, c.conditions)},
-                                                   {"pair", pairTable(c, c.pairs)}};
+                                                   {"pair", pairTable(c, c.pairs)},
+                                                   {"split", pairTable(c, c.split)}};
   for (const MeasureEffects& e : c.effects) kinds.emplace_back("effect", effectTable(c, e));
   for (const TimeCourse& course : c.courses) kinds.emplace_back("course", courseTable(c, course));
   std::vector<std::string> names{"kind", "measure"};

@@ -162,10 +162,13 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
   }
 }
 
+/// "0.62", or "below 0.001".
+std::string shareText(double share) { return share < 0.001 ? "below 0.001" : numberText(share, 2); }
+
 /// "η² 0.62, partial η² 0.9, 95 % interval 0.7 to 0.95, p = 0.001 after Holm"
 std::string effectText(const MeasureEffects& effects, std::size_t effect) {
   const FactorEffect& e = effects.analysis.effects[effect];
-  return fmt::format("η² {}{}, {} after Holm", numberText(e.share, 2),
+  return fmt::format("η² {}{}, {} after Holm", shareText(e.share),
                      e.partialInterval ? fmt::format(", partial η² {}{}", numberText(*e.partial, 2),
                                                      intervalText("95 %", e.partialInterval))
                                        : "",
@@ -260,7 +263,7 @@ std::vector<std::string> axisVerdicts(const StudyComparison& c) {
       } else if (p) {
         const auto& interval = effects.analysis.effects[a].partialInterval;
         others.push_back(c.measureName(effects.measure) + " (η² " +
-                         numberText(effects.analysis.effects[a].share, 2) +
+                         shareText(effects.analysis.effects[a].share) +
                          (interval ? ", partial η² at most " + numberText(interval->high, 2) : "") + ")");
         least = std::min(least, *p);
       }

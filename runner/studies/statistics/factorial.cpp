@@ -102,13 +102,14 @@ double noncentralityOf(double share, double f, double df1, double df2) {
   return high;
 }
 
+/// An F below 1 is chance, and bounds the effect no better than 1 does.
 Interval partialIntervalOf(const FactorEffect& e, double n) {
-  const auto at = [&](double share) {
-    const double lambda =
-        noncentralityOf(share, *e.f, e.epsilon * e.degreesOfFreedom, e.epsilon * e.errorDegreesOfFreedom);
-    return lambda / (lambda + e.epsilon * e.degreesOfFreedom * n);
+  const double df = e.epsilon * e.degreesOfFreedom, dfError = e.epsilon * e.errorDegreesOfFreedom;
+  const auto at = [&](double share, double f) {
+    const double lambda = noncentralityOf(share, f, df, dfError);
+    return lambda / (lambda + df * n);
   };
-  return {at(0.025), at(0.975)};
+  return {at(0.025, *e.f), at(0.975, std::max(*e.f, 1.0))};
 }
 
 void test(FactorEffect& e, const Design& design, const Contrasts& contrasts, double whole, double size) {

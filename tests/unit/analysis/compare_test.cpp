@@ -272,8 +272,8 @@ TEST_CASE(
   };
   CHECK_THAT(line("a: decides on clone_radius (η² 0."),
              ContainsSubstring(", partial η² 0.") && ContainsSubstring(", 95 % interval 0.") &&
-                 ContainsSubstring("): 1 9.9") && ContainsSubstring(": 1 and 3, 2 and 3 differ"));
-  CHECK_THAT(line("b: no effect is shown on "), ContainsSubstring("clone_radius (η² 0.") &&
+                 ContainsSubstring("): 1 10, 2 10, 3 11: 1 and 3, 2 and 3 differ"));
+  CHECK_THAT(line("b: no effect is shown on "), ContainsSubstring("clone_radius (η² below 0.001") &&
                                                     ContainsSubstring(", partial η² at most 0.") &&
                                                     ContainsSubstring("clone_spread (η² "));
   CHECK(

@@ -128,15 +128,23 @@ TEST_CASE("How far a cell lies below the surface, and where in the shell") {
   const std::vector<std::string> names{"surface_distance"};
   const auto taken = takeMeasures(Observation(crowd), names);
   REQUIRE(taken.size() == 27);
-  double farthest = 0;  // how far out the mesh reaches that stands for a ball
-  for (const Point& v : measureShape(*crowd.bodies, 13).surface.vertices) farthest = std::max(farthest, norm(v - places[13]));
-  REQUIRE(farthest < 1.2);
+  // How far out the mesh reaches that stands for a ball: its corners, and its faces' planes.
+  const Mesh ball = measureShape(*crowd.bodies, 13).surface;
+  double farthest = 0, nearest = 2;
+  for (const auto& [i, j, k] : ball.faces) {
+    const Vector one = ball.vertices[i] - places[13];
+    const Vector normal = cross(ball.vertices[j] - ball.vertices[i], ball.vertices[k] - ball.vertices[i]);
+    farthest = std::max(farthest, norm(one));
+    nearest = std::min(nearest, std::abs(dot(one, normal)) / norm(normal));
+  }
+  REQUIRE(farthest < 1.1);
+  REQUIRE(nearest > 0.8);
   constexpr double twiceEdge = 0.12;
   for (const TakenMeasure& m : taken) {
     INFO(m.a.text());
     if (&m == &taken.back()) CHECK(m.value > 2);
     else CHECK(m.value < farthest + twiceEdge);
-    CHECK(m.value > 2 - farthest - twiceEdge);
+    CHECK(m.value > nearest - twiceEdge);
   }
   CHECK(valueOf("lumen", row({0, 1, 2})) == 0);
 

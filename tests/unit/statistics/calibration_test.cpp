@@ -244,7 +244,7 @@ TEST_CASE(
         for (std::size_t e = 0; e < 2; ++e) {
           INFO(n << " seeds, size " << size << (unlike ? ", unlike" : "") << ", axis " << e);
           CHECK(100. * held[e] / of >= 93);
-          CHECK(100. * held[e] / of <= 98);
+          CHECK(100. * held[e] / of <= (n >= 5 ? 98 : 98.5));
         }
       }
 }

@@ -1,6 +1,8 @@
 // One number for each measure and time, beside sums by hand.
 #include "tasks/values.h"
 
+#include <array>
+
 #include "base/error.h"
 #include "catch.h"
 #include "simulation/asked_measure.h"
@@ -14,6 +16,7 @@ TEST_CASE("a measure of cells is their mean, of the world itself, and what is no
   end.world.time = 2;
   end.world["cells"] = 2;
   end.cells.resize(3);
+  for (int i = 0; i < 3; ++i) end.cells[std::size_t(i)].path = CellPath::parse(std::array{"A", "BA", "BB"}[i]);
   end.cells[0]["sphericity"] = 0.5;
   end.cells[1]["sphericity"] = 0.75;  // the third was not measured
   end.more = {{Scope::world, "lineage_space", {}, {}, 0.25},
@@ -64,6 +67,7 @@ TEST_CASE("names that two tables have are told apart") {
   Sample sample;
   sample.world["volume"] = 8;
   sample.cells.resize(2);
+  sample.cells[0].path = CellPath::parse("A"), sample.cells[1].path = CellPath::parse("B");
   sample.cells[0]["volume"] = 3, sample.cells[1]["volume"] = 5;
   for (const AskedMeasure& m : allMeasures())
     if (m.row == "volume" && m.scope == Scope::cell) CHECK(valuesOf({sample}, {}, {m.name}).at(0).value == 4);
