@@ -28,7 +28,7 @@ std::vector<std::size_t> comparedAxes(const StudyComparison& comparison);
 
 /// By statistics, or because both sides are known exactly.
 bool isDifferent(const PairComparison& pair);
-/// The sentence on a pair; where a margin was given, the one on its equivalence.
+/// The sentence on a pair; where a margin was given, with what it says of equivalence.
 std::string pairInWords(const StudyComparison& comparison, const PairComparison& pair);
 
 }  // namespace morula

@@ -325,7 +325,7 @@ bool isDifferent(const PairComparison& p) {
 }
 
 std::string pairInWords(const StudyComparison& c, const PairComparison& pair) {
-  return pair.equivalence ? equivalenceVerdict(c, pair) : pairVerdict(c, pair);
+  return pairVerdict(c, pair) + equivalenceText(pair);
 }
 
 std::vector<std::string> verdictsOf(const StudyComparison& c) {
