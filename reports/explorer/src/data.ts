@@ -192,7 +192,7 @@ export class Run {
 
 export interface Data {
   runs: Run[];
-  units: Record<string, string>;
+  units: Record<string, [string, number]>; // of measures, time, the scale bar and areas of contact: the unit that people see, and how many of it are one of the scene's
   scale: string[];
   series: string[];
   forces: { name: string; colour: string; meaning: string }[]; // kinds
@@ -204,7 +204,7 @@ function bytesOf(text: string): ArrayBuffer {
   return bytes.buffer;
 }
 
-const format = 2; // explorerFormat in runner/publish/report_data/explorer_data.cpp
+const format = 3; // explorerFormat in runner/publish/report_data/explorer_data.cpp
 
 /** Null where the page was made by a program of another format. */
 export function readData(): Data | null {
@@ -218,6 +218,12 @@ export function readData(): Data | null {
 }
 
 export function isWithin(path: string, ancestor: string): boolean { return path.startsWith(ancestor); }
+
+/** What people see of a measure's value, or of a time: "12.5 µm". */
+export function shownText(data: Pick<Data, "units">, measure: string, value: number): string {
+  const [unit, factor] = data.units[measure] ?? ["", 1];
+  return numberText(factor * value) + (unit && Number.isFinite(value) ? ` ${unit}` : "");
+}
 
 /** Four digits are enough to look at. */
 export function numberText(x: number): string {

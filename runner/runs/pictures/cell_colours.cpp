@@ -75,7 +75,7 @@ void colourByGeneration(std::vector<OrganismPicture>& pictures,
 
 void colourByMeasure(std::vector<OrganismPicture>& pictures,
                      const std::vector<std::vector<std::optional<double>>>& values,
-                     const CellMeasure& measure) {
+                     const CellMeasure& measure, const Units& units) {
   Range range;
   bool lacks = false;
   for (std::size_t p = 0; p < pictures.size(); ++p)
@@ -84,7 +84,7 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
       else if (const auto& value = values[p][i]) range.see(*value);
       else lacks = true;
   range = withoutRounding(range);
-  const std::string unit = measure.unit;
+  const ShownUnit unit = shownUnit(units, measure.unit);
   std::string title = measure.name;
   std::replace(title.begin(), title.end(), '_', ' ');
   for (std::size_t p = 0; p < pictures.size(); ++p) {
@@ -94,8 +94,8 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
       pictures[p].cells[i].colour = values[p][i] ? scaleColour(share) : notMeasured;
     }
     if (range.low <= range.high)
-      pictures[p].instruments.colourBar = {title + (unit.empty() ? "" : " [" + unit + "]"), range.low,
-                                           range.high};
+      pictures[p].instruments.colourBar = {unit.after(title), unit.factor * range.low,
+                                           unit.factor * range.high};
     if (lacks) pictures[p].legend.push_back({notMeasured, title + " not measured"});
   }
 }
@@ -156,7 +156,7 @@ void colourCells(std::vector<OrganismPicture>& pictures,
   if (colouring.by == Colouring::By::clone) colourByClone(pictures, values, colouring.founders, scenario);
   if (colouring.by == Colouring::By::generation) colourByGeneration(pictures, values);
   if (colouring.by == Colouring::By::measure)
-    colourByMeasure(pictures, values, *cellMeasure(colouring.measure));
+    colourByMeasure(pictures, values, *cellMeasure(colouring.measure), scenario.units);
 }
 
 }  // namespace morula

@@ -24,8 +24,7 @@ void findMeasure(std::string_view name, Scope scope, std::optional<MeasureName>&
     if (found || name != row.name) continue;
     std::string title = row.name;
     std::replace(title.begin(), title.end(), '_', ' ');
-    if (*row.unit) title += std::string(" [") + row.unit + "]";
-    found = MeasureName{scope, row.name, title};
+    found = MeasureName{scope, row.name, title, row.unit};
   }
 }
 
@@ -110,12 +109,14 @@ MeasureName parseMeasure(std::string_view text) {
 }
 
 Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scenario& scenario) {
+  const ShownUnit unit = shownUnit(scenario.units, measure.unit), time = shownUnit(scenario.units, "time");
+  const std::string title = unit.after(measure.title);
   std::map<Key, std::vector<Spot>> series;
   for (const Sample& sample : results.samples)
     for (const auto& [key, value] : valuesIn(sample, measure))
-      series[key].push_back({sample.world.time, value});
+      series[key].push_back({time.factor * sample.world.time, unit.factor * value});
   if (series.empty()) failWithout(measure, scenario);
-  const double end = results.samples.back().world.time;
+  const double end = time.factor * results.samples.back().world.time;
   std::size_t atEnd = 0;
   for (const auto& [key, points] : series) atEnd += points.back().x == end;
   std::map<CellPath, Colour> clones;
@@ -125,9 +126,9 @@ Chart seriesOf(const RunResults& results, const MeasureName& measure, const Scen
   for (auto& [founder, colour] : clones) colour = seriesColour(number++);
   Chart chart;
   chart.title = scenario.scene.name;
-  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), measure.title,
+  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), title,
                               counted(results.samples.size(), "sample"));
-  chart.xLabel = "time", chart.yLabel = measure.title;
+  chart.xLabel = timeLabel(scenario.units), chart.yLabel = title;
   chart.xScale = chart.yScale = Axis::Scale::linear;
   chart.dots = few && results.samples.size() <= 40;
   number = 0;
@@ -161,6 +162,7 @@ MatrixPicture contactsOf(const RunResults& results, double time, const Scenario&
                      fmt::format(" up to time {:.6g} has cells with bodies", time));
   if (!scenario.scene.mechanics || !scenario.scene.mechanics->contact)
     throw InputError(scenario.scene.name + " has no physics.contact: cells in it do not touch");
+  const ShownUnit unit = shownUnit(scenario.units, "length²");
   MatrixPicture picture;
   const std::size_t n = last->cells.size();
   picture.values.resize(n * n);
@@ -171,12 +173,13 @@ MatrixPicture contactsOf(const RunResults& results, double time, const Scenario&
   }
   for (const ContactMeasures& pair : last->contacts) {
     const std::size_t a = rows.at(pair.a), b = rows.at(pair.b);
-    picture.values[a * n + b] = picture.values[b * n + a] = pair["area"];
+    if (const auto area = pair["area"])
+      picture.values[a * n + b] = picture.values[b * n + a] = unit.factor * *area;
   }
   picture.title = scenario.scene.name;
-  picture.caption = fmt::format("who touches whom at time {:.6g}: {} cells, {} contacts", last->world.time, n,
-                                last->contacts.size());
-  picture.quantity = "contact area [length²]";
+  picture.caption = fmt::format("who touches whom at time {}: {} cells, {} contacts",
+                                shownTime(scenario.units, last->world.time, 6), n, last->contacts.size());
+  picture.quantity = unit.after("contact area");
   return picture;
 }
 
@@ -203,7 +206,8 @@ RosePicture divisionsOf(const RunResults& results, const Scenario& scenario) {
   return picture;
 }
 
-void colourTree(TreePicture& tree, const RunResults& results, const MeasureName& measure) {
+void colourTree(TreePicture& tree, const RunResults& results, const MeasureName& measure,
+                const Units& units) {
   if (measure.scope != Scope::cell)
     throw InputError(measure.name + " is a measure of the " + name(measure.scope) +
                      ", and a tree shows cells");
@@ -235,7 +239,9 @@ void colourTree(TreePicture& tree, const RunResults& results, const MeasureName&
     throw InputError("no sample has " + measure.name +
                      (isSampled(measure) ? "" : "; record.measures must name it"));
   if (lacks) tree.legend.push_back({neutralGrey, "in no sample"});
-  tree.colourBar = ColourBar{measure.title + ", mean over a cell's samples", range.low, range.high};
+  const ShownUnit unit = shownUnit(units, measure.unit);
+  tree.colourBar = ColourBar{unit.after(measure.title) + ", mean over a cell's samples",
+                             unit.factor * range.low, unit.factor * range.high};
 }
 
 }  // namespace morula

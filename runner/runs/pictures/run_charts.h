@@ -18,7 +18,8 @@ namespace morula {
 struct MeasureName {
   Scope scope;
   std::string name;
-  std::string title;  // with its unit, for an axis
+  std::string title;  // "neighbour count"
+  std::string unit;   // the scene's
 };
 
 /// "volume" or with its scope "cell.volume": without, the first of world, cell and pair that has the name. Throws
@@ -40,6 +41,6 @@ RosePicture divisionsOf(const RunResults& results, const Scenario& scenario);
 
 /// The tree in the colours of a measure of cells: of each cell the mean over its samples; grey where it has none. Throws
 /// InputError as seriesOf, and for measures of other scopes.
-void colourTree(TreePicture& tree, const RunResults& results, const MeasureName& measure);
+void colourTree(TreePicture& tree, const RunResults& results, const MeasureName& measure, const Units& units);
 
 }  // namespace morula

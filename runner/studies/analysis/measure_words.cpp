@@ -70,12 +70,11 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
 
 std::string unitOfMeasure(const std::string& measure) { return rowOf(measure).unit; }
 
-std::string titleOfMeasure(const std::string& measure) {
+std::string titleOfMeasure(const std::string& measure, const Units& units) {
   std::string title = wordsOfMeasure(measure).noun;
   if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
     title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  const std::string unit = unitOfMeasure(measure);
-  return title + (unit.empty() ? "" : " [" + unit + "]");
+  return shownUnit(units, unitOfMeasure(measure)).after(title);
 }
 
 std::size_t placeOfMeasure(const std::string& measure) { return rowOf(measure).place; }
