@@ -68,7 +68,7 @@ std::string AskedMeasure::title() const {
   std::string text = isCount() ? "count" : row;
   std::ranges::replace(text, '_', ' ');
   if (of) text += std::string(beforeSelection) + of->text();
-  return unit.empty() ? text : text + " [" + unit + "]";
+  return text;
 }
 
 const std::vector<AskedMeasure>& allMeasures() {

@@ -31,7 +31,7 @@ struct AskedMeasure {
 
   /// How many cells are selected: no row of a table.
   bool isCount() const { return row.empty(); }
-  /// For people, with its unit: "shell share of AAA*", "volume [length³]".
+  /// For people, without its unit: "shell share of AAA*", "volume".
   std::string title() const;
 };
 

@@ -124,7 +124,8 @@ void drawInstruments(Drawing& drawing, const Instruments& instruments, const Pic
                   instruments.arrowKey->unit, instruments.arrowKey->colour, true, textSize);
         break;
       case Kind::scaleBar:
-        drawRuler(drawing, at, place.width, scale.pixelsPerLength, "[length]", ink, false, textSize);
+        drawRuler(drawing, at, place.width, scale.pixelsPerLength / instruments.perLength,
+                  instruments.lengthUnit, ink, false, textSize);
     }
   }
 }

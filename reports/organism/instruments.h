@@ -22,6 +22,8 @@ struct Instruments {
   bool scaleBar = false;  // a round length, at the depth of the picture's middle: what is nearer looks larger
   std::optional<ColourBar> colourBar;
   std::optional<ArrowKey> arrowKey;
+  std::string lengthUnit = "[length]";  // that the scale bar's number is in
+  double perLength = 1;                 // so many of it are one length; > 0
   bool any() const { return axes || scaleBar || colourBar || arrowKey; }
 };
 

@@ -151,7 +151,7 @@ Drawing drawLineage(const TreePicture& asked) {
                                    barHeight(picture)},
                   std::min(picture.width - 3 * size, 24 * size), size);
   const Sheet sheet = makeSheet(picture, layout, words);
-  drawUprightAxis(drawing, sheet.frame, sheet.time, "time");
+  drawUprightAxis(drawing, sheet.frame, sheet.time, picture.timeLabel);
   // From the leaves up, so that at a division the mother lies on top.
   for (auto place = layout.places.rbegin(); place != layout.places.rend(); ++place)
     drawCell(drawing, sheet, layout, *place);

@@ -23,6 +23,7 @@ struct LineageNode {
 struct TreePicture {
   std::vector<LineageNode> nodes;  // in any order; each path once
   std::string title, caption;      // UTF-8
+  std::string timeLabel = "time";  // of the axis, with the unit of the nodes' times
   std::vector<LegendEntry> legend;
   int width = 0, height = 0;  // [pixel] 64 to 16384; 0: what suits the number of leaves
   // Every leaf has its label, however many there are, in letters as large as there is room; the width that suits is

@@ -12,10 +12,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A study and its scenario, as `morula init` writes them.
+/// A study and its scenario, as `morula init` writes them; without `variation`, so that seeds change random planes alone.
 std::string starterIn(const TemporaryFolder& folder) {
-  const std::string study = folder / "first.study.yaml";
-  CHECK(launch({"init", folder / "organism.yaml"}).code == 0);
+  const std::string study = folder / "first.study.yaml", scenario = folder / "organism.yaml";
+  CHECK(launch({"init", scenario}).code == 0);
+  std::string text = readWhole(scenario);
+  const auto line = text.find("\nvariation: ");
+  REQUIRE(line != text.npos);
+  writeWhole(scenario, text.erase(line, text.find('\n', line + 1) - line));
   CHECK(launch({"init", "--study", "first", "--base", "organism.yaml", study}).code == 0);
   return study;
 }
@@ -54,6 +58,20 @@ TEST_CASE("A study that init writes is valid, and its plan is told, written once
   CHECK(other.code == 3);
   CHECK(other.err.find("another plan") != std::string::npos);
   CHECK(readWhole(to + "/plan.json") == plan);
+}
+
+TEST_CASE("A scenario and a study that init writes run without a warning, and each seed makes a difference") {
+  const TemporaryFolder folder;
+  REQUIRE(launch({"init", folder / "my-organism.yaml"}).code == 0);
+  REQUIRE(launch({"init", "--study", "first", folder / "first.study.yaml"}).code == 0);
+  const auto run =
+      launch({"run", folder / "my-organism.yaml", "--no-pictures", "--quiet", "--out", folder / "results"});
+  CHECK(run.code == 0);
+  CHECK(run.err.empty());
+  CHECK(run.out.find("warning") == run.out.npos);
+  CHECK(run.out.find("sane     yes") != run.out.npos);
+  CHECK(launch({"validate", folder / "first.study.yaml"}).out ==
+        std::string(folder / "first.study.yaml") + ": fine; conditions: 4, distinct runs: 40\n");
 }
 
 TEST_CASE("The plan as JSON agrees with the plan's file") {

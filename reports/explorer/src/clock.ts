@@ -1,5 +1,5 @@
 // Time: a slider, marks where cells divide, and play.
-import { numberText, type Data, type Run } from "./data";
+import { shownText, type Data, type Run } from "./data";
 import type { State } from "./state";
 
 const playSeconds = 8; // from start to end
@@ -100,7 +100,7 @@ export class Clock {
       const at = Math.min(time, run.end);
       return run.cells.filter((c) => c.born <= at && (at < c.ended || (c.fate === "alive" && at <= c.ended))).length;
     });
-    const text = `time ${numberText(time)}, ${living.map((n) => `${n} ${n === 1 ? "cell" : "cells"}`).join(" | ")}`;
+    const text = `time ${shownText(this.data, "time", time)}, ${living.map((n) => `${n} ${n === 1 ? "cell" : "cells"}`).join(" | ")}`;
     if (Number(this.slider.value) !== time) this.slider.value = String(time);
     this.slider.setAttribute("aria-valuetext", text);
     this.output.textContent = text;

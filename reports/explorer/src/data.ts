@@ -192,7 +192,7 @@ export class Run {
 
 export interface Data {
   runs: Run[];
-  units: Record<string, string>;
+  units: Record<string, [string, number]>; // of measures, time, the scale bar and areas of contact: the unit that people see, and how many of it are one of the scene's
   scale: string[];
   series: string[];
   clones: Record<string, string>; // by the path of the founder, and of what is above founders
@@ -219,6 +219,12 @@ export function readData(): Data | null {
 }
 
 export function isWithin(path: string, ancestor: string): boolean { return path.startsWith(ancestor); }
+
+/** What people see of a measure's value, or of a time: "12.5 µm". */
+export function shownText(data: Pick<Data, "units">, measure: string, value: number): string {
+  const [unit, factor] = data.units[measure] ?? ["", 1];
+  return numberText(factor * value) + (unit && Number.isFinite(value) ? ` ${unit}` : "");
+}
 
 /** Four digits are enough to look at. */
 export function numberText(x: number): string {

@@ -1,5 +1,5 @@
 // What is known of the selected cell, and where to go from it.
-import { isWithin, numberText, type Cell, type Data, type Frame, type Run } from "./data";
+import { isWithin, numberText, shownText, type Cell, type Data, type Frame, type Run } from "./data";
 import type { State } from "./state";
 
 function element<K extends keyof HTMLElementTagNameMap>(name: K, text = "", className = ""): HTMLElementTagNameMap[K] {
@@ -53,7 +53,7 @@ export class Info {
     const links = element("div", "", "links");
     for (const { cell, area } of touching) {
       const button = this.button(cell);
-      button.append(` ${numberText(area)}`);
+      button.append(` ${shownText(this.data, "contact", area)}`);
       links.append(button);
     }
     part.append(links);
@@ -77,7 +77,7 @@ export class Info {
     if (i >= 0) {
       const m = run.measures.length, rows: [string, string][] = [];
       for (let k = 0; k < m; ++k)
-        if (Number.isFinite(frame.values[i * m + k])) rows.push([run.measures[k], numberText(frame.values[i * m + k]) + (this.data.units[run.measures[k]] ? ` ${this.data.units[run.measures[k]]}` : "")]);
+        if (Number.isFinite(frame.values[i * m + k])) rows.push([run.measures[k], shownText(this.data, run.measures[k], frame.values[i * m + k])]);
       column.append(this.table([...rows, ...this.forces(run, frame, i)]), this.neighbours(run, frame, i));
       return column;
     }
@@ -88,7 +88,7 @@ export class Info {
         ++living;
         if (m >= 0) volume += frame.values[k * run.measures.length + m];
       }
-    if (living) column.append(element("p", `${living} of its descendants live at this time` + (m >= 0 ? `; their volume is ${numberText(volume)}.` : ".")));
+    if (living) column.append(element("p", `${living} of its descendants live at this time` + (m >= 0 ? `; their volume is ${shownText(this.data, "volume", volume)}.` : ".")));
     else column.append(element("p", cell.born > time ? "Not yet born at this time." : "Neither it nor a descendant lives at this time."));
     return column;
   }
@@ -109,8 +109,8 @@ export class Info {
     const rows: [string, string][] = [
       ["substances", run.states[cell.state] || "none"],
       ["generation", String(cell.path.length)],
-      ["born", numberText(cell.born)],
-      [cell.fate === "alive" ? "alive at the end" : cell.fate, numberText(cell.ended)],
+      ["born", shownText(this.data, "time", cell.born)],
+      [cell.fate === "alive" ? "alive at the end" : cell.fate, shownText(this.data, "time", cell.ended)],
     ];
     if (descendants) rows.push(["descendants", String(descendants)]);
     const life = element("div");

@@ -149,8 +149,9 @@ export class Explorer {
     for (const view of this.views) {
       const bar = view.canvas.parentElement!.querySelector<HTMLElement>(".scale"), perPixel = view.eye.lengthPerPixel();
       if (!bar || !(perPixel > 0)) continue;
-      const power = 10 ** Math.floor(Math.log10(120 * perPixel)), length = [5, 2, 1].map((x) => x * power).find((x) => x <= 120 * perPixel) ?? power;
-      const text = numberText(length), width = `${(length / perPixel).toFixed(1)}px`;
+      const [unit, factor] = this.data.units.scale ?? ["", 1], most = 120 * perPixel * factor;
+      const power = 10 ** Math.floor(Math.log10(most)), length = [5, 2, 1].map((x) => x * power).find((x) => x <= most) ?? power;
+      const text = numberText(length) + (unit && ` ${unit}`), width = `${(length / factor / perPixel).toFixed(1)}px`;
       if (bar.textContent !== text) bar.textContent = text; // what stays as it is need not be laid out again
       if (bar.style.width !== width) bar.style.width = width;
     }
@@ -256,7 +257,8 @@ export class Explorer {
     else {
       const [low, high] = this.colouring.range(colour, this.state.choice.scaleNow ? this.state.choice.time : null), ramp = element("span", "ramp");
       ramp.style.background = `linear-gradient(to right, ${this.data.scale.join(",")})`;
-      this.bar.replaceChildren(`${colour.replace(/_/g, " ")}${this.data.units[colour] ? ` [${this.data.units[colour]}]` : ""}: ${numberText(low)}`, ramp, numberText(high));
+      const [unit, factor] = this.data.units[colour] ?? ["", 1];
+      this.bar.replaceChildren(`${colour.replace(/_/g, " ")}${unit ? ` [${unit}]` : ""}: ${numberText(factor * low)}`, ramp, numberText(factor * high));
     }
   }
 }

@@ -67,7 +67,7 @@ CellLife lifeOf(const RunResults& tree, double end, const CellNames& names, cons
   return {cell, mother, sister, a, b, tree.stateTexts.at(cell->state), tree.names, end};
 }
 
-std::string lifeAsText(const CellLife& life) {
+std::string lifeAsText(const CellLife& life, const Units& units) {
   const NameOf nameOf = nameIn(life.names);
   const LineageEntry& cell = *life.cell;
   std::string text;
@@ -77,9 +77,9 @@ std::string lifeAsText(const CellLife& life) {
   const auto words = [&](const LineageEntry* relative) { return cellWords(nameOf, relative->path); };
   line("path", cell.path.isEgg() ? "egg" : cell.path.text());
   if (const auto name = nameOf(cell.path)) line("name", *name);
-  line("born", fmt::format("{:.6g}", cell.born));
-  if (cell.fate == Fate::alive) line("ended", fmt::format("not before the run's end, {:.6g}", life.end));
-  else line("ended", fmt::format("{:.6g}", cell.ended));
+  line("born", shownTime(units, cell.born, 6));
+  if (cell.fate == Fate::alive) line("ended", "not before the run's end, " + shownTime(units, life.end, 6));
+  else line("ended", shownTime(units, cell.ended, 6));
   line("fate", name(cell.fate));
   if (!life.state.empty()) line("state", life.state);
   if (life.mother) line("mother", words(life.mother));

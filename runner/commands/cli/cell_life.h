@@ -24,7 +24,7 @@ struct CellLife {
 CellLife lifeOf(const RunResults& tree, double end, const CellNames& names, const std::string& text);
 
 /// A line for each of path, name, born, ended, fate, state, mother, daughters and sister; what it does not have has none.
-std::string lifeAsText(const CellLife& life);
+std::string lifeAsText(const CellLife& life, const Units& units);
 /// The same: "path", "name", "parent", "born", "ended", "fate" and "state" as a cell of the whole tree; "mother" and
 /// "sister" as {"path", "name"}, or null; "daughters", a list of such.
 Json lifeAsJson(const CellLife& life);

@@ -68,19 +68,23 @@ Tree prescribed(const LineageOptions& options) {
   return {scenario.scene.name, run.end.time, std::move(run.results)};
 }
 
-std::string line(const LineageEntry& cell, const std::string& states, const std::string& called) {
+std::string line(const LineageEntry& cell, const std::string& states, const std::string& called,
+                 const Units& units) {
   const auto path = cell.path.text();
   return std::string(2 * path.size(), ' ') +
          fmt::format("{}{}{}  {} {}{}  {}\n", path.empty() ? "egg" : path, called.empty() ? "" : "  ", called,
-                     name(cell.fate), cell.fate == Fate::alive ? "since " : fmt::format("{:.6g}–", cell.born),
-                     fmt::format("{:.6g}", cell.fate == Fate::alive ? cell.born : cell.ended), states);
+                     name(cell.fate),
+                     cell.fate == Fate::alive
+                         ? "since "
+                         : numberText(shownUnit(units, "time").factor * cell.born, 6) + "–",
+                     shownTime(units, cell.fate == Fate::alive ? cell.born : cell.ended, 6), states);
 }
 
 int tellLife(const Tree& tree, const LineageOptions& options) {
-  const auto names = anyScenario(options.file, options.run, options.input.allowOutside).names;
-  const CellLife life = lifeOf(tree.results, tree.end, names, options.cell);
+  const auto scenario = anyScenario(options.file, options.run, options.input.allowOutside);
+  const CellLife life = lifeOf(tree.results, tree.end, scenario.names, options.cell);
   printEither(options.output, {{"scenario", tree.scenario}, {"time", tree.end}, {"cell", lifeAsJson(life)}},
-              lifeAsText(life));
+              lifeAsText(life, scenario.units));
   return fine;
 }
 
@@ -91,13 +95,16 @@ int act(const LineageOptions& options) {
   auto& cells = tree.results.lineage;
   // By path: a mother stands before her daughters, and a subtree is one block of lines.
   std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+  const Units units = options.output.json
+                          ? Units{}
+                          : anyScenario(options.file, options.run, options.input.allowOutside).units;
   Json list = Json::array();
   for (const auto& cell : cells) {
     const auto& state = tree.results.stateTexts[cell.state];
     const auto named = tree.results.names.find(cell.path);
     const std::string called = named == tree.results.names.end() ? "" : named->second;
     if (!options.output.json) {
-      print(line(cell, state, called));
+      print(line(cell, state, called, units));
       continue;
     }
     list.push_back(cellAsJson(cell, tree.results.names, state, tree.end));

@@ -11,6 +11,7 @@
 #include "simulation/measures.h"
 #include "simulation/memory.h"
 #include "system/json.h"
+#include "values/measure_list.h"
 
 namespace morula::module {
 
@@ -158,12 +159,14 @@ MORULA_EXPORT(facesOf) int facesOf(std::size_t cell) {
   return outcomeOf([&] { said = jsonText(flat(cellMesh(*world, world->cells.path.at(cell)).faces)); });
 }
 
-/// Says the names of the measures in snapshots, with their units.
+/// Says the names of the measures in snapshots, and the units in which people see the scenario's.
 MORULA_EXPORT(measureNames) int measureNames() {
   return outcomeOf([] {
-    Json names{{"cell", Json::array()}, {"world", Json::array()}};
-    for (const CellMeasure& m : sampledMeasures<CellContext>()) names["cell"].push_back({m.name, m.unit});
-    for (const WorldMeasure& m : sampledMeasures<Observation>()) names["world"].push_back({m.name, m.unit});
+    Json names{{"cell", Json::array()},
+               {"world", Json::array()},
+               {"units", shownUnits(scenario ? scenario->units : Units{})}};
+    for (const CellMeasure& m : sampledMeasures<CellContext>()) names["cell"].push_back(m.name);
+    for (const WorldMeasure& m : sampledMeasures<Observation>()) names["world"].push_back(m.name);
     said = jsonText(names);
   });
 }

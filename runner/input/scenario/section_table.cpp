@@ -143,6 +143,15 @@ std::vector<Section> sections() {
        .members = atLeastOne,
        .decides = Decides::presentation,
        .exists = [](const Scenario& s) { return !s.names.empty(); }},
+      {.path = "units",
+       .meaning = "In which units people see lengths and times: in pictures, charts, pages and sentences. "
+                  "What is computed, "
+                  "stored, exported and given to programs stays in the scene's own, and so does all that "
+                  "holds a mass or a force",
+       .absent = "the scene's own",
+       .members = atLeastOne,
+       .decides = Decides::presentation,
+       .exists = [](const Scenario& s) { return s.units.any(); }},
       {.path = "check",
        .meaning = "What must hold of the run besides its golden file",
        .decides = Decides::presentation},

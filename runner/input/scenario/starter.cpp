@@ -30,12 +30,16 @@ stop: {cycles: 5}              # or time, or cells
 physics:                       # without this block: the lineage only, without bodies
   time_step: auto              # or a number [time]
   mesh: {icosphere: 2}         # 162 vertices; or {file: shape.obj}
-  cell: {radius: 0.95, mass: 1}
-  pressure: {constant: 200, outside: 55}  # at rest constant / volume = outside
-  shell: {sphere: 1}           # or {ellipsoid: [27, 15, 11]}
+  cell: {radius: 1, mass: 1}
+  pressure: {constant: 200, outside: 48}  # at rest constant / volume = outside
+  drag: 5                      # the medium slows cells, so that they come to rest
+  shell: {ellipsoid: [1.3, 1.1, 0.9], fill: 0.9}  # a shape, of which the egg fills 0.9; or {sphere: 1}; or none
   contact: {}                  # without it cells pass through one another
 
 division: {plane: longest}     # or random, or {axis: [1, 0, 0]}
+# connections: {on-division: both, strength: 0.1}  # sisters hold on to one another
+variation: {cycle: 0.05, share: 0.02}  # what a seed changes, as standard deviations
+# units: {length: µm, per-length: 20, time: min, per-time: 5}  # in which people see lengths and times
 
 colours: {left: '#e41a1c', right: '#377eb8'}
 record: {every: 0.25}          # [time] between samples in the database

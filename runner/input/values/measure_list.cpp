@@ -108,4 +108,18 @@ std::string lackingFor(Needs needs, const Scenario& scenario) {
   return "";
 }
 
+Json shownUnits(const Units& units) {
+  Json json = Json::object();
+  const auto add = [&](const std::string& what, std::string_view unit) {
+    const ShownUnit shown = shownUnit(units, unit);
+    json[what] = {shown.name, shown.factor};
+  };
+  for (const auto& m : sampledMeasures<CellContext>()) add(m.name, m.unit);
+  for (const auto& m : sampledMeasures<Observation>()) add(m.name, m.unit);
+  add("time", units.time.empty() ? "" : "time");
+  add("scale", units.length.empty() ? "" : "length");
+  add("contact", units.length.empty() ? "" : "length²");
+  return json;
+}
+
 }  // namespace morula

@@ -4,6 +4,7 @@
 
 #include "simulation/measures.h"
 #include "system/json.h"
+#include "values/units.h"
 
 namespace morula {
 
@@ -29,5 +30,9 @@ void addMeasures(Json& json, const Measured<Of>& measured) {
     else value = *v;
   }
 }
+
+/// For what shows values in a browser, [unit, how many are one of the scene's] as people see them: of the sampled measures by
+/// name, of "time", and of lengths of a "scale" bar and areas of a "contact", which go without a unit in the scene's own.
+Json shownUnits(const Units& units);
 
 }  // namespace morula

@@ -12,6 +12,7 @@
 #include "simulation/scene.h"
 #include "values/baseline.h"
 #include "values/cell_names.h"
+#include "values/units.h"
 
 namespace morula {
 
@@ -83,6 +84,7 @@ struct Scenario {
   /// '#rrggbb' in lower case by substance. A name that ends in '*' stands for every substance that begins so.
   std::map<std::string, std::string> colours;
   CellNames names;                       // of cells, by their paths
+  Units units;                           // that people see
   std::optional<std::string> shellMesh;  // the file that physics.shell.mesh names
   /// [1] Of the shell's volume, the egg's: the shell's semi-axes, or its mesh, are given as a shape alone, and have been scaled.
   std::optional<double> shellFill;

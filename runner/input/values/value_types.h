@@ -89,6 +89,7 @@ Parameter makeConnections();
 /// What a section `senses` holds, and the tables that explain it.
 Parameter senses();
 std::string sensesAsMarkdown();
+Parameter unitName(std::string path, std::string meaning, Field<std::string> field);
 Parameter saneEnd();
 Parameter nameOfEgg();
 Parameter namesOfDaughters();

@@ -19,9 +19,9 @@ constexpr std::size_t mostTouching = 60;  // cells in a matrix of contacts
 // [pixel] So small that words of ordinary size are legible where three charts stand side by side.
 constexpr int width = 420, height = 300;
 
-Chart timeChart(const std::string& title, const std::string& unit) {
+Chart timeChart(const std::string& title, const std::string& unit, const Units& units) {
   Chart chart;
-  chart.title = title, chart.xLabel = "time", chart.yLabel = unit;
+  chart.title = title, chart.xLabel = timeLabel(units), chart.yLabel = unit;
   chart.xScale = chart.yScale = Axis::Scale::linear;
   chart.dots = false;
   chart.width = width, chart.height = height;
@@ -63,8 +63,12 @@ std::vector<Spot> measureOverTime(const RunFacts& facts, std::size_t measure) {
   return points;
 }
 
-void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Spot> points) {
+/// In units of people, of what is a number in `unit`.
+void addLine(Chart& chart, std::size_t number, std::size_t count, std::vector<Spot> points,
+             const Units& units, std::string_view unit = "") {
   if (points.size() < 2) return;
+  const double perTime = shownUnit(units, "time").factor, perUnit = shownUnit(units, unit).factor;
+  for (Spot& point : points) point.x *= perTime, point.y *= perUnit;
   const std::string label = count > 1 && count <= mostLabels ? std::to_string(number + 1) : "";
   // Told apart without colours, too: by numbers at their ends, and every second one is dashed.
   chart.lines.push_back({label, seriesColour(number), std::move(points), number % 2 == 1, {}});
@@ -103,18 +107,22 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
     }
   };
   for (const std::string& measure : moreMeasures(run))
-    add(measure, titleOfMeasure(measure) + (measure.starts_with("cell.") ? ": each cell" : ""), [&] {
-      Chart chart = seriesOf(run.results, readMeasure(measure, IfSeveral::first), run.scenario);
-      Chart small = timeChart(titleOfMeasure(measure), unitOfMeasure(measure));
-      small.lines = std::move(chart.lines);
-      small.legend = std::move(chart.legend);
-      const auto labelled = std::count_if(small.lines.begin(), small.lines.end(), [](const ChartLine& line) {
-        return !line.label.empty() || !line.pointLabels.empty();
-      });
-      for (ChartLine& line : small.lines)
-        if (labelled > static_cast<long>(mostLabels)) line.label.clear(), line.pointLabels.clear();
-      return drawChart(small);
-    });
+    add(measure,
+        titleOfMeasure(measure, run.scenario.units) + (measure.starts_with("cell.") ? ": each cell" : ""),
+        [&] {
+          Chart chart = seriesOf(run.results, readMeasure(measure, IfSeveral::first), run.scenario);
+          const Units& units = run.scenario.units;
+          Chart small =
+              timeChart(titleOfMeasure(measure, units), shownUnit(units, unitOfMeasure(measure)).name, units);
+          small.lines = std::move(chart.lines);
+          small.legend = std::move(chart.legend);
+          const auto labelled = std::count_if(
+              small.lines.begin(), small.lines.end(),
+              [](const ChartLine& line) { return !line.label.empty() || !line.pointLabels.empty(); });
+          for (ChartLine& line : small.lines)
+            if (labelled > static_cast<long>(mostLabels)) line.label.clear(), line.pointLabels.clear();
+          return drawChart(small);
+        });
   const auto living = std::count_if(run.results.lineage.begin(), run.results.lineage.end(),
                                     [](const LineageEntry& c) { return c.fate == Fate::alive; });
   if (living > 1 && living <= static_cast<long>(mostTouching))
@@ -138,9 +146,10 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
 PageSection chartSection(const std::vector<RunFacts>& runs) {
   PageSection section{"charts", "Charts", {}};
   Document charts;
+  const Units units = unitsOfAll(runs, [](const RunFacts& r) { return r.scenario.units; });
   const std::size_t count = std::min(runs.size(), mostLines);
-  Chart cells = timeChart("Living cells", "");
-  for (std::size_t i = 0; i < count; ++i) addLine(cells, i, count, cellsOverTime(runs[i]));
+  Chart cells = timeChart("Living cells", "", units);
+  for (std::size_t i = 0; i < count; ++i) addLine(cells, i, count, cellsOverTime(runs[i]), units);
   if (!cells.lines.empty())
     charts.add(svgPicture(drawChart(cells), "Living cells over time",
                           "One more at each division, one fewer at each death"));
@@ -148,10 +157,11 @@ PageSection chartSection(const std::vector<RunFacts>& runs) {
   for (std::size_t m = 0; m < measures.size(); ++m) {
     const std::string measure = measures[m].name;
     if (measure == "cells") continue;
-    Chart chart = timeChart(titleOfMeasure(measure), measures[m].unit);
-    for (std::size_t i = 0; i < count; ++i) addLine(chart, i, count, measureOverTime(runs[i], m));
+    const std::string title = titleOfMeasure(measure, units), unit = measures[m].unit;
+    Chart chart = timeChart(title, shownUnit(units, unit).name, units);
+    for (std::size_t i = 0; i < count; ++i)
+      addLine(chart, i, count, measureOverTime(runs[i], m), units, unit);
     if (chart.lines.empty()) continue;
-    const std::string title = titleOfMeasure(measure);
     charts.add(svgPicture(drawChart(chart), title + " over time", measures[m].meaning));
     if (count == 1)
       section.commands.push_back(commandFor(runs[0], "chart", measure + " -o " + measure + ".svg"));

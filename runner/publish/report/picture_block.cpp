@@ -84,10 +84,11 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
   for (std::size_t i = 0; i < pictured.size(); ++i) {
     const RunFacts& r = *pictured[i].run;
     const std::string when = r.run.status == RunStatus::done ? "at the end" : "where it failed";
-    Picture picture = pngPicture(
-        drawOrganism(pictured[i].picture),
-        before(r) + "the organism at time " + numberText(r.run.time, 6) + ", " + counted(r.run.cells, "cell"),
-        before(r) + "the organism " + when, std::to_string(i));
+    Picture picture =
+        pngPicture(drawOrganism(pictured[i].picture),
+                   before(r) + "the organism at time " + shownTime(r.scenario.units, r.run.time, 6) + ", " +
+                       counted(r.run.cells, "cell"),
+                   before(r) + "the organism " + when, std::to_string(i));
     picture.id = "picture-" + std::to_string(i);
     pictures.add(std::move(picture));
     if (runs.size() == 1)

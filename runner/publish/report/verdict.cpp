@@ -66,7 +66,8 @@ void judgeDivisions(const RunFacts& facts, std::vector<Finding>& findings) {
       {Kind::warning,
        counted(count, "division") + (count == 1 ? " has an" : " have an") +
            " ambiguous axis: the mother's longest extent is hardly longer than her next one, " +
-           (count == 1 ? "" : "first ") + "that of " + cell + " at time " + numberText(first.time) + ", " +
+           (count == 1 ? "" : "first ") + "that of " + cell + " at time " +
+           shownTime(facts.scenario.units, first.time) + ", " +
            (*first.extentRatio - 1 < 1e-6
                 ? "longer by less than a millionth"
                 : "longer by " + numberText(100 * (*first.extentRatio - 1), 2) + " %") +
@@ -83,9 +84,9 @@ void judgeAgain(const RunFacts& facts, std::vector<Finding>& findings) {
                                        "computes, the tables what is stored")});
 }
 
-std::string statusText(const StoredRun& run) {
-  const std::string cells = counted(run.cells, "cell"),
-                    when = " at time " + numberText(run.time, 6) + " after " + counted(run.steps, "step");
+std::string statusText(const StoredRun& run, const Units& units) {
+  const std::string cells = counted(run.cells, "cell"), when = " at time " + shownTime(units, run.time, 6) +
+                                                               " after " + counted(run.steps, "step");
   switch (run.status) {
     case RunStatus::done:
       return "is done: " + cells + when;
@@ -103,7 +104,7 @@ std::string sentenceOf(const std::vector<const RunFacts*>& runs, bool bad, bool 
   const std::string ending = bad      ? ". There are faults."
                              : warned ? ". There are warnings."
                                       : ". Nothing is amiss.";
-  if (runs.size() == 1) return "The run " + statusText(runs[0]->run) + ending;
+  if (runs.size() == 1) return "The run " + statusText(runs[0]->run, runs[0]->scenario.units) + ending;
   const auto done = std::count_if(runs.begin(), runs.end(),
                                   [](const RunFacts* r) { return r->run.status == RunStatus::done; });
   return std::to_string(done) + " of " + counted(runs.size(), "run") + (done == 1 ? " is" : " are") +

@@ -8,6 +8,7 @@
 #include "pictures/picture_maker.h"
 #include "pictures/pictures.h"
 #include "report_data/words.h"
+#include "values/measure_list.h"
 
 namespace morula {
 
@@ -71,12 +72,6 @@ class States {
 // Of these data and of frames.h; the explorer refuses others (reports/explorer/src/data.ts).
 constexpr int explorerFormat = 3;
 
-Json unitsOf() {
-  Json units = Json::object();
-  for (const auto& m : sampledMeasures<CellContext>()) units[m.name] = m.unit;
-  return units;
-}
-
 Json dataOf(const ExplorerRun& run) {
   Json json{{"title", printableLine(run.title)},
             {"scenario", printableLine(run.scenario->scene.name)},
@@ -120,8 +115,9 @@ void addPalette(Json& data) {
 }
 
 Json explorerData(const std::vector<ExplorerRun>& runs) {
-  Json json{{"morula", explorerFormat}, {"units", unitsOf()},      {"scale", Json::array()},
-            {"series", Json::array()},  {"forces", Json::array()}, {"runs", Json::array()}};
+  const Units units = unitsOfAll(runs, [](const ExplorerRun& r) { return r.scenario->units; });
+  Json json{{"morula", explorerFormat}, {"units", shownUnits(units)}, {"scale", Json::array()},
+            {"series", Json::array()},  {"forces", Json::array()},    {"runs", Json::array()}};
   addPalette(json);
   for (const auto& kind : choices<ForceKind>)
     json["forces"].push_back({kind.name, hex(forceColour(kind.value)), kind.meaning});

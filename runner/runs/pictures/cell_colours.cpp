@@ -69,7 +69,7 @@ void colourByGeneration(std::vector<OrganismPicture>& pictures,
 
 void colourByMeasure(std::vector<OrganismPicture>& pictures,
                      const std::vector<std::vector<std::optional<double>>>& values,
-                     const AskedMeasure& measure) {
+                     const AskedMeasure& measure, const Units& units) {
   Range range;
   bool lacks = false;
   for (std::size_t p = 0; p < pictures.size(); ++p)
@@ -78,18 +78,17 @@ void colourByMeasure(std::vector<OrganismPicture>& pictures,
       else if (const auto& value = values[p][i]) range.see(*value);
       else lacks = true;
   range = withoutRounding(range);
+  const ShownUnit unit = shownUnit(units, measure.unit);
   for (std::size_t p = 0; p < pictures.size(); ++p) {
     for (std::size_t i = 0; i < values[p].size(); ++i) {
       const double share =
           values[p][i] && range.low < range.high ? (*values[p][i] - range.low) / (range.high - range.low) : 0;
       pictures[p].cells[i].colour = values[p][i] ? scaleColour(share) : notMeasured;
     }
-    if (range.low <= range.high) pictures[p].instruments.colourBar = {measure.title(), range.low, range.high};
-    if (lacks) {
-      AskedMeasure bare = measure;
-      bare.unit.clear();
-      pictures[p].legend.push_back({notMeasured, bare.title() + " not measured"});
-    }
+    if (range.low <= range.high)
+      pictures[p].instruments.colourBar = {unit.after(measure.title()), unit.factor * range.low,
+                                           unit.factor * range.high};
+    if (lacks) pictures[p].legend.push_back({notMeasured, measure.title() + " not measured"});
   }
 }
 
@@ -169,7 +168,7 @@ void colourCells(std::vector<OrganismPicture>& pictures,
   if (colouring.by == Colouring::By::clone) colourByClone(pictures, values, colouring.founders, scenario);
   if (colouring.by == Colouring::By::generation) colourByGeneration(pictures, values);
   if (colouring.by == Colouring::By::measure)
-    colourByMeasure(pictures, values, *findMeasure(colouring.measure));
+    colourByMeasure(pictures, values, *findMeasure(colouring.measure), scenario.units);
   else shareLegend(pictures);
 }
 

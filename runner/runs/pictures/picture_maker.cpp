@@ -121,6 +121,8 @@ void PictureMaker::add(const World& world) {
   picture.transparent = wishes_.transparent;
   picture.clip = wishes_.clip;
   picture.instruments.axes = wishes_.axes, picture.instruments.scaleBar = wishes_.scaleBar;
+  if (const Units& units = scenario_.units; !units.length.empty())
+    picture.instruments.lengthUnit = units.length, picture.instruments.perLength = units.perLength;
   setOpacities(picture, world, wishes_.opacities, opacityFits_);
   picture.legend = legendOf(picture, world, scenario_);
   if (wishes_.labels != Labels::none) addLabels(picture, world, scenario_, wishes_.labels);

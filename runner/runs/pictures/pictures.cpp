@@ -105,8 +105,8 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
         {"shell", std::move(flat.vertices), neutralGrey, shellOpacity, std::move(flat.faces)});
   }
   picture.legend = palette.legend();
-  picture.caption =
-      fmt::format("time {:.4g}, {}", world.clock.time, counted(world.cells.path.size(), "cell"));
+  picture.caption = fmt::format("time {}, {}", shownTime(scenario.units, world.clock.time),
+                                counted(world.cells.path.size(), "cell"));
   return picture;
 }
 
@@ -115,19 +115,22 @@ TreePicture lineagePictureOf(const std::vector<LineageEntry>& cells,
                              const Scenario& scenario) {
   Palette palette(scenario);
   TreePicture picture;
+  const double perTime = shownUnit(scenario.units, "time").factor;
+  picture.timeLabel = timeLabel(scenario.units);
   std::size_t alive = 0;
   for (const auto& cell : cells) {
     const auto substances = describe(cell.state);
     const bool lives = cell.fate == Fate::alive;
     alive += lives;
-    picture.nodes.push_back({cell.path.text(), cell.born, lives ? end : cell.ended, cell.fate,
-                             palette.colourOf(substances),
+    picture.nodes.push_back({cell.path.text(), perTime * cell.born, perTime * (lives ? end : cell.ended),
+                             cell.fate, palette.colourOf(substances),
                              scenario.names.of(cell.path).value_or(substances)});
   }
   picture.title = scenario.scene.name;
-  picture.caption = cells.size() == 1
-                        ? fmt::format("1 cell, {} at time {:.4g}", alive ? "alive" : "dead", end)
-                        : fmt::format("{} cells, {} of them alive at time {:.4g}", cells.size(), alive, end);
+  picture.caption = cells.size() == 1 ? fmt::format("1 cell, {} at time {}", alive ? "alive" : "dead",
+                                                    shownTime(scenario.units, end))
+                                      : fmt::format("{} cells, {} of them alive at time {}", cells.size(),
+                                                    alive, shownTime(scenario.units, end));
   picture.legend = palette.legend();
   return picture;
 }

@@ -42,12 +42,14 @@ constexpr int founders = Colouring{}.founders;
 }  // namespace
 
 Chart seriesOf(const RunResults& results, const AskedMeasure& measure, const Scenario& scenario) {
+  const ShownUnit unit = shownUnit(scenario.units, measure.unit), time = shownUnit(scenario.units, "time");
+  const std::string title = unit.after(measure.title());
   std::map<MeasuredThing, std::vector<Spot>> series;
   for (const Sample& sample : results.samples)
     for (const auto& [key, value] : valuesIn(sample, measure, results.stateTexts))
-      series[key].push_back({sample.world.time, value});
+      series[key].push_back({time.factor * sample.world.time, unit.factor * value});
   if (series.empty()) failWithout(measure, scenario);
-  const double end = results.samples.back().world.time;
+  const double end = time.factor * results.samples.back().world.time;
   std::size_t atEnd = 0;
   for (const auto& [key, points] : series) atEnd += points.back().x == end;
   std::set<std::string> clones;
@@ -55,9 +57,9 @@ Chart seriesOf(const RunResults& results, const AskedMeasure& measure, const Sce
   std::size_t number = 0;
   Chart chart;
   chart.title = scenario.scene.name;
-  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), measure.title(),
+  chart.caption = fmt::format("{} {} over time, {}", name(measure.scope), title,
                               counted(results.samples.size(), "sample"));
-  chart.xLabel = "time", chart.yLabel = measure.title();
+  chart.xLabel = timeLabel(scenario.units), chart.yLabel = title;
   chart.xScale = chart.yScale = Axis::Scale::linear;
   chart.dots = few && results.samples.size() <= 40;
   for (auto& [key, points] : series) {
@@ -89,6 +91,7 @@ MatrixPicture contactsOf(const RunResults& results, double time, const Scenario&
                      fmt::format(" up to time {:.6g} has cells with bodies", time));
   if (!scenario.scene.mechanics || !scenario.scene.mechanics->contact)
     throw InputError(scenario.scene.name + " has no physics.contact: cells in it do not touch");
+  const ShownUnit unit = shownUnit(scenario.units, "length²");
   MatrixPicture picture;
   const std::size_t n = last->cells.size();
   picture.values.resize(n * n);
@@ -99,12 +102,13 @@ MatrixPicture contactsOf(const RunResults& results, double time, const Scenario&
   }
   for (const ContactMeasures& pair : last->contacts) {
     const std::size_t a = rows.at(pair.a), b = rows.at(pair.b);
-    picture.values[a * n + b] = picture.values[b * n + a] = pair["area"];
+    if (const auto area = pair["area"])
+      picture.values[a * n + b] = picture.values[b * n + a] = unit.factor * *area;
   }
   picture.title = scenario.scene.name;
-  picture.caption = fmt::format("who touches whom at time {:.6g}: {} cells, {} contacts", last->world.time, n,
-                                last->contacts.size());
-  picture.quantity = "contact area [length²]";
+  picture.caption = fmt::format("who touches whom at time {}: {} cells, {} contacts",
+                                shownTime(scenario.units, last->world.time, 6), n, last->contacts.size());
+  picture.quantity = unit.after("contact area");
   return picture;
 }
 
@@ -176,9 +180,10 @@ void colourTree(TreePicture& tree, const RunResults& results, const Colouring& c
                       : scaleColour(0);
   }
   if (lacks) tree.legend.push_back({neutralGrey, "in no sample"});
+  const ShownUnit unit = shownUnit(scenario.units, measure.unit);
+  const std::string of = colouring.by == By::measure ? ", mean over a cell's samples" : "";
   tree.colourBar =
-      ColourBar{measure.title() + (colouring.by == By::measure ? ", mean over a cell's samples" : ""),
-                range.low, range.high};
+      ColourBar{unit.after(measure.title()) + of, unit.factor * range.low, unit.factor * range.high};
 }
 
 }  // namespace morula

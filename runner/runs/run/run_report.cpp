@@ -18,17 +18,15 @@ std::string against(const Scenario& scenario) {
 }
 
 /// Not a failure: the same program cuts the same way every time. What differs a little may cut another way.
-std::string describeAmbiguous(const std::vector<DivisionRecord>& divisions) {
+std::string describeAmbiguous(const std::vector<DivisionRecord>& divisions, const Units& units) {
   if (divisions.empty()) return "";
   const DivisionRecord& first = divisions.front();
   return fmt::format(
-      "  warning  division.plane: longest: {} of cells whose two largest extents differ by less "
-      "than {:.2g} %: "
-      "the first is of {} at time {:.4g} (ratio {:.6g}); another mesh, time step or precision may cut "
-      "elsewhere; "
-      "division.plane: {{axis: [x, y, z]}} does not\n",
+      "  warning  {} by longest of cells as long in two directions (to {:.2g} %), first {} at time {}; "
+      "another mesh or time "
+      "step may cut elsewhere\n",
       counted(divisions.size(), "division"), 100 * (ambiguousExtentRatio - 1),
-      first.path.isEgg() ? "the egg" : "cell " + first.path.text(), first.time, *first.extentRatio);
+      first.path.isEgg() ? "the egg" : "cell " + first.path.text(), shownTime(units, first.time));
 }
 
 Json ambiguousToJson(const std::vector<DivisionRecord>& divisions) {
@@ -80,9 +78,9 @@ Json sampleJson(const Sample& sample) {
 
 std::string describe(const RunOutcome& outcome, const Scenario& scenario, const RunSettings& settings) {
   const auto& end = outcome.end;
-  auto text =
-      fmt::format("{}  seed {}: {}, {} at time {:.6g} after {} steps\n", scenario.scene.name,
-                  scenario.scene.seed, name(end.status), counted(end.cells, "cell"), end.time, end.steps);
+  auto text = fmt::format("{}  seed {}: {}, {} at time {} after {} steps\n", scenario.scene.name,
+                          scenario.scene.seed, name(end.status), counted(end.cells, "cell"),
+                          shownTime(scenario.units, end.time, 6), end.steps);
   if (outcome.resumedAt) text += fmt::format("  resumed  at step {}\n", *outcome.resumedAt);
   if (outcome.canBeResumed) text += "  go on    with the same command and --resume\n";
   if (end.stateHash) text += "  state    " + end.stateHash->text() + "\n";
@@ -95,7 +93,7 @@ std::string describe(const RunOutcome& outcome, const Scenario& scenario, const 
     if (looked) text += fmt::format("  checks   all {} pass{}\n", looked, against(scenario));
   } else if (!outcome.checks && end.status == RunStatus::done)
     text += "  checks   none: " + outcome.whyNotChecked + "\n";
-  text += describeAmbiguous(outcome.ambiguous);
+  text += describeAmbiguous(outcome.ambiguous, scenario.units);
   if (!outcome.unsettled.empty()) text += "  warning  " + outcome.unsettled + "\n";
   text += describeSanity(outcome, scenario);
   text += "  results  " + settings.database.string() + " (run " + outcome.id + ")\n";

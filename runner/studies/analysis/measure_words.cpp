@@ -51,12 +51,11 @@ std::string unitOfMeasure(const std::string& measure) {
   return known ? known->unit : "";
 }
 
-std::string titleOfMeasure(const std::string& measure) {
+std::string titleOfMeasure(const std::string& measure, const Units& units) {
   std::string title = wordsOfMeasure(measure).noun;
   if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
     title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  const std::string unit = unitOfMeasure(measure);
-  return title + (unit.empty() ? "" : " [" + unit + "]");
+  return shownUnit(units, unitOfMeasure(measure)).after(title);
 }
 
 std::size_t placeOfMeasure(const std::string& measure) {

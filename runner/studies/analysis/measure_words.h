@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "values/units.h"
+
 namespace morula {
 
 struct MeasureWords {
@@ -17,7 +19,7 @@ MeasureWords wordsOfMeasure(const std::string& measure);
 std::string unitOfMeasure(const std::string& measure);
 
 /// "Mean pressure [force/length²]" of "mean_pressure": for charts and tables.
-std::string titleOfMeasure(const std::string& measure);
+std::string titleOfMeasure(const std::string& measure, const Units& units = {});
 
 /// The row's place in the tables of measures (world, cell, pair); behind all of them for what none has.
 std::size_t placeOfMeasure(const std::string& measure);

@@ -53,6 +53,7 @@ connections: {make: by-gene, on-division: both, strength: 0.4, release-distance:
 senses: {}
 record: {every: 0.25, pictures: 0.5, meshes: 0.75, at-cells: [2, 3], measures: [contact_f1, position_rmsd]}
 names: {egg: P0, daughters: [l, r], cells: {A: AB}}
+units: {length: um, per-length: 27, time: min, per-time: 4}
 check: {volume: [0.5, 2], extent: 9, energy: 100, momentum: 0.5, end-volume: [0.9, 1.1], end-roundness: 0.75,
   end-overlap: 0.125, fails: [springs, physics.time_step], sane: false, because: it stops,
   reference: {contacts: [[AB, /B], [/AA, /AB]], positions: {AB: [1, 0, 0], /B: [-1, 0, 0], /AB: [0, 2, 0]}}}

@@ -63,6 +63,8 @@ TEST_CASE("names, colours and pictures mean nothing for the results") {
   CHECK(read(replaced(everyPart, "#102030", "#102031")).meaning == meaning);
   CHECK(read(replaced(everyPart, "pictures: 0.5", "pictures: 0.25")).meaning == meaning);
   CHECK(read(replaced(everyPart, "[1, 0, 0], /B", "[1, 0, 4], /B")).meaning == meaning);
+  CHECK(read(replaced(everyPart, "length: um, per-length: 27, time: min, per-time: 4", "time: h")).meaning ==
+        meaning);
   CHECK(read(replaced(everyPart, "extent: 9", "extent: 8")).meaning == meaning);
   CHECK(read(replaced(everyPart, "[springs, physics.time_step]", "[pressure]")).meaning == meaning);
   CHECK(read(replaced(everyPart, ", sane: false, because: it stops", "")).meaning == meaning);

@@ -1,6 +1,7 @@
 // One measure of the organism over time, as it comes.
-import { numberText } from "../data";
+import { shownText, type Data } from "../data";
 import { element } from "../tools";
+import type { Measures } from "./talk";
 
 const svg = "http://www.w3.org/2000/svg", width = 600, height = 120;
 
@@ -12,7 +13,7 @@ export class Chart {
   private times: number[] = [];
   private values: (number | null)[][] = [];
   private end: number | null = null;
-  private units: string[] = [];
+  units: Data["units"] = {};
 
   constructor() {
     const label = element("label", "", "Over time "), picture = document.createElementNS(svg, "svg");
@@ -27,11 +28,11 @@ export class Chart {
     this.choice.addEventListener("change", () => this.draw());
   }
 
-  begin(measures: [string, string][], end: number | null): void {
+  begin({ world, units }: Measures, end: number | null): void {
     const chosen = this.choice.value;
-    this.times = [], this.values = [], this.end = end, this.units = measures.map(([, unit]) => unit);
-    this.choice.replaceChildren(...measures.map(([name]) => element("option", "", name)));
-    if (measures.some(([name]) => name === chosen)) this.choice.value = chosen;
+    this.times = [], this.values = [], this.end = end, this.units = units;
+    this.choice.replaceChildren(...world.map((name) => element("option", "", name)));
+    if (world.includes(chosen)) this.choice.value = chosen;
     this.box.hidden = false;
   }
 
@@ -45,6 +46,7 @@ export class Chart {
     const k = this.choice.selectedIndex, known = this.times.map((time, i): [number, number | null] => [time, this.values[i][k] ?? null]).filter((p): p is [number, number] => p[1] !== null);
     const low = Math.min(...known.map(([, y]) => y)), high = Math.max(...known.map(([, y]) => y)), last = this.end ?? (this.times[this.times.length - 1] || 1);
     this.line.setAttribute("points", known.map(([x, y]) => `${(width * x) / (last || 1)},${height - 4 - ((height - 8) * (y - low)) / (high - low || 1)}`).join(" "));
-    this.said.textContent = known.length ? `${numberText(known[known.length - 1][1])}${this.units[k] ? ` ${this.units[k]}` : ""}, from ${numberText(low)} to ${numberText(high)}` : "not measured in this scenario";
+    const text = (y: number): string => shownText(this, this.choice.value, y);
+    this.said.textContent = known.length ? `${text(known[known.length - 1][1])}, from ${text(low)} to ${text(high)}` : "not measured in this scenario";
   }
 }

@@ -21,7 +21,7 @@ export class LiveRun extends Run {
 
   constructor(private readonly read: Read, measures: Measures) {
     super({
-      title: read.name, scenario: read.name, end: read.end ?? 0, states: [], colours: [], legend: Object.entries(read.colours), measures: measures.cell.map(([name]) => name),
+      title: read.name, scenario: read.name, end: read.end ?? 0, states: [], colours: [], legend: Object.entries(read.colours), measures: measures.cell,
       forces: [], netForces: [], shell: read.shell, radius: read.radius, meshes: [], cells: [], frames: [],
     }, new ArrayBuffer(0));
     this.grown = this as unknown as typeof this.grown;

@@ -166,7 +166,7 @@ class Playground {
     this.say("Starting");
     this.runner = this.worker((news) => {
       if (news.kind === "failed") this.end(`The run ended: ${news.why}`, "bad", "✗");
-      else if (news.kind === "begun") { measures = news.measures; run = new LiveRun(read, measures); this.chart.begin(measures.world, read.end); }
+      else if (news.kind === "begun") { measures = news.measures; run = new LiveRun(read, measures); this.chart.begin(measures, read.end); }
       else if (news.kind === "snapshot" && run) {
         run.add(news.snapshot);
         this.chart.add(news.snapshot.time, news.snapshot.world ?? []);
@@ -195,7 +195,7 @@ class Playground {
     this.explorer?.leave();
     const root = element("div");
     this.grow.replaceChildren(root);
-    const data: Data = { runs: [run], units: Object.fromEntries(measures.cell), scale: this.told.scale, series: this.told.series, clones: this.told.clones, forces: [] };
+    const data: Data = { runs: [run], units: measures.units, scale: this.told.scale, series: this.told.series, clones: this.told.clones, forces: [] };
     this.explorer = new LiveExplorer(root, data, run);
   }
 }

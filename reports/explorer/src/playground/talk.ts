@@ -1,5 +1,7 @@
 // What the playground's page and the workers in which the simulator reads and runs tell each other.
 
+import type { Data } from "../data";
+
 export interface Written { name: string; text: string; files: [string, string, string][] } // role, path, content
 
 export interface Order { module?: Uint8Array; number: number; written: Written; runs: boolean }
@@ -30,7 +32,7 @@ export interface Snapshot {
   meshes: [number, number[]][]; // those that are new: vertices, faces
 }
 
-export interface Measures { cell: [string, string][]; world: [string, string][] }
+export interface Measures { cell: string[]; world: string[]; units: Data["units"] }
 
 export type News =
   | { kind: "read"; number: number; read: Read | null; mistakes: string[] }

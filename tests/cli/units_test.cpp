@@ -1,0 +1,46 @@
+// Units that people see: where they meet them, and that programs do not.
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "launch.h"
+
+using namespace morula::test;
+using Json = nlohmann::json;
+
+TEST_CASE(
+    "people see a scenario's units in texts and pages, programs the scene's own, and the run is the same") {
+  const TemporaryFolder folder;
+  const std::string plain =
+      "morula: 1\nname: two\ndna: |\n  START: a0\n  g1(divide|a0)\nstop: {time: 1.5}\n"
+      "physics: {mesh: {icosphere: 1}}\ndivision: {plane: {axis: [1, 0, 0]}}\n";
+  writeWhole(folder / "plain.yaml", plain);
+  writeWhole(folder / "units.yaml", plain + "units: {length: µm, per-length: 27, time: min, per-time: 4}\n");
+  const auto run = [&](const std::string& name) {
+    const auto database = folder / (name + ".db");
+    const Json json = Json::parse(
+        launch({"run", folder / (name + ".yaml"), "--db", database, "--quiet", "--no-pictures", "--json"})
+            .out);
+    const auto text =
+        launch({"run", folder / (name + ".yaml"), "--db", folder / (name + "-text.db"), "--no-pictures"}).out;
+    return std::pair(json, text);
+  };
+  const auto [own, ownText] = run("plain");
+  const auto [shown, shownText] = run("units");
+  CHECK(shown["run_id"] == own["run_id"]);
+  CHECK(shown["state_hash"] == own["state_hash"]);
+  CHECK(shown["sample"] == own["sample"]);
+  CHECK_THAT(ownText, ContainsSubstring("at time 1.5 after"));
+  CHECK_THAT(shownText, ContainsSubstring("at time 6 min after"));
+
+  // From the scenario and from the database, which keeps it.
+  for (const auto& file : {folder / "units.yaml", folder / "units.db"}) {
+    CHECK_THAT(launch({"lineage", file}).out, ContainsSubstring("egg  divided 0–4 min"));
+    CHECK_THAT(launch({"lineage", file, "--cell", "A"}).out, ContainsSubstring("born       4 min"));
+    CHECK(Json::parse(launch({"lineage", file, "--json"}).out)["cells"][0]["ended"] == 1.0);
+  }
+  CHECK(launch({"replay", folder / "units.db"}).code == 0);
+  REQUIRE(launch({"report", folder / "units.db", "-o", folder / "page.html"}).code == 0);
+  const std::string page = readWhole(folder / "page.html");
+  CHECK_THAT(page, ContainsSubstring("2 cells at time 6 min after"));
+  CHECK_THAT(page, ContainsSubstring("Volume [µm³]"));
+}
